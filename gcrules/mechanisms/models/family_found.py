@@ -19,7 +19,8 @@ __all__ = ["LEVELS", "Known", "Named", "Naming"]
 
 LEVELS = ("points of a limb", "points of all limbs", "points and directions of all limbs", "relations between limbs")
 _SAME = 1e-6  # of the size, and radians
-_POINTS = "ABCDEFGHIJKL"
+_POINTS = "ABCDEFGHIJKLMNPQRSTUVW"
+_LETTERS = "abcdefgijkmnopqrstuvw"
 _AXES = {"R": "rstpq", "H": "rstpq", "C": "rstpq", "U": "uvwjk", "P": "def", "4S": "def", "Pa": "nm", "E": "nm"}
 
 
@@ -163,10 +164,9 @@ class Naming:
         self.shared = {slot: found if one is shared else one for slot, one in self.shared.items()}
 
     def _stem(self, slot: Slot, part: Part, own: Sequence[Known]) -> str:
-        letters = _POINTS if slot.sort == "point" else _AXES[part.kind]
+        letters = _POINTS if slot.sort == "point" else _AXES[part.kind] + _LETTERS
         taken = {d.stem for d in (*own, *self.shared.values())}
-        more = (f"{c}{c}" for c in letters)
-        return next((c for c in (*letters, *more) if c not in taken), letters[0] * 3)
+        return next((c for c in letters if c not in taken), f"{letters[0]}{len(own)}")
 
     # --- relations -------------------------------------------------------------------------------------------------
 
@@ -181,17 +181,27 @@ class Naming:
             directions += [d for d in self.frame if d in self.shared.values()]
         points = [d for d in others if d.sort == "point"]
         if sort == "point":
+            if self.level and (found := self._fourth(values, points)):
+                return found, False
             return (("free",) if self.plane else self._of_point(values, points, directions)), True
-        found = [(d,) for d in directions if self._perpendicular(values, d.values)]
+        right: list[Named] = [(d,) for d in directions if self._perpendicular(values, d.values)]
         for a, b in zip(order, order[1:], strict=False):
             away = b.values - a.values
             lengths = np.linalg.norm(away, axis=1)
             if lengths.min() > _SAME * self.size and self._perpendicular(values, away / lengths[:, None]):
-                found.append((a, b))
-        for one, two in combinations(found, 2):
+                right.append((a, b))
+        for one, two in combinations(right, 2):
             if self._apart(one, two):
                 return ("perpendicular to ", *one, ", ", *two), False
-        return (("perpendicular to ", *found[0]), True) if found else (("free",), True)
+        return (("perpendicular to ", *right[0]), True) if right else (("free",), True)
+
+    def _fourth(self, values: Floats, points: Sequence[Known]) -> tuple[str | Known, ...]:
+        """The last corner of a parallelogram that three points begin, if a point stays there."""
+        for p, q, r in combinations(points, 3):
+            for a, b, c in ((p, q, r), (q, r, p), (r, p, q)):
+                if np.abs(a.values + b.values - c.values - values).max() < _SAME * self.size:
+                    return a, " + ", b, " - ", c
+        return ()
 
     def _of_point(self, values: Floats, points: Sequence[Known], directions: Sequence[Known]) -> tuple[str | Known, ...]:
         for p in points:

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
-from os import PathLike
+from os import PathLike, fspath
+from os.path import isfile
 from pathlib import PurePath
 from typing import NoReturn
 
@@ -19,7 +20,7 @@ from gcrules.mechanisms.models.chains_between import Bars, Chain, Poses, limbs_b
 from gcrules.mechanisms.models.family_found import LEVELS, Naming
 from gcrules.mechanisms.models.graph import Ends, Graph, graph_of
 from gcrules.mechanisms.models.imported import Imported, ImportedLimb
-from gcrules.mechanisms.models.merging import Ratios, parts_of
+from gcrules.mechanisms.models.merging import Ratios, apart, parts_of
 from gcrules.mechanisms.models.model import Model
 from gcrules.mechanisms.models.motions import Motion, motions_of
 from gcrules.mechanisms.models.moving import Moving
@@ -56,16 +57,24 @@ def import_file(
     actuators: Iterable[str] = (),
     tolerance: float = TOLERANCE,
 ) -> Imported:
-    """Read a model file (URDF with a file of closures, SDF, MJCF) as a robot file. Raises FileError with its place for
-    a file at fault, else as `import_model` does.
+    """Read a model file (URDF with a file of closures, SDF, MJCF) as a robot file. Beside robot.urdf the closures are
+    those of robot-closures.yaml, if there is such a file and no other is named. Raises FileError with its place for a
+    file at fault, else as `import_model` does.
     """
+    beside = PurePath(fspath(path))
+    own = beside.with_name(f"{beside.stem}-closures.yaml")
+    if closures is None and beside.suffix.lower() == ".urdf" and isfile(own):
+        closures = own
     model = read_model(path, closures)
     try:
         return import_model(model, base=base, platform=platform, actuators=actuators, tolerance=tolerance)
     except FileError:
         raise
     except InputError as fault:
-        raise FileError(fault.message, filename=model.filename, hint=fault.hint) from None
+        hint = fault.hint
+        if model.format == "urdf" and closures is None and not any(j.closing for j in model.joints):
+            hint = f"{hint + '; ' if hint else ''}loops of a model in URDF are closed by a second file: --closures FILE"
+        raise FileError(fault.message, filename=model.filename, hint=hint) from fault
 
 
 def import_model(
@@ -195,10 +204,9 @@ class _Import:
         )
 
     def _drawn(self, limbs: Sequence[Sequence[Chain]], poses: Poses) -> list[Drawn]:
-        found = []
-        for chains in limbs:
-            parts = tuple((c, tuple(parts_of(c, poses, self.ratios, plane=self.plane))) for c in chains)
-            found.append(Drawn(parts))
+        every = [[parts_of(c, poses, self.ratios) for c in chains] for chains in limbs]
+        flat = iter(apart([parts for own in every for parts in own], self.size))
+        found = [Drawn(tuple((c, tuple(next(flat))) for c in chains)) for chains in limbs]
         names = _names([[m.joint for m in _motions_in(chains)] for chains in limbs])
         return [replace(d, name=name) for d, name in zip(found, names, strict=True)]
 

@@ -12,7 +12,7 @@ from gcrules.mechanisms.kinematics.rigid_motions import Floats
 from gcrules.mechanisms.models.chains_between import Bars, Chain, Item, Poses, placed
 from gcrules.mechanisms.models.motions import Motion
 
-__all__ = ["Part", "Slot", "parts_of"]
+__all__ = ["Part", "Ratios", "Slot", "apart", "parts_of"]
 
 _SAME = 1e-7
 
@@ -47,7 +47,28 @@ class Part:
         return len(self.joints) > 1
 
 
-def parts_of(chain: Chain, poses: Poses, coupled: Ratios, *, plane: bool = False) -> list[Part]:
+def apart(limbs: Sequence[Sequence[Part]], size: float) -> list[list[Part]]:
+    """The joints of limbs with no two points in one place at home that part elsewhere: the point of a turn goes along its
+    axis.
+    """
+    taken = [s.values for parts in limbs for p in parts if p.kind not in ("R", "H", "C") for s in p.slots if s.sort == "point"]
+
+    def clear(part: Part) -> Part:
+        if part.kind not in ("R", "H", "C"):
+            return part
+        point, axis = part.slots
+        for step in range(12):
+            values = point.values + axis.values * (0.05 * size * step)
+            near = [v for v in taken if np.linalg.norm(v[0] - values[0]) < _SAME * size]
+            if all(np.abs(v - values).max() < _SAME * size for v in near):
+                taken.append(values)
+                return part if step == 0 else replace(part, slots=(Slot("point", values), axis))
+        return part
+
+    return [[clear(p) for p in parts] for parts in limbs]
+
+
+def parts_of(chain: Chain, poses: Poses, coupled: Ratios) -> list[Part]:
     """The joints of a chain. Joints that are coupled to others stay by themselves, but for a pair that is a screw, or a
     parallelogram.
     """

@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy as np
 
 from gcrules.core.dataclass import dataclass
-from gcrules.core.errors import FileError
+from gcrules.core.errors import InputError
 from gcrules.mechanisms.kinematics.rigid_motions import Floats
 from gcrules.mechanisms.models.graph import Graph
 from gcrules.mechanisms.models.model import ModelJoint
@@ -74,16 +74,14 @@ class Motion:
 
 
 def motions_of(graph: Graph, names: Collection[str], driven: Collection[str]) -> tuple[Motion, ...]:
-    """The motions of the joints with these names. Raises FileError where a joint is driven that cannot be."""
+    """The motions of the joints with these names. Raises InputError where a joint is driven that cannot be."""
     found: list[Motion] = []
     for j in graph.joints:
         if j.name in names:
             if j.name in driven and j.kind in ("ball", "planar"):
-                raise FileError(
-                    f"joint {j.name} is {'a ball joint' if j.kind == 'ball' else 'planar'}, and cannot be driven",
-                    filename=graph.model.filename,
-                    line=j.line,
-                    column=j.column,
+                raise InputError(
+                    f"joint {j.name} (line {j.line}) is {'a ball joint' if j.kind == 'ball' else 'planar'},"
+                    " and cannot be driven",
                     hint="name what is driven: --actuators a,b,c",
                 )
             found += _motions(j, graph.body[j.parent], graph.body[j.child], driven=j.name in driven)

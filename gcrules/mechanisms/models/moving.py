@@ -29,7 +29,9 @@ class Moving:
         self.motions = tuple(motions)
         self.base = base
         self.size = size or size_of(motions)
-        self.screws = np.concatenate([m.screws for m in motions]) * [1, 1, 1, *[1 / self.size] * 3]
+        self.screws = np.concatenate([m.screws for m in motions])
+        turns = self.screws[:, :3].any(axis=1)
+        self.screws[turns, 3:] /= self.size  # slides go in parts of the size
         ends = np.cumsum([0, *(len(m.screws) for m in motions)])
         self.own = [slice(int(a), int(b)) for a, b in zip(ends[:-1], ends[1:], strict=True)]
         places = {m.joint: own.start for m, own in zip(motions, self.own, strict=True)}

@@ -65,7 +65,7 @@ class _Writing:
         words: list[str] = []
         for word in d.relation:
             if isinstance(word, Known):
-                if words and not words[-1].endswith(" "):
+                if words and not words[-1].endswith(" "):  # two points that follow each other
                     words.append(" ")
                 words.append(self.name(word, k, number))
             else:

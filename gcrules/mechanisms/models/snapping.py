@@ -115,6 +115,7 @@ def _places(motions: Sequence[Motion], ends: Sequence[str], near: float) -> list
         if m.kind == "S":
             put(m.at, [k])
     balls = len(centres)
+    through: set[tuple[int, int]] = set()  # axes that go through a centre, and belong elsewhere
     for k, m in enumerate(motions):
         for i, other in enumerate(motions[:k]):
             shared = {m.start, m.end} & {other.start, other.end} - {*ends}
@@ -125,8 +126,10 @@ def _places(motions: Sequence[Motion], ends: Sequence[str], near: float) -> list
     for k, m in enumerate(motions):
         if m.has_line:
             for place, members in centres:
-                if k not in members and _off(m.axis, place - m.at) < near:
+                beside = any({m.start, m.end} & {motions[i].start, motions[i].end} - {*ends} for i in members)
+                if k not in members and beside and _off(m.axis, place - m.at) < near:
                     members.append(k)
+                    through.add((k, id(members)))
     for k, m in enumerate(motions):  # an axis that meets nothing
         if m.has_line and not any(k in members for _, members in centres):
             put(m.at, [k])
@@ -138,7 +141,8 @@ def _places(motions: Sequence[Motion], ends: Sequence[str], near: float) -> list
             place[:] = at + axis * (axis @ (place - at))
         for k in members:
             if k not in held:
-                found[k] = place
+                axis, away = motions[k].axis, place - found[k]
+                found[k] = found[k] + away - axis * (axis @ away) if (k, id(members)) in through else place
                 held.add(k)
     return found
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from gcrules.mechanisms.models.imported import Imported
 from gcrules.views.formulas.latex_text import latex_table, latex_words
@@ -32,9 +32,10 @@ def _rows(r: Imported) -> Iterator[tuple[str, str]]:
     for limb in r.limbs:
         names = list(dict.fromkeys(n for _, own in limb.joints for n in own))
         yield limb.name, f"{limb.chain}: {_several(names)}"
-    merged = [f"{kind.rstrip('*')} of {' and '.join(names)}" for limb in r.limbs for kind, names in limb.merged]
-    if merged:
-        yield "merged", _several(merged, "; ")
+    merged = dict.fromkeys(f"{len(names)} joints to {kind}" for limb in r.limbs for kind, names in limb.merged)
+    for said in merged:
+        example = next(n for limb in r.limbs for kind, n in limb.merged if f"{len(n)} joints to {kind}" == said)
+        yield "merged", f"{said}: {_several(example)}" + (", and so on" if _count(r, said) > 1 else "")
     yield "driven", _several(r.actuated, most=24)
     if r.limits:
         yield "limits", _several([f"{n} {low:.6g} to {high:.6g}" for n, low, high in r.limits], most=24) + "; from home"
@@ -49,6 +50,10 @@ def _rows(r: Imported) -> Iterator[tuple[str, str]]:
         yield "note", note
 
 
+def _count(r: Imported, said: str) -> int:
+    return sum(f"{len(n)} joints to {kind}" == said for limb in r.limbs for kind, n in limb.merged)
+
+
 def _moved(r: Imported) -> str:
     distance, angle = r.farthest
     if distance <= _LITTLE * r.size and angle <= _LITTLE:
@@ -59,6 +64,6 @@ def _moved(r: Imported) -> str:
     return f"{said} {angle:.2g} rad at most ({most.joint} the farthest; tolerance {r.tolerance:g})"
 
 
-def _several(names: tuple[str, ...] | list[str], sign: str = ", ", most: int = _MOST) -> str:
+def _several(names: Sequence[str], sign: str = ", ", most: int = _MOST) -> str:
     more = f" and {len(names) - most} more" if len(names) > most else ""
     return sign.join(names[:most]) + more

@@ -1,0 +1,311 @@
+"""Models as robot files: the robots that come with gcrules by way of models, models made by hand, and refusals."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+import gcrules as gc
+from gcrules.core.errors import InputError
+from gcrules.mechanisms.analyze import analyze_robot
+from gcrules.mechanisms.load import read_robot
+from gcrules.mechanisms.models.importing import import_model
+from gcrules.mechanisms.models.model import Model, ModelCoupling, ModelJoint
+from gcrules.mechanisms.models.of_robot import model_of
+from gcrules.mechanisms.robot import Robot
+
+X, Y, Z = (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)
+
+CHAINS = {
+    "3-cpu": "3-RP*PU",
+    "3-crr": "3-RP*RR",
+    "3-rps": "3-RP*S",
+    "3-rpr": "3-RP*R",
+    "3-rrr": "3-R*RR",
+    "3-rrr-spherical": "3-R*U",
+    "3-sps-s": "3-SP*S + S",
+    "3-upu": "3-UP*U",
+    "4-ruu": "4-R*UU",
+    "4-upu": "4-UP*U",
+    "5r": "R*RR + R*R",
+    "6-rus": "6-R*US",
+    "capaman": "3-Pa*PS",
+    "delta": "3-R*4S",
+    "exechon": "2-UP*R + SP*R",
+    "gantry-tau": "P*SS + P*4S + P* (SS | 4S)",
+    "h4": "2-(R*4S | R*4S) R",
+    "octahedral": "6-UP*S",
+    "orthoglide": "3-P*RPaR",
+    "tricept": "UP + 3-UP*S",
+}
+
+
+def kinds(robot: Robot) -> list[tuple[str, str]]:
+    return sorted((d.sort, d.relation.kind) for d in robot.family.definitions)
+
+
+@pytest.mark.parametrize("name", CHAINS)
+def test_robots_come_back_from_their_models(name: str) -> None:
+    """With the chains, the mobility and the home that they have."""
+    robot = read_robot(name)
+    found = import_model(model_of(robot))
+    assert found.robot.chain.split() == CHAINS[name].split() or sorted(found.robot.chain) == sorted(CHAINS[name])
+    assert found.robot.mobility == robot.mobility
+    assert found.deviation < 1e-8
+    assert not any(m.distance > 1e-9 or m.angle > 1e-9 for m in found.moved)
+    again = import_model(model_of(found.robot))
+    assert again.robot.chain == found.robot.chain
+    assert kinds(again.robot) == kinds(found.robot)
+
+
+@pytest.mark.parametrize("name", ["3-rps", "3-upu", "3-rrr", "delta", "orthoglide"])
+def test_the_condition_is_that_of_the_robot(name: str) -> None:
+    """Kinds of factors, and what they say but for names."""
+    robot = read_robot(name)
+    found = import_model(model_of(robot)).robot
+    one, other = (analyze_robot(r) for r in (robot, found))
+    assert [p.kind for p in one.parts] == [p.kind for p in other.parts]
+    assert other.structure.mobility == one.structure.mobility
+    assert other.structure.over == one.structure.over
+
+
+# --- by hand ---------------------------------------------------------------------------------------------------------
+
+
+def model(joints: list[ModelJoint], actuated: tuple[str, ...] = (), **more: object) -> Model:
+    links = tuple(dict.fromkeys(link for j in joints for link in (j.parent, j.child)))
+    links = ("base", *(link for link in links if link != "base"))
+    return replace(Model("hand", "urdf", "hand.urdf", links, tuple(joints), actuated), **more)
+
+
+def around(k: int, radius: float, height: float, *, of: int = 3, turn: float = 0.0) -> tuple[float, float, float]:
+    angle = 2 * np.pi * k / of + turn
+    return float(radius * np.cos(angle)), float(radius * np.sin(angle)), height
+
+
+def delta(noise: float = 0.0, tip: str = "plate") -> Model:
+    """Motors, arms, and two rods with ball ends to each of them."""
+    rng = np.random.default_rng(0)
+    joints = []
+    for k in range(3):
+        c, s = float(np.cos(2 * np.pi * k / 3)), float(np.sin(2 * np.pi * k / 3))
+        side = np.array([-s, c, 0.0])
+        axis = side + noise * rng.normal(size=3)
+        axis /= np.linalg.norm(axis)
+        at = tuple(map(float, 0.2 * np.array([c, s, 0])))
+        joints.append(ModelJoint(f"motor{k}", "revolute", "base", f"arm{k}", at, (tuple(map(float, axis)),), (-1.0, 0.5)))
+        for n, off in enumerate((-0.04, 0.04)):
+            elbow = 0.4 * np.array([c, s, 0]) + off * side + noise * 0.5 * rng.normal(size=3)
+            end = 0.06 * np.array([c, s, 0]) + off * side + [0, 0, -0.5] + noise * 0.5 * rng.normal(size=3)
+            up, down = tuple(map(float, elbow)), tuple(map(float, end))
+            joints.append(ModelJoint(f"elbow{k}{n}", "ball", f"arm{k}", f"rod{k}{n}", up))
+            joints.append(ModelJoint(f"wrist{k}{n}", "ball", f"rod{k}{n}", tip, down, closing=k + n > 0))
+    return model(joints, tuple(f"motor{k}" for k in range(3)))
+
+
+def test_a_delta_by_hand() -> None:
+    found = import_model(delta())
+    assert (found.base, found.platform, found.why) == ("base", "plate", "the link with most limbs")
+    assert found.robot.chain == "3-R*4S"
+    assert found.robot.mobility == 3
+    assert found.limits == tuple((f"motor{k}", -1.0, 0.5) for k in range(3))
+    assert "copies: 3" in found.yaml
+    assert "motor0 from -1 to 0.5" in found.robot.note
+
+
+def chain_of(joints: list[tuple[str, str, object, object]], ends: tuple[str, str], name: str) -> list[ModelJoint]:
+    """Joints (name, kind, place, axes) one after the other."""
+    links = [ends[0], *(f"{name}_{k}" for k in range(1, len(joints))), ends[1]]
+    return [
+        ModelJoint(f"{name}_{n}", kind, links[k], links[k + 1], at, axes)  # type: ignore[arg-type]
+        for k, (n, kind, at, axes) in enumerate(joints)
+    ]
+
+
+def hexapod(kinds: str = "three turns", stretch: float = 1.0) -> Model:
+    """Six arms with rods, whose ball joints are three turns, or a cross and a ball."""
+    joints = []
+    for k in range(6):
+        foot = around(k, 0.3, 0.0, of=6, turn=0.2 * (-1) ** k)
+        axis = around(k, 1.0, 0.0, of=6, turn=np.pi / 2)
+        elbow = tuple(float(c) for c in np.array(foot) + 0.1 * np.array(around(k, 0.0, 1.0)) + [0.0, 0.0, 0.02 * k])
+        tip = around(k, 0.15, 0.5 * stretch, of=6, turn=-0.3 * (-1) ** k)
+        ends = [("elbow", "universal", elbow, (axis, Z))]
+        if kinds == "three turns":
+            ends += [(f"tip{n}", "revolute", tip, (a,)) for n, a in enumerate((X, Y, Z))]
+        else:
+            ends += [("tip", "ball", tip, ())]
+        joints += chain_of([("motor", "revolute", foot, (axis,)), *ends], ("base", "top"), f"leg{k}")
+    return model(joints, tuple(f"leg{k}_motor" for k in range(6)))
+
+
+@pytest.mark.parametrize("kinds", ["three turns", "balls"])
+def test_turns_whose_axes_meet_are_one_joint(kinds: str) -> None:
+    found = import_model(hexapod(kinds))
+    assert found.robot.chain == "6-R*US"
+    merged = {kind for limb in found.limbs for kind, _ in limb.merged}
+    assert merged == ({"S"} if kinds == "three turns" else set())
+
+
+def test_a_planar_robot_in_another_plane() -> None:
+    """The plane of x and z; robot files have that of x and y."""
+    joints = []
+    for k, (foot, elbow, tip) in enumerate(
+        [((0, 0), (1, 3), (4, 3)), ((10, 0), (9, 3), (6, 3)), ((5, 9), (7, 8), (5, 5))]
+    ):
+        places = [(float(a), 2.0 + 0.1 * n, float(b)) for n, (a, b) in enumerate((foot, elbow, tip))]
+        joints += chain_of([(f"j{n}", "revolute", at, (Y,)) for n, at in enumerate(places)], ("base", "plate"), f"leg{k}")
+    found = import_model(model(joints, tuple(f"leg{k}_j0" for k in range(3))))
+    assert found.robot.family.plane
+    assert found.robot.chain == "3-R*RR"
+    assert any("plane" in note for note in found.notes)
+
+
+def four_bar() -> list[ModelJoint]:
+    places = [(0.0, 0.0, 0.0), (0.0, 0.2, 0.0), (0.5, 0.4, 0.0), (0.4, 0.0, 0.0)]
+    links = ["base", "crank", "coupler", "rocker", "base"]
+    return [ModelJoint(f"j{k}", "revolute", links[k], links[k + 1], at, (Z,)) for k, at in enumerate(places)]
+
+
+def test_a_four_bar_linkage_asks_for_its_platform() -> None:
+    with pytest.raises(InputError, match="which link is the platform") as fault:
+        import_model(model(four_bar(), ("j0",)))
+    assert "--platform" in (fault.value.hint or "")
+    found = import_model(model(four_bar(), ("j0",)), platform="coupler")
+    assert found.robot.mobility == 1
+    assert found.robot.chain in ("R*R + RR", "RR + R*R")
+
+
+def humanoid() -> Model:
+    """A hip, and two feet, each on a cross and two rods that cranks drive."""
+    joints = [ModelJoint("float", "free", "base", "pelvis", (0.0, 0.0, 1.0))]
+    for side, y in (("left", 0.1), ("right", -0.1)):
+        joints += [
+            ModelJoint(f"{side}_hip", "revolute", "pelvis", f"{side}_thigh", (0.0, y, 0.9), (Y,)),
+            ModelJoint(f"{side}_knee", "revolute", f"{side}_thigh", f"{side}_shank", (0.0, y, 0.5), (Y,)),
+            ModelJoint(f"{side}_ankle", "universal", f"{side}_shank", f"{side}_foot", (0.0, y, 0.1), (X, Y)),
+        ]
+        for k, off in enumerate((-0.04, 0.04)):
+            joints += [
+                ModelJoint(f"{side}_motor{k}", "revolute", f"{side}_shank", f"{side}_crank{k}", (0.0, y + off, 0.35), (Y,)),
+                ModelJoint(f"{side}_top{k}", "universal", f"{side}_crank{k}", f"{side}_rod{k}", (-0.06, y + off, 0.35), (X, Y)),
+                ModelJoint(f"{side}_heel{k}", "ball", f"{side}_rod{k}", f"{side}_foot", (-0.06, y + off, 0.08), closing=True),
+            ]  # fmt: skip
+    driven = tuple(j.name for j in joints if any(w in j.name for w in ("hip", "knee", "motor")))
+    return model(joints, driven)
+
+
+def test_the_feet_of_a_humanoid_are_offered() -> None:
+    with pytest.raises(InputError, match="no platform with limbs") as fault:
+        import_model(humanoid())
+    assert "--platform left_foot (base left_shank, 3 limbs)" in (fault.value.hint or "")
+    found = import_model(humanoid(), platform="left_foot")
+    assert (found.base, found.robot.mobility) == ("left_shank", 2)
+    assert found.robot.chain == "U + 2-R*US"
+    assert found.actuated == ("left_motor0", "left_motor1")
+    assert "right_hip" in found.left_out
+
+
+def test_what_hangs_on_a_robot_is_left_out() -> None:
+    own = delta()
+    gripper = [
+        ModelJoint("finger", "revolute", "plate", "finger_link", (0.0, 0.0, -0.5), (X,)),
+        ModelJoint("glue", "fixed", "plate", "tool", (0.0, 0.0, -0.6)),
+    ]
+    found = import_model(replace(own, links=(*own.links, "finger_link", "tool"), joints=(*own.joints, *gripper)))
+    assert found.robot.chain == "3-R*4S"
+    assert found.left_out == ("finger",)
+    assert import_model(replace(own, links=(*own.links, "finger_link", "tool"), joints=(*own.joints, *gripper)), platform="tool").platform == "plate"  # fmt: skip
+
+
+def test_decimals_are_made_exact_within_the_tolerance() -> None:
+    """Axes and ball joints of a file with five digits; the answer is that of the exact robot."""
+    noisy = import_model(hexapod_rounded(5))
+    exact = import_model(hexapod())
+    assert noisy.robot.family == exact.robot.family
+    distance, angle = noisy.farthest
+    assert 0 < distance + angle < 1e-4
+    assert noisy.deviation < 1e-3
+    with pytest.raises(InputError, match="the tolerance"):
+        import_model(hexapod(), tolerance=0.5)
+
+
+def hexapod_rounded(digits: int) -> Model:
+    """With errors in the last digit."""
+    rng = np.random.default_rng(3)
+
+    def rounded(v: tuple[float, float, float]) -> tuple[float, float, float]:
+        x, y, z = (round(float(c + 10.0**-digits * rng.integers(-1, 2)), digits) for c in v)
+        return x, y, z
+
+    own = hexapod()
+    joints = tuple(replace(j, at=rounded(j.at), axes=tuple(rounded(a) for a in j.axes)) for j in own.joints)
+    return replace(own, joints=joints)
+
+
+def test_screws_and_gears() -> None:
+    """A turn and a slide that follows it are H; turns that go against each other are a parallelogram."""
+    joints, couplings, driven = [], [], []
+    for k in range(3):
+        foot, tip = around(k, 0.3, 0.0), around(k, 0.2, 0.4)
+        axis = around(k, 1.0, 0.0, turn=np.pi / 2)
+        joints += chain_of(
+            [("turn", "revolute", foot, (Z,)), ("rise", "prismatic", foot, (Z,)),
+             ("hinge", "revolute", foot, (axis,)), ("ball", "ball", tip, ())],
+            ("base", "plate"), f"leg{k}",
+        )  # fmt: skip
+        couplings.append(ModelCoupling(f"leg{k}_rise", f"leg{k}_turn", 0.005))
+        driven.append(f"leg{k}_turn")
+    found = import_model(model(joints, tuple(driven), couplings=tuple(couplings)))
+    assert found.robot.chain == "3-H*RS"
+    assert "1/200)" in found.yaml
+
+
+TREE = [
+    ModelJoint("a", "revolute", "base", "one", (0.0, 0.0, 0.0), (Z,)),
+    ModelJoint("b", "revolute", "one", "two", (1.0, 0.0, 0.0), (Z,)),
+]
+BRANCHED = [*TREE, ModelJoint("c", "revolute", "one", "three", (1.0, 1.0, 0.0), (Z,))]
+
+
+@pytest.mark.parametrize(
+    ("made", "options", "message"),
+    [
+        (lambda: model(TREE, ("a", "b")), {}, "the links are one open chain"),
+        (lambda: model(BRANCHED), {}, "a tree with 2 ends"),
+        (lambda: model(TREE), {"platform": "two"}, "the model has no loops"),
+        (delta, {"platform": "plat"}, "there is no link 'plat' to be the platform"),
+        (delta, {"base": "floor"}, "there is no link 'floor' to be the base"),
+        (delta, {"platform": "base"}, "is the base itself"),
+        (delta, {"actuators": ("moto0",)}, "there is no joint 'moto0' to be driven"),
+        (delta, {"actuators": ("motor0",)}, "the platform plate has mobility 3, and driven in the model are 1 joints"),
+        (delta, {"actuators": ("elbow00",)}, "is a ball joint, and cannot be driven"),
+        (lambda: replace(delta(), actuated=()), {}, r"driven in the model are 0 joints \(none\)"),
+        (
+            lambda: replace(delta(), couplings=(ModelCoupling("motor0", "motor1", 1.0),)),
+            {"actuators": ("motor0", "motor1", "motor2")},
+            "of another limb",
+        ),
+    ],
+)  # fmt: skip
+def test_refusals(made: object, options: dict[str, object], message: str) -> None:
+    with pytest.raises(gc.GcrulesError, match=message):
+        import_model(made(), **options)  # type: ignore[operator]
+
+
+def test_what_is_asked_for_is_named() -> None:
+    with pytest.raises(InputError) as fault:
+        import_model(replace(delta(), actuated=()))
+    assert fault.value.hint == "name what is driven: --actuators motor0,motor1,motor2"
+
+
+def test_an_import_is_a_value() -> None:
+    one, other = import_model(delta()), import_model(delta())
+    assert one == other
+    assert hash(one) == hash(other)
+    assert isinstance(one.robot, Robot)
+    assert one.to_json()["platform"] == "plate"
+    assert "3-R*4S" not in one.latex()
+    assert "plate, the link with most limbs; mobility 3" in one.text()
