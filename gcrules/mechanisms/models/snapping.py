@@ -130,9 +130,11 @@ def _places(motions: Sequence[Motion], ends: Sequence[str], near: float) -> list
                 if k not in members and beside and _off(m.axis, place - m.at) < near:
                     members.append(k)
                     through.add((k, id(members)))
-    for k, m in enumerate(motions):  # an axis that meets nothing
+    alone: list[int] = []  # axes that meet nothing: their points go along them into the planes of others
+    for k, m in enumerate(motions):
         if m.has_line and not any(k in members for _, members in centres):
             put(m.at, [k])
+            alone.append(k)
     held: set[int] = set()
     for place, members in centres[:balls] + centres[balls:]:
         lines = [k for k in members if k in held and motions[k].has_line]
@@ -144,6 +146,12 @@ def _places(motions: Sequence[Motion], ends: Sequence[str], near: float) -> list
                 axis, away = motions[k].axis, place - found[k]
                 found[k] = found[k] + away - axis * (axis @ away) if (k, id(members)) in through else place
                 held.add(k)
+    for k in alone:
+        for i, other in enumerate(motions):
+            beside = {motions[k].start, motions[k].end} & {other.start, other.end} - {*ends}
+            along = float(motions[k].axis @ (found[i] - found[k]))
+            if i != k and i not in alone and other.kind != "P" and beside and abs(along) < near:
+                found[k] = found[k] + along * motions[k].axis
     return found
 
 

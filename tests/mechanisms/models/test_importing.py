@@ -203,7 +203,7 @@ def test_the_feet_of_a_humanoid_are_offered() -> None:
     assert "--platform left_foot (base left_shank, 3 limbs)" in (fault.value.hint or "")
     found = import_model(humanoid(), platform="left_foot")
     assert (found.base, found.robot.mobility) == ("left_shank", 2)
-    assert found.robot.chain == "U + 2-R*US"
+    assert found.robot.chain == "2-R*US + U"
     assert found.actuated == ("left_motor0", "left_motor1")
     assert "right_hip" in found.left_out
 
