@@ -60,6 +60,7 @@ LOADED = (Structure, Platform, Robot, Analysis, RobotAnalysis)
 _load_robot = deferred("gcrules.mechanisms.description.robot_file:load_robot")
 _parse_robot = deferred("gcrules.mechanisms.description.robot_file:parse_robot")
 _robot_of_model = deferred("gcrules.mechanisms.models.importing:robot_of_file")
+_robot_of_text = deferred("gcrules.mechanisms.models.importing:robot_of_text")
 
 MODELS = (".urdf", ".sdf", ".mjcf", ".xml")
 """Endings of files with models of links and joints: URDF, SDF, MJCF."""
@@ -91,11 +92,11 @@ def load(
     """What a source says: a `Structure` of legs, a `Platform` with coordinates, or a `Robot` of joints.
 
     A text is, in this sequence, the text of a geometry file or robot file; the name of such a file (with its ending, a
-    folder, or there on the disk), or of a model of links and joints (URDF, SDF, MJCF); the id of a robot or of a class of a catalog (shipped, or of `plugins`, folders of
-    the user's own), or of an example; else legs. Legs may be a sequence of pairs, too, and are read with `points`,
-    `ideal`, `given` and `rank` as for `gcrules.analyze`. A mapping holds the data of a file. What was loaded or
-    analysed before is given back as it is. `filename` names texts and data in messages; "-" is standard input where
-    there is one.
+    folder, or there on the disk), or of a model of links and joints (URDF, SDF, MJCF, also as text); the id of a robot
+    or of a class of a catalog (shipped, or of `plugins`, folders of the user's own), or of an example; else legs. Legs
+    may be a sequence of pairs, too, and are read with `points`, `ideal`, `given` and `rank` as for `gcrules.analyze`. A
+    mapping holds the data of a file. What was loaded or analysed before is given back as it is. `filename` names texts
+    and data in messages; "-" is standard input where there is one.
 
     Raises InputError for what is none of these, FileError with all faults of a file.
     """
@@ -128,7 +129,7 @@ def kind_of(word: str, plugins: Folders = ()) -> str:
     """What a text means: text | file | robot | class | example | legs. Raises InputError for a single word that is none
     of these, with the names like it.
     """
-    if ("\n" in word or word.lstrip().startswith("{")) and is_data(word):
+    if ("\n" in word or word.lstrip().startswith(("{", "<"))) and is_data(word):
         return "text"
     if is_path(word):
         return "file"
@@ -151,7 +152,11 @@ def kind_of_id(word: str, plugins: Folders = ()) -> str:
 
 
 def read_text(text: str, filename: str = "<input>") -> Platform | Robot:
-    """What the text of a geometry file or of a robot file says; its keys tell which it is. Raises FileError."""
+    """What the text of a geometry file or of a robot file says; its keys tell which it is; or that of a model. Raises
+    FileError.
+    """
+    if _is_xml(text):
+        return _robot(_robot_of_text(text, filename))
     if _describes_joints(Document.parse(text, filename)):
         return _robot(_parse_robot(text, filename))
     return parse_platform(text, filename)
@@ -217,7 +222,11 @@ def is_model(path: str) -> bool:
 
 def is_data(text: str) -> bool:
     """Whether a text is that of a file: legs have neither keys nor braces."""
-    return _KEY.search(text) is not None
+    return _is_xml(text) or _KEY.search(text) is not None
+
+
+def _is_xml(text: str) -> bool:
+    return text.lstrip("\ufeff \t\r\n").startswith("<")
 
 
 def _as_text(data: Mapping[str, Any]) -> str:

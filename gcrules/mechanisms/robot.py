@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import field
 from fractions import Fraction
+from os import PathLike
 from typing import Any
 
 from gcrules.core.dataclass import dataclass
+from gcrules.core.deferred import deferred
 from gcrules.core.errors import InputError
 from gcrules.core.frozen import FrozenMap
 from gcrules.mechanisms.description.family import Definition, Family
@@ -19,6 +21,7 @@ from gcrules.screws import RATIONALS, Limb
 __all__ = ["Consequence", "Robot"]
 
 _TOLERANCE = Fraction(1, 10**6)
+_robot_of_file = deferred("gcrules.mechanisms.models.importing:robot_of_file")  # numpy
 
 Vector = tuple[Fraction, Fraction, Fraction]
 
@@ -61,6 +64,29 @@ class Robot:
     def __post_init__(self) -> None:
         if self.home is not None:
             object.__setattr__(self, "home", FrozenMap(self.home))
+
+    @classmethod
+    def from_model(
+        cls,
+        path: str | PathLike[str],
+        closures: str | PathLike[str] | None = None,
+        *,
+        base: str | None = None,
+        platform: str | None = None,
+        actuators: Iterable[str] = (),
+        tolerance: float = 1e-4,
+    ) -> Robot:
+        """The robot that a model file shows (URDF with a file of closures, SDF, MJCF); its `text` is a robot file.
+
+        `base` and `platform` are links, by default the model's base and the link with most limbs; `actuators` joints,
+        by default those that the model drives. Axes and centres that nearly coincide, meet, or are parallel or
+        perpendicular are made so, within the `tolerance` (parts of the model's size, radians). Lengths are metres.
+        Raises FileError for a file at fault, for what is no platform with limbs, and for joints that have no meaning.
+        """
+        found: Robot = _robot_of_file(
+            path, closures, base=base, platform=platform, actuators=actuators, tolerance=tolerance
+        )
+        return found
 
     def __repr__(self) -> str:
         return f"<{type(self).__name__} {self.id}: {self.chain or 'given by its lines'}, mobility {self.mobility}>"

@@ -42,7 +42,11 @@ def find_robot(name: str | PathLike[str], folders: Folders = ()) -> RobotFile:
     """The robot of this id, or the file of this path. Raises InputError for neither."""
     word = fspath(name)
     path = Path(word)
-    if path.suffix.lower() in (".yaml", ".yml", ".urdf", ".sdf", ".mjcf", ".xml") or len(path.parts) > 1 or path.is_file():
+    if (
+        path.suffix.lower() in (".yaml", ".yml", ".urdf", ".sdf", ".mjcf", ".xml")
+        or len(path.parts) > 1
+        or path.is_file()
+    ):
         return RobotFile(_id_of(path), word, "")
     known = {one.id: one for one in robots(folders)}
     if word not in known:

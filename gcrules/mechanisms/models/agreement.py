@@ -27,8 +27,8 @@ def deviation(
     size: float,
     tolerance: float,
 ) -> float:
-    """The largest power of a wrench of the robot file at home on a twist that the joints of the model allow the platform,
-    both of length 1 with lengths in parts of the size: of each limb, with its actuators free and locked.
+    """The largest power of a wrench of the robot file at home on a twist that the joints of the model allow the
+    platform, both of length 1 with lengths in parts of the size: of each limb, with its actuators free and locked.
 
     The twists come from the joints of the model as it was read, by a kernel of its loops in floats; the wrenches from
     the joints of the file. Raises InputError where there are not as many of them as there have to be, or where the

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
+from typing import Any
 
 import networkx as nx
 import numpy as np
@@ -72,7 +73,7 @@ def limbs_between(motions: Sequence[Motion], base: str, platform: str, poses: Po
     """Each limb as its chains, a limb being what hangs together without base and platform; in the sequence of the
     motions. Each chain begins at a body that those before it reach, the first ones at the base.
     """
-    hung: nx.Graph = nx.Graph()
+    hung: nx.Graph[Any] = nx.Graph()
     for k, m in enumerate(motions):
         hung.add_node(k)
         hung.add_edges_from((k, body) for body in (m.start, m.end) if body not in (base, platform))
@@ -156,18 +157,15 @@ def _bars(one: Chain, other: Chain, poses: Poses) -> Bars | None:
     driven = [m for m in motions if m.driven]
     if len(driven) > (0 if ball else 1):
         return None
-    near = tuple(_end(c.items[:-1] if ball and c.items[-1].kind == "S" else c.items[:1]) for c in (one, other))
-    far = tuple(_end(c.items[1:] if ball and c.items[0].kind == "S" else c.items[-1:]) for c in (one, other))
-    if None in near or None in far:
+    joined = [(_end(*c), _end(*d)) for c, d in (_ends(one, ball=ball), _ends(other, ball=ball))]
+    (near, far), (second, last) = joined
+    if near is None or far is None or second is None or last is None:
         return None
     if not ball and any(np.linalg.norm(np.cross(m.axis, motions[0].axis)) > _SAME for m in motions):
         return None
     size = max(float(np.linalg.norm(m.at - motions[0].at)) for m in motions)
-    vectors = [
-        placed(poses, c.end, f.at) - placed(poses, c.start, n.at)  # type: ignore[union-attr]
-        for c, n, f in zip((one, other), near, far, strict=True)
-    ]
-    feet = placed(poses, one.start, near[1].at) - placed(poses, one.start, near[0].at)  # type: ignore[union-attr]
+    vectors = [placed(poses, one.end, f.at) - placed(poses, one.start, n.at) for n, f in ((near, far), (second, last))]
+    feet = placed(poses, one.start, second.at) - placed(poses, one.start, near.at)
     apart = vectors[1] - vectors[0]
     if not ball:  # what lies along the axes is nothing in the plane of the bars
         axes = np.array([at[one.start][:3, :3] @ motions[0].axis for at in poses])
@@ -176,12 +174,18 @@ def _bars(one: Chain, other: Chain, poses: Poses) -> Bars | None:
     if np.abs(apart).max() > _SAME * size or np.linalg.norm(np.cross(feet[0], vectors[0][0])) < _SAME * size**2:
         return None
     kind = "4S" if ball else "Pa"
-    return Bars(kind, one.start, one.end, near, far, tuple(motions), bool(driven))  # type: ignore[arg-type]
+    return Bars(kind, one.start, one.end, (near, second), (far, last), tuple(motions), bool(driven))
 
 
-def _end(items: Sequence[Item]) -> Motion | None:
+def _ends(chain: Chain, *, ball: bool) -> tuple[tuple[Motion, ...], tuple[Motion, ...]]:
+    """The motions at both ends of a bar."""
+    motions = tuple(i for i in chain.items if isinstance(i, Motion))
+    near = motions[:-1] if ball and motions[-1].kind == "S" else motions[:1]
+    return near, motions[len(near) :]
+
+
+def _end(*motions: Motion) -> Motion | None:
     """The joint at the end of a bar, a ball joint or two turns whose axes meet."""
-    motions = [i for i in items if isinstance(i, Motion)]
     if len(motions) < 2:
         return motions[0]
     one, two = motions

@@ -7,7 +7,7 @@ those with other limbs (`level`) only if the family would move in other ways tha
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from itertools import combinations
+from itertools import combinations, pairwise
 
 import numpy as np
 
@@ -77,7 +77,9 @@ class Naming:
                 groups.append([(k, slot)]) if group is None else group.append((k, slot))
             groups = [g for g in groups if len({k for k, _ in g}) > 1]
             several = len(groups) > 1
-            stems = "hklg" if sort == "direction" and len(groups) < 5 else [f"{stem}{n + 1}" for n in range(len(groups))]
+            stems = (
+                "hklg" if sort == "direction" and len(groups) < 5 else [f"{stem}{n + 1}" for n in range(len(groups))]
+            )
             for n, group in enumerate(groups):
                 values = group[0][1].values
                 one = self._of_frame(values) if sort == "direction" else None
@@ -130,7 +132,7 @@ class Naming:
 
     def _direction(self, k: int, slot: Slot, part: Part, own: list[Known], order: Sequence[Known]) -> Named:
         if part.kind in ("P", "Pa") and slot is part.slots[0]:
-            for a, b in reversed([(a, b) for a, b in zip(order, order[1:], strict=False) if a is not b]):
+            for a, b in reversed([(a, b) for a, b in pairwise(order) if a is not b]):
                 if self._along(slot.values, a.values, b.values):
                     return (a, b)
         return (self._name(k, slot, part, own, order),)
@@ -185,7 +187,7 @@ class Naming:
                 return found, False
             return (("free",) if self.plane else self._of_point(values, points, directions)), True
         right: list[Named] = [(d,) for d in directions if self._perpendicular(values, d.values)]
-        for a, b in zip(order, order[1:], strict=False):
+        for a, b in pairwise(order):
             away = b.values - a.values
             lengths = np.linalg.norm(away, axis=1)
             if lengths.min() > _SAME * self.size and self._perpendicular(values, away / lengths[:, None]):
@@ -203,7 +205,9 @@ class Naming:
                     return a, " + ", b, " - ", c
         return ()
 
-    def _of_point(self, values: Floats, points: Sequence[Known], directions: Sequence[Known]) -> tuple[str | Known, ...]:
+    def _of_point(
+        self, values: Floats, points: Sequence[Known], directions: Sequence[Known]
+    ) -> tuple[str | Known, ...]:
         for p in points:
             for d in directions:
                 if self._along(d.values, p.values, values):

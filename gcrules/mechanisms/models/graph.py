@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from functools import cached_property
+from typing import Any
 
 import networkx as nx
 from networkx.algorithms.connectivity import local_node_connectivity
@@ -42,9 +43,9 @@ class Graph:
     notes: tuple[str, ...] = ()
 
     @cached_property
-    def net(self) -> nx.Graph:
+    def net(self) -> nx.Graph[Any]:
         """Bodies and joints as nodes, so that two joints between the same bodies are two ways."""
-        found: nx.Graph = nx.Graph()
+        found: nx.Graph[Any] = nx.Graph()
         found.add_nodes_from(dict.fromkeys(self.body.values()))
         for j in self.joints:
             found.add_edge(self.body[j.parent], ("joint", j.name))
@@ -79,7 +80,8 @@ class Graph:
         """The names of the joints that lie on a way from one body to the other which comes by no body twice."""
         net = self.net.copy()
         net.add_edge(start, end)
-        for block in nx.biconnected_components(net):
+        for found in nx.biconnected_components(net):
+            block = {*found}
             if start in block and end in block:
                 return frozenset(node[1] for node in block if isinstance(node, tuple))
         return frozenset()
@@ -105,7 +107,8 @@ class Graph:
             said = ", ".join(f"{b} ({counts[b]} chains)" for b in listed[:_LISTED])
             raise InputError(
                 f"which link is the platform? As many chains join {start} to {_several(best)}",
-                hint=f"name it: --platform {listed[0]}; there are {said}" + ("" if named else " (--base names the base)"),
+                hint=f"name it: --platform {listed[0]}; there are {said}"
+                + ("" if named else " (--base names the base)"),
             )
         return Ends(start, best[0], counts[best[0]], why)
 
@@ -116,9 +119,10 @@ class Graph:
         return len(self.net[body])
 
     @cached_property
-    def _blocks(self) -> list[set[object]]:
+    def _blocks(self) -> list[set[Any]]:
         """What loops hold together, the largest first; a joint that is in no loop is left out."""
-        return sorted((b for b in nx.biconnected_components(self.net) if len(b) > 2), key=len, reverse=True)
+        found: list[set[Any]] = [{*block} for block in nx.biconnected_components(self.net)]
+        return sorted((block for block in found if len(block) > 2), key=len, reverse=True)
 
     def _in_loops(self, start: str) -> list[str]:
         found = [b for block in self._blocks if start in block for b in _bodies(block) if b != start]
@@ -138,7 +142,9 @@ class Graph:
         if not nx.has_path(self.net, start, end):
             return f"no joints lead from {start} to {end}"
         if not self._blocks:
-            return f"{end} is no platform with limbs: one chain alone leads to it from {start}, and the model has no loops"
+            return (
+                f"{end} is no platform with limbs: one chain alone leads to it from {start}, and the model has no loops"
+            )
         return f"{end} is no platform with limbs: all ways from {start} to it go through one link or joint"
 
     def _why_no_platform(self, start: str) -> str:
@@ -174,7 +180,7 @@ class Graph:
             return len(self.net)
 
 
-def _bodies(block: Iterable[object]) -> list[str]:
+def _bodies(block: Iterable[Any]) -> list[str]:
     return sorted(node for node in block if isinstance(node, str))
 
 
@@ -188,7 +194,7 @@ def graph_of(model: Model) -> Graph:
     joins the base to anything, the base is what they lead to.
     """
     notes = []
-    fixed: nx.Graph = nx.Graph()
+    fixed: nx.Graph[str] = nx.Graph()
     fixed.add_nodes_from(model.links)
     fixed.add_edges_from((j.parent, j.child) for j in model.joints if j.kind == "fixed")
     body: dict[str, str] = {}

@@ -31,10 +31,10 @@ class Imported(Shown):
     """A robot file made from a model, its text `yaml` and what it says, with an account of how it was made.
 
     `why` says how the platform was chosen; `limits` are those of the driven joints, from home, in metres and radians;
-    `left_out` are joints that hold nothing between base and platform; `moved` says by how much joints were moved to make
-    them exact, `size` being that of the model in metres; `deviation` how well the wrenches at home agree with the joints
-    of the model as they were read (power of unit wrenches on unit twists, lengths in parts of the size); `relations` how
-    far relations had to be sought.
+    `left_out` are joints that hold nothing between base and platform; `moved` says by how much joints were moved to
+    make them exact, `size` being that of the model in metres; `deviation` how well the wrenches at home agree with the
+    joints of the model as they were read (power of unit wrenches on unit twists, lengths in parts of the size);
+    `relations` how far relations had to be sought.
     """
 
     robot: Robot

@@ -7,16 +7,16 @@ from dataclasses import replace
 from os import PathLike, fspath
 from os.path import isfile
 from pathlib import PurePath
-from typing import NoReturn
+from typing import Any, NoReturn
 
 import numpy as np
 
 from gcrules.core.errors import FileError, GcrulesError, InputError
-from gcrules.core.hints import near
 from gcrules.mechanisms.description.robot_file import parse_robot
 from gcrules.mechanisms.kinematics.rigid_motions import Floats
 from gcrules.mechanisms.models.agreement import deviation, generic
 from gcrules.mechanisms.models.chains_between import Bars, Chain, Poses, limbs_between
+from gcrules.mechanisms.models.driving import check_driven, driven_of, ratios_of
 from gcrules.mechanisms.models.family_found import LEVELS, Naming
 from gcrules.mechanisms.models.graph import Ends, Graph, graph_of
 from gcrules.mechanisms.models.imported import Imported, ImportedLimb
@@ -24,12 +24,12 @@ from gcrules.mechanisms.models.merging import Ratios, apart, parts_of
 from gcrules.mechanisms.models.model import Model
 from gcrules.mechanisms.models.motions import Motion, motions_of
 from gcrules.mechanisms.models.moving import Moving
-from gcrules.mechanisms.models.reading import read_model
+from gcrules.mechanisms.models.reading import parse_model, read_model
 from gcrules.mechanisms.models.robot_text import Drawn, robot_text
 from gcrules.mechanisms.models.snapping import TOLERANCE, size_of, snapped
 from gcrules.mechanisms.robot import Robot
 
-__all__ = ["import_file", "import_model", "robot_of_file"]
+__all__ = ["import_file", "import_model", "robot_of_file", "robot_of_text"]
 
 _SEEDS = (1, 2, 3)
 _MOST = 400  # joints between base and platform
@@ -46,6 +46,11 @@ def robot_of_file(
 ) -> Robot:
     """The robot that a model file shows; see `import_file`."""
     return import_file(path, closures, base=base, platform=platform, actuators=actuators, tolerance=tolerance).robot
+
+
+def robot_of_text(text: str, filename: str = "<input>") -> Robot:
+    """The robot that the text of a model shows, which includes no other files. Raises FileError as `import_file`."""
+    return _imported(parse_model(text, filename)).robot
 
 
 def import_file(
@@ -66,13 +71,18 @@ def import_file(
     if closures is None and beside.suffix.lower() == ".urdf" and isfile(own):
         closures = own
     model = read_model(path, closures)
+    return _imported(model, base=base, platform=platform, actuators=actuators, tolerance=tolerance)
+
+
+def _imported(model: Model, **options: Any) -> Imported:
+    """`import_model`, with faults as those of the file."""
     try:
-        return import_model(model, base=base, platform=platform, actuators=actuators, tolerance=tolerance)
+        return import_model(model, **options)
     except FileError:
         raise
     except InputError as fault:
         hint = fault.hint
-        if model.format == "urdf" and closures is None and not any(j.closing for j in model.joints):
+        if model.format == "urdf" and not any(j.closing for j in model.joints):
             hint = f"{hint + '; ' if hint else ''}loops of a model in URDF are closed by a second file: --closures FILE"
         raise FileError(fault.message, filename=model.filename, hint=hint) from fault
 
@@ -97,37 +107,12 @@ def import_model(
     ends = graph.ends(base, platform)
     names = graph.between(ends.base, ends.platform)
     if len(names) > _MOST:
-        raise InputError(f"{len(names)} joints are between {ends.base} and {ends.platform}; more than {_MOST} are not read")
-    ratios = _ratios(model, names)
-    driven = _driven(graph, names, ratios, tuple(actuators))
+        raise InputError(
+            f"{len(names)} joints are between {ends.base} and {ends.platform}; more than {_MOST} are not read"
+        )
+    ratios = ratios_of(model, names)
+    driven = driven_of(graph, names, ratios, tuple(actuators))
     return _Import(graph, ends, names, ratios, driven, tolerance).found()
-
-
-def _ratios(model: Model, names: frozenset[str]) -> Ratios:
-    """Of the joints that follow others their leaders and ratios."""
-    found = {}
-    for c in model.couplings:
-        if c.joint in names or c.leader in names:
-            outside = next((n for n in (c.joint, c.leader) if n not in names), None)
-            if outside and c.joint in names:
-                raise InputError(
-                    f"joint {c.joint} follows joint {outside}, which is in no limb of the platform",
-                    hint="a robot file couples joints of one limb",
-                )
-            if not outside:
-                found[c.joint] = (c.leader, c.ratio)
-    return found
-
-
-def _driven(graph: Graph, names: frozenset[str], ratios: Ratios, asked: tuple[str, ...]) -> tuple[str, ...]:
-    known = [j.name for j in graph.model.joints]
-    for name in asked:
-        if name not in known:
-            raise InputError(f"there is no joint {name[:40]!r} to be driven", hint=near(name, known))
-        if name not in names:
-            raise InputError(f"joint {name} is in no limb of the platform, and cannot be an actuator of it")
-    chosen = [n for n in asked or graph.model.actuated if n in names]
-    return tuple(dict.fromkeys(ratios[n][0] if n in ratios else n for n in chosen))
 
 
 class _Import:
@@ -180,7 +165,7 @@ class _Import:
             self.notes.append(f"at home the platform has {at_home} freedoms, elsewhere {mobility}: home is singular")
         if mobility == 0:
             raise InputError(f"{self.ends.platform} does not move: its limbs hold it with their joints free")
-        self._enough(mobility)
+        check_driven(self.ends.platform, self.motions, self.driven, self.ratios, mobility)
         limbs = limbs_between(self.motions, *self.pair, poses)
         drawn = self._drawn(limbs, poses)
         own = [_motions_in(chains) for chains in limbs]
@@ -192,23 +177,10 @@ class _Import:
                 )
         return self._written(drawn, own, moving, values, mobility)
 
-    def _enough(self, mobility: int) -> None:
-        if len(self.driven) >= mobility:
-            return
-        of = self.ends.platform
-        said = f"{', '.join(self.driven)} only" if self.driven else "none"
-        able = [m.joint for m in self.motions if m.kind in "RPHC" and m.joint not in self.ratios]
-        raise InputError(
-            f"the platform {of} has mobility {mobility}, and driven in the model are {len(self.driven)} joints ({said})",
-            hint=f"name what is driven: --actuators {','.join(_guess(self.motions, mobility) or able[:mobility])}",
-        )
-
     def _drawn(self, limbs: Sequence[Sequence[Chain]], poses: Poses) -> list[Drawn]:
         every = [[parts_of(c, poses, self.ratios) for c in chains] for chains in limbs]
         flat = iter(apart([parts for own in every for parts in own], self.size))
-        found = [Drawn(tuple((c, tuple(next(flat))) for c in chains)) for chains in limbs]
-        names = _names([[m.joint for m in _motions_in(chains)] for chains in limbs])
-        return [replace(d, name=name) for d, name in zip(found, names, strict=True)]
+        return [Drawn(tuple((c, tuple(next(flat))) for c in chains)) for chains in limbs]
 
     def _written(
         self,
@@ -299,7 +271,7 @@ def _lengths(poses: dict[str, Floats], size: float) -> dict[str, Floats]:
 def _turn_to_z(normal: Floats) -> Floats:
     """A turn that takes a direction to z; x stays where it is if it can."""
     z = normal if normal.sum() > 0 else -normal
-    x = np.eye(3)[np.argmin(np.abs(z) + [0, 1e-9, 2e-9])]
+    x = np.eye(3)[np.argmin(np.abs(z).round(9))]
     x = x - z * (x @ z)
     x /= np.linalg.norm(x)
     return np.array([x, np.cross(z, x), z])
@@ -321,19 +293,6 @@ def _motions_in(chains: Sequence[Chain]) -> list[Motion]:
         for item in chain.items:
             found += item.inner if isinstance(item, Bars) else (item,)
     return found
-
-
-def _guess(motions: Sequence[Motion], mobility: int) -> list[str]:
-    """Joints that could be driven: the slides, or else the first turns from the base, if these are as many."""
-    slides = [m.joint for m in motions if m.kind == "P"]
-    base = motions[0].start
-    turns = [m.joint for m in motions if m.kind == "R" and base in (m.start, m.end)]
-    return next((own for own in (slides, turns) if len(own) == mobility), [])
-
-
-def _names(limbs: Sequence[Sequence[str]]) -> list[str]:
-    """Names for limbs: "leg", where the names of its joints say no more."""
-    return ["leg %" for _ in limbs]
 
 
 def _title(model: Model) -> str:

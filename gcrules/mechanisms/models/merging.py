@@ -10,11 +10,10 @@ import numpy as np
 from gcrules.core.dataclass import dataclass
 from gcrules.mechanisms.kinematics.rigid_motions import Floats
 from gcrules.mechanisms.models.chains_between import Bars, Chain, Item, Poses, placed
+from gcrules.mechanisms.models.feet import SAME, meet, off, with_feet
 from gcrules.mechanisms.models.motions import Motion
 
 __all__ = ["Part", "Ratios", "Slot", "apart", "parts_of"]
-
-_SAME = 1e-7
 
 Ratios = Mapping[str, tuple[str, float]]
 """Of each joint that follows another one its leader, and how much it moves for each unit of it."""
@@ -30,8 +29,8 @@ class Slot:
 
 @dataclass(frozen=True, eq=False)
 class Part:
-    """A joint of a robot file: its kind, its points and directions, the joints of the model that it is made of; `driven`
-    is the star behind its symbol. `axis` is that of the model, along which a value of it counts.
+    """A joint of a robot file: its kind, its points and directions, the joints of the model that it is made of;
+    `driven` is the star behind its symbol. `axis` is that of the model, along which a value of it counts.
     """
 
     kind: str
@@ -48,10 +47,17 @@ class Part:
 
 
 def apart(limbs: Sequence[Sequence[Part]], size: float) -> list[list[Part]]:
-    """The joints of limbs with no two points in one place at home that part elsewhere: the point of a turn goes along its
-    axis.
+    """The joints of limbs with no two points in one place at home that part elsewhere: the point of a turn goes along
+    its axis.
     """
-    taken = [s.values for parts in limbs for p in parts if p.kind not in ("R", "H", "C") for s in p.slots if s.sort == "point"]
+    taken = [
+        s.values
+        for parts in limbs
+        for p in parts
+        if p.kind not in ("R", "H", "C")
+        for s in p.slots
+        if s.sort == "point"
+    ]
 
     def clear(part: Part) -> Part:
         if part.kind not in ("R", "H", "C"):
@@ -59,8 +65,8 @@ def apart(limbs: Sequence[Sequence[Part]], size: float) -> list[list[Part]]:
         point, axis = part.slots
         for step in range(12):
             values = point.values + axis.values * (0.05 * size * step)
-            near = [v for v in taken if np.linalg.norm(v[0] - values[0]) < _SAME * size]
-            if all(np.abs(v - values).max() < _SAME * size for v in near):
+            near = [v for v in taken if np.linalg.norm(v[0] - values[0]) < SAME * size]
+            if all(np.abs(v - values).max() < SAME * size for v in near):
                 taken.append(values)
                 return part if step == 0 else replace(part, slots=(Slot("point", values), axis))
         return part
@@ -72,7 +78,7 @@ def parts_of(chain: Chain, poses: Poses, coupled: Ratios) -> list[Part]:
     """The joints of a chain. Joints that are coupled to others stay by themselves, but for a pair that is a screw, or a
     parallelogram.
     """
-    items = _with_feet(chain.items)
+    items = with_feet(chain.items)
     size = max((float(np.linalg.norm(_at(i) - _at(items[0]))) for i in items), default=0.0) or 1.0
     tied = {*coupled, *(leader for leader, _ in coupled.values())}
     return list(_merged(items, poses, coupled, tied, size))
@@ -96,7 +102,9 @@ def _merged(items: Sequence[Item], poses: Poses, coupled: Ratios, tied: set[str]
                 break
             run.append(other)
         pair = items[k : k + 2]
-        part, taken = _spherical(run, poses, size) or _pair(run, poses, size) or _geared(pair, poses, coupled) or (None, 0)
+        part, taken = (
+            _spherical(run, poses, size) or _pair(run, poses, size) or _geared(pair, poses, coupled) or (None, 0)
+        )
         if part is None and here.kind == "R" and here.driven and len(pair) == 2:
             part, taken = _driven_universal(pair, poses, size) or (None, 0)
         if part is None:
@@ -128,10 +136,10 @@ def _spherical(run: Sequence[Motion], poses: Poses, size: float) -> tuple[Part, 
     if len(run) < 3 or any(m.kind != "R" for m in run):
         return None
     first, second, third = run
-    centre = _meet(first, second, size)
+    centre = meet(first, second, size)
     if centre is None:
-        centre = _meet(second, third, size)
-    if centre is None or any(_off(m, centre) > _SAME * size for m in run):
+        centre = meet(second, third, size)
+    if centre is None or any(off(m, centre) > SAME * size for m in run):
         return None
     if abs(np.cross(first.axis, second.axis) @ third.axis) < 1e-3:
         return None
@@ -146,7 +154,7 @@ def _pair(run: Sequence[Motion], poses: Poses, size: float) -> tuple[Part, int] 
     if one.kind == two.kind == "R":
         found = _universal(one, two, poses, size)
         return (found, 2) if found else None
-    if {one.kind, two.kind} == {"R", "P"} and np.linalg.norm(np.cross(one.axis, two.axis)) < _SAME:
+    if {one.kind, two.kind} == {"R", "P"} and np.linalg.norm(np.cross(one.axis, two.axis)) < SAME:
         turn = one if one.kind == "R" else two
         slots = (_point(poses, turn.start, turn.at), _direction(poses, turn.start, turn.axis))
         return Part("C", slots, _names((one, two))), 2
@@ -154,7 +162,7 @@ def _pair(run: Sequence[Motion], poses: Poses, size: float) -> tuple[Part, int] 
 
 
 def _universal(one: Motion, two: Motion, poses: Poses, size: float, driven: str = "") -> Part | None:
-    centre = _meet(one, two, size)
+    centre = meet(one, two, size)
     if centre is None:
         return None
     slots = (
@@ -182,11 +190,13 @@ def _geared(pair: Sequence[Item], poses: Poses, coupled: Ratios) -> tuple[Part, 
     one, two = pair
     assert isinstance(one, Motion)
     assert isinstance(two, Motion)
-    leads = {m.joint: other for m, other in ((one, two), (two, one)) if coupled.get(m.joint, ("",))[0] == other.joint}
+    leads = {
+        m.joint: other for m, other in ((one, two), (two, one)) if coupled.get(m.joint, ("", 0.0))[0] == other.joint
+    }
     others = {leader for name, (leader, _) in coupled.items() if name not in leads}
     if len(leads) != 1 or not others.isdisjoint((one.joint, two.joint)):
         return None
-    if np.linalg.norm(np.cross(one.axis, two.axis)) > _SAME:
+    if np.linalg.norm(np.cross(one.axis, two.axis)) > SAME:
         return None
     ratio = next(coupled[name][1] for name in leads) * float(np.sign(one.axis @ two.axis))
     star = "*" if one.driven or two.driven else ""
@@ -198,7 +208,7 @@ def _geared(pair: Sequence[Item], poses: Poses, coupled: Ratios) -> tuple[Part, 
     if one.kind == two.kind == "R" and abs(ratio + 1) < 1e-9:
         across = two.at - one.at
         across = across - one.axis * (across @ one.axis)
-        if np.linalg.norm(across) < _SAME:
+        if np.linalg.norm(across) < SAME:
             return None
         bars = placed(poses, one.end, one.at + across) - placed(poses, one.end, one.at)
         unit = bars / np.linalg.norm(across)
@@ -217,55 +227,6 @@ def _bars(item: Bars, poses: Poses) -> Part:
     vectors = vectors - axes * (vectors * axes).sum(axis=1, keepdims=True)
     bars = Slot("direction", vectors / np.linalg.norm(vectors[0]))
     return Part("Pa", (bars, Slot("direction", axes)), names, "*" if item.driven else "")
-
-
-def _with_feet(items: Sequence[Item]) -> list[Item]:
-    """With the point of a turn's axis moved along it to where a slide beside it leads to the next centre."""
-    found = list(items)
-    for k, item in enumerate(items):
-        if not isinstance(item, Motion) or item.kind != "P":
-            continue
-        for near, far in ((k - 1, k + 1), (k + 1, k - 1)):
-            if 0 <= min(near, far) and max(near, far) < len(items):
-                turn, centre = found[near], found[far]
-                if isinstance(turn, Motion) and isinstance(centre, Motion) and turn.kind == "R" and centre.kind != "P":
-                    found[near] = _foot(turn, centre, item, alone=_is_alone(found, near, k))
-    return found
-
-
-def _is_alone(items: Sequence[Item], turn: int, slide: int) -> bool:
-    """Whether the axis of a turn meets no other turn beside it."""
-    other = turn + (turn - slide)
-    beside = items[other] if 0 <= other < len(items) else None
-    own = items[turn]
-    return not (isinstance(beside, Motion) and isinstance(own, Motion) and beside.kind in "RS" and _meets(own, beside))
-
-
-def _meets(one: Motion, other: Motion) -> bool:
-    return _off(one, other.at) < _SAME or (other.kind == "R" and _meet(one, other, 1.0) is not None)
-
-
-def _foot(turn: Motion, centre: Motion, slide: Motion, *, alone: bool) -> Motion:
-    line = replace(centre, axis=slide.axis, kind="R")
-    foot = _meet(turn, line, float(np.linalg.norm(centre.at - turn.at)) or 1.0)
-    return replace(turn, at=foot) if alone and foot is not None else turn
-
-
-def _meet(one: Motion, two: Motion, size: float) -> Floats | None:
-    """Where two axes meet, if they do and are not parallel."""
-    normal = np.cross(one.axis, two.axis)
-    square = float(normal @ normal)
-    away = two.at - one.at
-    if square < 1e-6 or abs(away @ normal) > _SAME * size * square**0.5:
-        return None
-    along = float(np.cross(away, two.axis) @ normal) / square
-    found: Floats = one.at + along * one.axis
-    return found
-
-
-def _off(m: Motion, place: Floats) -> float:
-    away = place - m.at
-    return float(np.linalg.norm(away - m.axis * (m.axis @ away)))
 
 
 def _names(motions: Sequence[Item]) -> tuple[str, ...]:

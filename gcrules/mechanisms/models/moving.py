@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from functools import cached_property
+from itertools import pairwise
 
 import numpy as np
 
@@ -33,7 +34,7 @@ class Moving:
         turns = self.screws[:, :3].any(axis=1)
         self.screws[turns, 3:] /= self.size  # slides go in parts of the size
         ends = np.cumsum([0, *(len(m.screws) for m in motions)])
-        self.own = [slice(int(a), int(b)) for a, b in zip(ends[:-1], ends[1:], strict=True)]
+        self.own = [slice(int(a), int(b)) for a, b in pairwise(ends)]
         places = {m.joint: own.start for m, own in zip(motions, self.own, strict=True)}
         kinds = {m.joint: m.kind for m in motions}
         self.coupled = np.zeros((0, len(self.screws)))

@@ -12,9 +12,9 @@ from gcrules.mechanisms.models.mjcf import read_mjcf
 from gcrules.mechanisms.models.model import Model
 from gcrules.mechanisms.models.sdf import read_sdf
 from gcrules.mechanisms.models.urdf import read_urdf
-from gcrules.mechanisms.models.xml_files import Element, load_xml, quoted
+from gcrules.mechanisms.models.xml_files import Element, load_xml, parse_xml, quoted
 
-__all__ = ["READERS", "read_model"]
+__all__ = ["READERS", "parse_model", "read_model"]
 
 READERS: Mapping[str, Callable[[Element], Model]] = FrozenMap(
     {"robot": read_urdf, "sdf": read_sdf, "mujoco": read_mjcf}
@@ -29,12 +29,26 @@ def read_model(path: str | PathLike[str], closures: str | PathLike[str] | None =
     Raises FileError with its place for a file that cannot be read or is at fault, and for loops that are open at home.
     """
     root = load_xml(path)
-    if root.tag not in READERS:
-        hint = "files of models have <robot> (URDF), <sdf> (SDF) or <mujoco> (MJCF) at their root"
-        raise root.error(f"the root element is <{quoted(root.tag)[1:-1]}>: this is no model of a robot", hint=hint)
+    _check(root)
     if closures is not None and READERS[root.tag] is read_urdf:
         return read_urdf(root, load_closures(closures))
     if closures is not None:
         hint = f"leave it out: <{root.tag}> says itself how its loops are closed"
         raise FileError("a file of closures goes with a model in URDF", filename=fspath(closures), hint=hint)
     return READERS[root.tag](root)
+
+
+def parse_model(text: str, filename: str = "<input>") -> Model:
+    """The model of a text, which includes no files. Raises FileError likewise."""
+    root = parse_xml(text, filename)
+    _check(root)
+    for element in root.below():
+        if element.tag == "include":
+            raise element.error("a model that is given as text includes no files", hint="give the file by its name")
+    return READERS[root.tag](root)
+
+
+def _check(root: Element) -> None:
+    if root.tag not in READERS:
+        hint = "files of models have <robot> (URDF), <sdf> (SDF) or <mujoco> (MJCF) at their root"
+        raise root.error(f"the root element is <{quoted(root.tag)[1:-1]}>: this is no model of a robot", hint=hint)

@@ -1,4 +1,4 @@
-"""The text of a robot file from limbs with names for their points and directions; limbs that are alike are written once."""
+"""The text of a robot file from limbs with names for their points and directions; those alike are written once."""
 
 from __future__ import annotations
 
@@ -21,10 +21,9 @@ _DIGITS = 12
 
 @dataclass(frozen=True, eq=False)
 class Drawn:
-    """A limb: its chains, with the joints of each, and what its joints are named after."""
+    """A limb: its chains, with the joints of each."""
 
     chains: tuple[tuple[Chain, tuple[Part, ...]], ...]
-    name: str = ""
 
     @property
     def parts(self) -> tuple[Part, ...]:
@@ -137,8 +136,7 @@ class _Writing:
         yield "limbs:"
         for k in self.written:
             number = self._label(k)
-            own = self.limbs[k].name
-            yield f"  - name: {own.replace('%', number) if '%' in own else own or f'leg {number}'}"
+            yield f"  - name: leg {number}"
             joints = self._joints(k, number)
             if len(joints) == 1:
                 yield f"    joints: {joints[0]}"

@@ -148,9 +148,9 @@ def _places(motions: Sequence[Motion], ends: Sequence[str], near: float) -> list
                 held.add(k)
     for k in alone:
         for i, other in enumerate(motions):
-            beside = {motions[k].start, motions[k].end} & {other.start, other.end} - {*ends}
+            shared = {motions[k].start, motions[k].end} & {other.start, other.end} - {*ends}
             along = float(motions[k].axis @ (found[i] - found[k]))
-            if i != k and i not in alone and other.kind != "P" and beside and abs(along) < near:
+            if i != k and i not in alone and other.kind != "P" and shared and abs(along) < near:
                 found[k] = found[k] + along * motions[k].axis
     return found
 
@@ -160,7 +160,7 @@ def _off(axis: Floats, away: Floats) -> float:
 
 
 def _meet(one: Motion, other: Motion, near: float) -> Floats | None:
-    """Where two axes nearly meet that are not parallel: midway between them, on the centre of a joint if there is one."""
+    """Where two axes nearly meet that are not parallel: midway, or on the centre of a joint if there is one."""
     normal = np.cross(one.axis, other.axis)
     square = float(normal @ normal)
     if square < 1e-6:

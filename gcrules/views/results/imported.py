@@ -42,9 +42,12 @@ def _rows(r: Imported) -> Iterator[tuple[str, str]]:
     if r.left_out:
         yield "left out", f"{_several(r.left_out)}: between {r.base} and {r.platform} these hold nothing"
     yield "moved", _moved(r)
-    yield "checked", (
-        "the wrenches of each limb at home, free and locked, against the twists of the model's joints:"
-        f" power {r.deviation:.1e} at most"
+    yield (
+        "checked",
+        (
+            "the wrenches of each limb at home, free and locked, against the twists of the model's joints:"
+            f" power {r.deviation:.1e} at most"
+        ),
     )
     for note in r.notes:
         yield "note", note

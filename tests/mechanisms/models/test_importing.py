@@ -95,7 +95,9 @@ def delta(noise: float = 0.0, tip: str = "plate") -> Model:
         axis = side + noise * rng.normal(size=3)
         axis /= np.linalg.norm(axis)
         at = tuple(map(float, 0.2 * np.array([c, s, 0])))
-        joints.append(ModelJoint(f"motor{k}", "revolute", "base", f"arm{k}", at, (tuple(map(float, axis)),), (-1.0, 0.5)))
+        joints.append(
+            ModelJoint(f"motor{k}", "revolute", "base", f"arm{k}", at, (tuple(map(float, axis)),), (-1.0, 0.5))
+        )
         for n, off in enumerate((-0.04, 0.04)):
             elbow = 0.4 * np.array([c, s, 0]) + off * side + noise * 0.5 * rng.normal(size=3)
             end = 0.06 * np.array([c, s, 0]) + off * side + [0, 0, -0.5] + noise * 0.5 * rng.normal(size=3)
@@ -156,7 +158,9 @@ def test_a_planar_robot_in_another_plane() -> None:
         [((0, 0), (1, 3), (4, 3)), ((10, 0), (9, 3), (6, 3)), ((5, 9), (7, 8), (5, 5))]
     ):
         places = [(float(a), 2.0 + 0.1 * n, float(b)) for n, (a, b) in enumerate((foot, elbow, tip))]
-        joints += chain_of([(f"j{n}", "revolute", at, (Y,)) for n, at in enumerate(places)], ("base", "plate"), f"leg{k}")
+        joints += chain_of(
+            [(f"j{n}", "revolute", at, (Y,)) for n, at in enumerate(places)], ("base", "plate"), f"leg{k}"
+        )
     found = import_model(model(joints, tuple(f"leg{k}_j0" for k in range(3))))
     assert found.robot.family.plane
     assert found.robot.chain == "3-R*RR"
@@ -188,11 +192,13 @@ def humanoid() -> Model:
             ModelJoint(f"{side}_ankle", "universal", f"{side}_shank", f"{side}_foot", (0.0, y, 0.1), (X, Y)),
         ]
         for k, off in enumerate((-0.04, 0.04)):
+            crank, rod, foot = f"{side}_crank{k}", f"{side}_rod{k}", f"{side}_foot"
+            motor, top, heel = (0.0, y + off, 0.35), (-0.06, y + off, 0.35), (-0.06, y + off, 0.08)
             joints += [
-                ModelJoint(f"{side}_motor{k}", "revolute", f"{side}_shank", f"{side}_crank{k}", (0.0, y + off, 0.35), (Y,)),
-                ModelJoint(f"{side}_top{k}", "universal", f"{side}_crank{k}", f"{side}_rod{k}", (-0.06, y + off, 0.35), (X, Y)),
-                ModelJoint(f"{side}_heel{k}", "ball", f"{side}_rod{k}", f"{side}_foot", (-0.06, y + off, 0.08), closing=True),
-            ]  # fmt: skip
+                ModelJoint(f"{side}_motor{k}", "revolute", f"{side}_shank", crank, motor, (Y,)),
+                ModelJoint(f"{side}_top{k}", "universal", crank, rod, top, (X, Y)),
+                ModelJoint(f"{side}_heel{k}", "ball", rod, foot, heel, closing=True),
+            ]
     driven = tuple(j.name for j in joints if any(w in j.name for w in ("hip", "knee", "motor")))
     return model(joints, driven)
 
@@ -214,10 +220,11 @@ def test_what_hangs_on_a_robot_is_left_out() -> None:
         ModelJoint("finger", "revolute", "plate", "finger_link", (0.0, 0.0, -0.5), (X,)),
         ModelJoint("glue", "fixed", "plate", "tool", (0.0, 0.0, -0.6)),
     ]
-    found = import_model(replace(own, links=(*own.links, "finger_link", "tool"), joints=(*own.joints, *gripper)))
+    holding = replace(own, links=(*own.links, "finger_link", "tool"), joints=(*own.joints, *gripper))
+    found = import_model(holding)
     assert found.robot.chain == "3-R*4S"
     assert found.left_out == ("finger",)
-    assert import_model(replace(own, links=(*own.links, "finger_link", "tool"), joints=(*own.joints, *gripper)), platform="tool").platform == "plate"  # fmt: skip
+    assert import_model(holding, platform="tool").platform == "plate"
 
 
 def test_decimals_are_made_exact_within_the_tolerance() -> None:

@@ -90,7 +90,7 @@ class RobotSource(TypedDict):
 
 
 class FileSource(TypedDict):
-    """The text of a platform file or of a robot file, told apart by its keys."""
+    """The text of a platform file or of a robot file, told apart by its keys, or of a model."""
 
     kind: Literal["file"]
     text: Annotated[str, text(LONGEST_FILE)]

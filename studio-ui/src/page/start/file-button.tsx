@@ -1,4 +1,4 @@
-// Opens a platform or robot file: by the button, or dropped anywhere on the page. Its text goes to the server, not its path.
+// Opens a platform or robot file, or a model: by the button, or dropped anywhere on the page. Its text goes to the server, not its path.
 import { useEffect, useRef, useState } from "preact/hooks";
 import type { Fault } from "../../protocol";
 import { useStore } from "../parts/context";
@@ -37,13 +37,13 @@ export function FileButton() {
 
   return (
     <>
-      <button type="button" onClick={() => input.current?.click()} title="A platform or robot file (YAML); it can also be dropped here">
+      <button type="button" onClick={() => input.current?.click()} title="A platform or robot file (YAML), or a model (URDF, SDF, MJCF); it can also be dropped here">
         <Icon name="file" size={16} /> Open a file
       </button>
       <input
         ref={input}
         type="file"
-        accept=".yaml,.yml,.json"
+        accept=".yaml,.yml,.json,.urdf,.sdf,.mjcf,.xml"
         hidden
         data-testid="file"
         onChange={(event) => {
