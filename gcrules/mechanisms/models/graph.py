@@ -80,8 +80,8 @@ class Graph:
         """The names of the joints that lie on a way from one body to the other which comes by no body twice."""
         net = self.net.copy()
         net.add_edge(start, end)
-        for found in nx.biconnected_components(net):
-            block = {*found}
+        blocks: list[set[Any]] = [{*block} for block in nx.biconnected_components(net)]
+        for block in blocks:
             if start in block and end in block:
                 return frozenset(node[1] for node in block if isinstance(node, tuple))
         return frozenset()

@@ -121,7 +121,7 @@ def chain_of(joints: list[tuple[str, str, object, object]], ends: tuple[str, str
     """Joints (name, kind, place, axes) one after the other."""
     links = [ends[0], *(f"{name}_{k}" for k in range(1, len(joints))), ends[1]]
     return [
-        ModelJoint(f"{name}_{n}", kind, links[k], links[k + 1], at, axes)  # type: ignore[arg-type]
+        ModelJoint(f"{name}_{n}", kind, links[k], links[k + 1], at, axes)
         for k, (n, kind, at, axes) in enumerate(joints)
     ]
 
@@ -299,7 +299,7 @@ BRANCHED = [*TREE, ModelJoint("c", "revolute", "one", "three", (1.0, 1.0, 0.0), 
 )  # fmt: skip
 def test_refusals(made: object, options: dict[str, object], message: str) -> None:
     with pytest.raises(gc.GcrulesError, match=message):
-        import_model(made(), **options)  # type: ignore[operator]
+        import_model(made(), **options)
 
 
 def test_what_is_asked_for_is_named() -> None:
