@@ -30,7 +30,7 @@ from gcrules.core.yaml_file import Document
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.mechanisms.description.discovery import examples, find_robot, robots
 from gcrules.mechanisms.description.platform_file import Platform, load_platform, parse_platform
-from gcrules.mechanisms.robot import Robot
+from gcrules.mechanisms.robot import Robot, read_models_by
 from gcrules.rules.catalog.catalog import Catalog
 from gcrules.rules.catalog.entries import Entry
 from gcrules.rules.catalog.file import load as load_catalog
@@ -60,6 +60,7 @@ LOADED = (Structure, Platform, Robot, Analysis, RobotAnalysis)
 _load_robot = deferred("gcrules.mechanisms.description.robot_file:load_robot")
 _parse_robot = deferred("gcrules.mechanisms.description.robot_file:parse_robot")
 _robot_of_model = deferred("gcrules.mechanisms.models.importing:robot_of_file")
+read_models_by("gcrules.mechanisms.models.importing:robot_of_file")
 _robot_of_text = deferred("gcrules.mechanisms.models.importing:robot_of_text")
 
 MODELS = (".urdf", ".sdf", ".mjcf", ".xml")

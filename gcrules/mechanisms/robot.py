@@ -9,7 +9,7 @@ from os import PathLike
 from typing import Any
 
 from gcrules.core.dataclass import dataclass
-from gcrules.core.deferred import deferred
+from gcrules.core.deferred import resolved
 from gcrules.core.errors import InputError
 from gcrules.core.frozen import FrozenMap
 from gcrules.mechanisms.description.family import Definition, Family
@@ -18,12 +18,18 @@ from gcrules.mechanisms.description.relations import AXES
 from gcrules.mechanisms.lines.derived import Derived
 from gcrules.screws import RATIONALS, Limb
 
-__all__ = ["Consequence", "Robot"]
+__all__ = ["Consequence", "Robot", "read_models_by"]
 
 _TOLERANCE = Fraction(1, 10**6)
-_robot_of_file = deferred("gcrules.mechanisms.models.importing:robot_of_file")  # numpy
+_reader = ""
 
 Vector = tuple[Fraction, Fraction, Fraction]
+
+
+def read_models_by(where: str) -> None:
+    """Let the function `package.module:name` read the models of `Robot.from_model`; it stands above robots."""
+    global _reader
+    _reader = where
 
 
 @dataclass(frozen=True)
@@ -83,7 +89,7 @@ class Robot:
         perpendicular are made so, within the `tolerance` (parts of the model's size, radians). Lengths are metres.
         Raises FileError for a file at fault, for what is no platform with limbs, and for joints that have no meaning.
         """
-        found: Robot = _robot_of_file(
+        found: Robot = resolved(_reader)(
             path, closures, base=base, platform=platform, actuators=actuators, tolerance=tolerance
         )
         return found
