@@ -29,7 +29,7 @@ from gcrules.mechanisms.kinematics.tubes import Arm, Choice, follows, holds, kee
 from gcrules.screws import RESIDUES
 from gcrules.screws.pose_text import SHIFTS, TURNS, VECTOR
 
-__all__ = ["Cells", "Steps", "are_regular", "can_be_followed", "follow_and_are_regular", "follow_branch"]
+__all__ = ["Cells", "Steps", "are_regular", "can_be_followed", "follow_and_are_regular", "follow_branch", "tubes"]
 
 Truths = NDArray[np.bool_]
 
@@ -82,7 +82,7 @@ def follow_branch(m: Linkage, wanted: Target, steps: Steps) -> Truths:
     """Whether it is proved (N,) that the solutions at the ends of a step lie on one branch: one curve of solutions,
     beside which there is no other one close to the straight way between them. False proves nothing.
     """
-    return np.asarray(np.isfinite(_tubes(m, wanted, steps)[0]).all(axis=-1))
+    return np.asarray(np.isfinite(tubes(m, wanted, steps)[0]).all(axis=-1))
 
 
 def are_regular(m: Linkage, wanted: Target, steps: Steps) -> Truths:
@@ -95,14 +95,14 @@ def are_regular(m: Linkage, wanted: Target, steps: Steps) -> Truths:
 
 def follow_and_are_regular(m: Linkage, wanted: Target, steps: Steps) -> tuple[Truths, Truths]:
     """What `follow_branch` and `are_regular` give, at once. Steps that are regular follow the branch."""
-    tubes = _tubes(m, wanted, steps)
-    follow = np.asarray(np.isfinite(tubes[0]).all(axis=-1))
+    around = tubes(m, wanted, steps)
+    follow = np.asarray(np.isfinite(around[0]).all(axis=-1))
     arms = _arms(m, steps.here, steps.amounts)
-    reach = [np.abs(a.amounts) / 2 + t for a, t in zip(arms, tubes, strict=False)]
+    reach = [np.abs(a.amounts) / 2 + t for a, t in zip(arms, around, strict=False)]
     return follow, follow & keeps_rank(spreads(arms), _undriven(m), _idle(m, _undriven(m)), reach)
 
 
-def _tubes(m: Linkage, wanted: Target, steps: Steps) -> tuple[Floats, ...]:
+def tubes(m: Linkage, wanted: Target, steps: Steps) -> tuple[Floats, ...]:
     """How far the coordinates of each limb are from the straight way at most; infinite where nothing is proved."""
     if wanted.driven:
         arms = _arms(m, steps.here, steps.amounts)

@@ -40,12 +40,14 @@ __all__ = [
     "all_bodies_balance",
     "balance",
     "balanced",
+    "free_coordinates_of",
     "kept_axes",
     "limb_margins",
     "limb_twists",
     "margin",
     "margins",
     "on_platform",
+    "platform_ends",
     "span_twists",
 ]
 
@@ -120,7 +122,7 @@ def margin(m: Linkage, here: Configuration) -> LimbMargin:
 
 def margins(m: Linkage, here: Configurations) -> LimbMargins:
     """The measure at many configurations."""
-    ends = _ends(m, here)
+    ends = platform_ends(m, here)
     centre = ends.mean(axis=1)
     rows: list[Floats] = []
     owners: list[int] = []
@@ -221,14 +223,14 @@ def _unit_scale(metric: Floats) -> Floats:
     return found
 
 
-def _ends(m: Linkage, here: Configurations) -> Floats:
+def platform_ends(m: Linkage, here: Configurations) -> Floats:
     """Where the limbs' ends are, (N, limbs, 3)."""
     return np.asarray(m.ends @ np.swapaxes(here.platform[:, :3, :3], 1, 2) + here.platform[:, None, :3, 3])
 
 
 def _locked(m: Linkage, place: int, chain: Chain, end: Floats) -> Floats:
     """Orthonormal bases of a limb's wrenches with its actuators locked: rows (f; m/ρ), about the ends (..., 3)."""
-    twists = _at(chain, end, m.size)[..., _free(m, place), :]
+    twists = _at(chain, end, m.size)[..., free_coordinates_of(m, place), :]
     count = m.elsewhere.applied[place][1]
     return on_platform(balanced(twists, m.passive_ranks[place]), count)[..., [3, 4, 5, 0, 1, 2]]
 
@@ -250,7 +252,7 @@ def on_platform(wrenches: Floats, dimension: int, width: int = 6) -> Floats:
     return np.asarray(np.linalg.svd(wrenches[..., :width])[2][..., :dimension, :])
 
 
-def _free(m: Linkage, place: int) -> list[int]:
+def free_coordinates_of(m: Linkage, place: int) -> list[int]:
     """The coordinates of a limb that are not driven."""
     driven = {a.coordinate for a in m.actuators if a.place == place}
     return [k for k in range(len(m.home.chains[place].turns)) if k not in driven]
@@ -261,7 +263,7 @@ def limb_twists(m: Linkage, place: int, here: Configurations, centre: Floats) ->
     slide by ρ in each coordinate, and which of them are not driven. What they add to the gaps of the limb's own loops
     follows in further sixes.
     """
-    return _at(here.chains[place], centre, m.size), _free(m, place)
+    return _at(here.chains[place], centre, m.size), free_coordinates_of(m, place)
 
 
 def _at(chain: Chain, end: Floats, size: float) -> Floats:
@@ -292,9 +294,9 @@ def limb_margins(m: Linkage, here: Configurations) -> Floats:
     0 where the limb itself is singular, or its passive joints are.
     """
     found = np.ones((len(here), len(here.chains)))
-    ends = _ends(m, here)
+    ends = platform_ends(m, here)
     for place, chain in enumerate(here.chains):
-        twists, free = _at(chain, ends[:, place], m.size), _free(m, place)
+        twists, free = _at(chain, ends[:, place], m.size), free_coordinates_of(m, place)
         every = np.linalg.svd(twists, compute_uv=False)[:, m.ranks[place] - 1]
         passive = np.linalg.svd(twists[:, free], compute_uv=False)[:, m.passive_ranks[place] - 1] if free else 1.0
         found[:, place] = np.minimum(every, passive)

@@ -196,7 +196,7 @@ def _answer(domain: Domain, starts: _Starts, joiner: Joiner, modes: AssemblyMode
         title=domain.m.title,
         unit=domain.m.unit,
         asked=domain.asked,
-        proved=domain.proves_margin,
+        proved=all(j.proved for j in joiner.joins),
         poses=tuple(p.pose for p in starts.places),
         sets=tuple(sets),
         joins=tuple(joiner.joins),

@@ -95,7 +95,7 @@ class Joiner:
             way = as_waypoints(self.domain, first.pose, last.pose, road.rows[nodes], rounded=rounded)
             proved = self.domain.prove(way, _SAMPLES)
             if not proved.failures and self.domain.ends_at(proved.path, last):
-                self.joins.append(Join(one, other, tuple(way), proved.least))
+                self.joins.append(Join(one, other, tuple(way), proved.least, proved.margin_proved))
                 self._proved.add_edge(one, other)
                 return
             if len(nodes) == 2:

@@ -16,13 +16,14 @@ __all__ = ["AspectSet", "Aspects", "Join", "LeftOut"]
 @dataclass(frozen=True)
 class Join:
     """A way between two poses of one set, by their numbers, straight through `poses`: it is proved that nothing on it
-    is singular; its margin is `least` at least, of a robot of joints at the samples of the path.
+    is singular; its margin is `least` at least, everywhere (`proved`) or at the samples of the path.
     """
 
     one: int
     other: int
     poses: tuple[Waypoint, ...]
     least: float
+    proved: bool
 
     def to_json(self) -> dict[str, Any]:
         return {
@@ -30,6 +31,7 @@ class Join:
             "other": self.other,
             "poses": [pose_json(p) for p in self.poses],
             "least_margin": self.least,
+            "margin_proved": self.proved,
         }
 
 

@@ -4,7 +4,8 @@ Each step follows one branch of solutions, proved by Krawczyk's operator; that n
 proved likewise (`gcrules.mechanisms.kinematics.branch`), for many steps at once (`gcrules.poses.limbs.drive`). Segments
 in which that is not proved are gone over again, one by one (`gcrules.poses.limbs.way`). So a singular configuration can
 lie only where the determinant of all wrenches changes its sign, which is located, or in short stretches that are told
-as undecided: as a rule where the path touches a singular configuration, or where a limb is singular by itself.
+as undecided: as a rule where the path touches a singular configuration, or where a limb is singular by itself. Of a
+path without either a bound of the margin is proved (`gcrules.poses.limbs.way_bounds`).
 
 >>> from gcrules.mechanisms.mechanism import mechanism
 >>> from gcrules.screws.threshold import threshold_of
@@ -27,6 +28,7 @@ from gcrules.core.budget import report as report_progress
 from gcrules.core.dataclass import dataclass
 from gcrules.core.english import agreeing, listed
 from gcrules.core.errors import GcrulesError, InputError
+from gcrules.core.floats import rounded_down
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.mechanisms.kinematics.actuations import amplified
 from gcrules.mechanisms.kinematics.amplification import Amplifications
@@ -45,7 +47,9 @@ from gcrules.poses.limbs.nodes import Nodes
 from gcrules.poses.limbs.path_report import Crossing, RobotPath
 from gcrules.poses.limbs.pose_report import cause_of, target_of
 from gcrules.poses.limbs.way import Stretch, Way
+from gcrules.poses.limbs.way_bounds import WayBounds, no_bounds, way_bounds
 from gcrules.poses.numbers.motion import twist_of
+from gcrules.poses.paths.least import Least
 from gcrules.poses.paths.sampling import SAMPLES, per_segment
 from gcrules.screws.pose_text import HOME
 from gcrules.screws.threshold import Threshold, degrees, margin_of, turn_of
@@ -57,12 +61,16 @@ Truths = NDArray[np.bool_]
 
 MAX_SAMPLES = 20_000
 _STEP = 0.125  # rad, or parts of the robot's size: what is proved at once, as a rule
+_MOST_BOUNDED = 20_000  # steps of a path: of longer ones the margin is that of the samples
 _MOST_STEPS = 2000  # between two poses: more are gone without being predicted
 
 
-def path_of_limbs(found: Limbs, poses: Sequence[Any], *, samples: Any = SAMPLES, threshold: Threshold) -> RobotPath:
+def path_of_limbs(
+    found: Limbs, poses: Sequence[Any], *, samples: Any = SAMPLES, threshold: Threshold, asked: float = 0.0
+) -> RobotPath:
     """The path through `poses`, each as for `target_of`, or "home"; all of the same coordinates. Numbers are given at
-    `samples` places, beside the poses and the crossings.
+    `samples` places, beside the poses and the crossings. The bound of the margin is driven up to what is `asked` for, where
+    that is near the least one.
 
     Raises InputError for what is no path, and where the robot does not assemble on it.
     """
@@ -85,9 +93,11 @@ def path_of_limbs(found: Limbs, poses: Sequence[Any], *, samples: Any = SAMPLES,
         parts.append(_segment(way.courses[k], found.analysis, k, start))
     crossed = [c for part in parts for c in part.crossed]
     nodes = driven.nodes[sampled]
+    sure = doubt is None and len(parameters) <= _MOST_BOUNDED and not any(p.crossed or p.undecided for p in parts)
+    bounds = way_bounds(way, driven.nodes, asked) if sure else no_bounds(m)
     if crossed:
         nodes = Nodes.together([nodes, Nodes.of(*zip(*crossed, strict=True))])
-    return _report(found, threshold, targets, parts, nodes, doubt)
+    return _report(found, threshold, targets, parts, nodes, doubt, bounds)
 
 
 @dataclass(frozen=True, eq=False)
@@ -206,6 +216,7 @@ def _report(
     parts: Sequence[_Segment],
     nodes: Nodes,
     doubt: float | None,
+    bounds: WayBounds,
 ) -> RobotPath:
     m = found.linkage
     parameters, order = np.unique(nodes.parameters[::-1], return_index=True)  # of two at one place that of a crossing
@@ -222,7 +233,11 @@ def _report(
     verdicts = np.array([
         "singular" if c <= SOLVED else decide(s, SOLVED, close=close) for s, c in zip(sigma, own, strict=True)
     ])  # fmt: skip
-    verdict, reason = _verdict(parameters, sigma, verdicts, crossings, undecided, limit, looped=m.looped)
+    k = int(sigma.argmin())
+    least = Least(float(sigma[k]), float(parameters[k]), bounds.least)
+    if bounds.met < least.margin:
+        least = Least(bounds.met, bounds.parameter, bounds.least)
+    verdict, reason = _verdict(parameters, least, verdicts, crossings, undecided, limit, looped=m.looped)
     names = targets[0].names
     return RobotPath(
         robot=m.robot.id,
@@ -238,6 +253,8 @@ def _report(
         branch_doubt=doubt,
         threshold=limit,
         redundant=m.robot.redundant > 0,
+        least=least,
+        actuator_ranges=bounds.ranges,
         parameters=parameters,
         coordinates=coordinates(names, nodes.here.platform, m.centre),
         actuator_values=np.stack([nodes.here.joint_values[a.place][:, a.coordinate] for a in m.actuators], axis=1),
@@ -253,7 +270,7 @@ def _report(
 
 def _verdict(
     parameters: Any,
-    sigma: Any,
+    least: Least,
     verdicts: Any,
     crossings: Sequence[Crossing],
     undecided: Sequence[Stretch],
@@ -271,9 +288,10 @@ def _verdict(
     if "singular" in verdicts:
         first = float(parameters[verdicts == "singular"][0])
         return "singular", f"The path is singular at parameter {first:.5g}{open_}."
-    least = float(sigma.min())
-    where = f"σ = {least:.4g} at parameter {float(parameters[int(sigma.argmin())]):.4g} is the least of all samples"
-    turn = f"from there the wrenches of some limb have to turn by {degrees(turn_of(least))} (threshold {limit.text})"
+    where = f"σ = {least.margin:.4g} at parameter {least.parameter:.4g} is the least of all samples"
+    if least.bound > 0:
+        where = f"σ ≥ {rounded_down(least.bound)} everywhere, proved, and {least.margin:.4g} at parameter {least.parameter:.4g}"
+    turn = f"from there the wrenches of some limb have to turn by {degrees(turn_of(least.margin))} (threshold {limit.text})"
     if looped:
         turn = f"as its limbs have loops of their own, σ bounds no way from there (threshold {limit.text})"
     if places:

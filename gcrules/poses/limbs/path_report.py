@@ -14,6 +14,7 @@ from gcrules.core.shown import Shown
 from gcrules.mechanisms.kinematics.amplification import Amplifications, index_columns
 from gcrules.mechanisms.kinematics.linkage import Actuator
 from gcrules.poses.numbers.motion import Twist
+from gcrules.poses.paths.least import Least
 from gcrules.screws.pose_text import ANGLES
 from gcrules.screws.threshold import Threshold
 
@@ -61,6 +62,9 @@ class RobotPath(HoldsArrays, Shown):
     each crossing one is. `branch_doubt` is the parameter from which on it is not proved that the configurations follow
     one branch of solutions from home (None: it is proved throughout).
 
+    Nowhere on the path is the margin below the bound of `least`, which is proved; 0 where nothing is. `actuator_ranges`
+    (actuators, 2) are those between which it is proved that the actuators stay, infinite where it is not.
+
     A `redundant` robot has more actuators than freedoms: there are no crossings.
 
     `parameters` (N,), `coordinates` (N, names) and `actuator_values` (N, actuators) are the samples, `margins` (N,)
@@ -82,6 +86,8 @@ class RobotPath(HoldsArrays, Shown):
     branch_doubt: float | None
     threshold: Threshold
     redundant: bool
+    least: Least
+    actuator_ranges: Floats
     parameters: Floats
     coordinates: Floats
     actuator_values: Floats
@@ -93,15 +99,8 @@ class RobotPath(HoldsArrays, Shown):
     amplifications: Amplifications
     notes: tuple[str, ...] = ()
 
-    @property
-    def least(self) -> tuple[float, float]:
-        """The least margin at a sample, and its parameter."""
-        k = int(self.margins.argmin())
-        return float(self.margins[k]), float(self.parameters[k])
-
     def to_json(self) -> dict[str, Any]:
         """One JSON object; the numbers at samples are lists."""
-        margin, parameter = self.least
         return {
             "schema": 1,
             "robot": self.robot,
@@ -113,7 +112,14 @@ class RobotPath(HoldsArrays, Shown):
             "crossings": [c.to_json() for c in self.crossings],
             "undecided": [list(s) for s in self.undecided],
             "branch_proved_to": None if self.branch_doubt is None else self.branch_doubt,
-            "least": {"margin": margin, "parameter": parameter},
+            "least": {
+                "margin": self.least.margin,
+                "parameter": self.least.parameter,
+                "bound": self.least.bound,
+            },
+            "actuator_ranges": {
+                a.name: [_finite(c) for c in self.actuator_ranges[k].tolist()] for k, a in enumerate(self.actuators)
+            },
             "threshold": {"angle": self.threshold.angle},
             "samples": {
                 "parameter": self.parameters.tolist(),

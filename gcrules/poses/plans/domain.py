@@ -24,18 +24,21 @@ _LOOKS = 17  # places on a piece
 
 @dataclass(frozen=True)
 class Proved:
-    """What is proved of a path: its `least` margin, and the places of the segments that do not keep to what is asked
-    for, or are not proved to do so.
+    """What is proved of a path: its `least` margin, everywhere or only at samples of the path (`margin_proved`), that it
+    keeps to the limits everywhere or at these (`limits_proved`), and the places of the segments that do not keep to
+    what is asked for.
     """
 
     path: PathReport | RobotPath
     least: float
     failures: tuple[int, ...]
+    margin_proved: bool = True
+    limits_proved: bool = True
 
     @classmethod
-    def of(cls, path: PathReport | RobotPath, least: float, places: Iterable[float], pieces: int) -> Proved:
+    def of(cls, path: PathReport | RobotPath, least: float, places: Iterable[float], pieces: int, **sure: bool) -> Proved:
         """With failures at these parameters of a path of so many segments."""
-        return cls(path, least, tuple(sorted({min(int(p), pieces - 1) for p in places})))
+        return cls(path, least, tuple(sorted({min(int(p), pieces - 1) for p in places})), **sure)
 
 
 @dataclass(frozen=True, eq=False)
@@ -48,8 +51,7 @@ class Place:
 
 class Domain(Protocol):
     """The states of a mechanism `m` in a `space`, with a margin `asked` at least, whose `size` makes lengths numbers.
-    `proves_margin` tells whether the margin of a path is proved between samples, `notes` what is to be said of any
-    answer.
+    `notes` is what is to be said of any answer.
     """
 
     @property
@@ -62,8 +64,6 @@ class Domain(Protocol):
     def space(self) -> Space: ...
     @property
     def notes(self) -> tuple[str, ...]: ...
-    @property
-    def proves_margin(self) -> bool: ...
 
     def prove(self, way: Sequence[Waypoint], samples: int | None = None) -> Proved:
         """The path straight through waypoints, looked at in so many samples of each piece, and what is proved of it."""

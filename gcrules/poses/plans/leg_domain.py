@@ -36,7 +36,6 @@ class LegDomain:
     m: SixLegs
     asked: float
     space: LegSpace
-    proves_margin: bool = True
     notes: tuple[str, ...] = ()
 
     @property

@@ -1,4 +1,4 @@
-"""Configurations of a robot of joints on one branch, and paths whose margin is known at samples."""
+"""Configurations of a robot of joints on one branch, and paths with a bound of the margin where that is proved."""
 
 from __future__ import annotations
 
@@ -44,7 +44,6 @@ class LimbDomain:
     m: Limbs
     asked: float
     space: LimbSpace
-    proves_margin: bool = False
 
     @property
     def notes(self) -> tuple[str, ...]:
@@ -60,18 +59,22 @@ class LimbDomain:
             list(way),
             samples=samples_of(_SAMPLES, samples, len(way) - 1),
             threshold=DEFAULT,
+            asked=self.asked,
         )
-        least, at = path.least
         failures = [c.first for c in path.crossings] + [a for a, _ in path.undecided]
         failures += path.parameters[path.verdicts == "singular"].tolist()
-        if least < self.asked:
-            failures.append(at)
+        if path.least.margin < self.asked:
+            failures.append(path.least.parameter)
         if path.branch_doubt is not None:
             failures.append(path.branch_doubt)
-        if self.space.limits is not None:
-            failures += path.parameters[~self.space.limits.allow(path.actuator_values)].tolist()
+        kept, limits = True, self.space.limits
+        if limits is not None:
+            failures += path.parameters[~limits.allow(path.actuator_values)].tolist()
+            kept = bool(limits.allow(path.actuator_ranges.T).all())
         failures += outside(self.space, np.stack([self.unsolved(p) for p in way]))
-        return Proved.of(path, least, failures, len(way) - 1)
+        proved = path.least.bound >= self.asked
+        least = path.least.bound if proved else path.least.margin
+        return Proved.of(path, least, failures, len(way) - 1, margin_proved=proved, limits_proved=kept)
 
     def waypoint(self, state: Floats, *, rounded: bool) -> Waypoint:
         return self.space.waypoint(state, rounded=rounded)

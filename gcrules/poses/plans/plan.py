@@ -169,7 +169,7 @@ def _solved(p: Problem, asked: float, states: int, seed: int) -> Plan:
         for way in drafts(p.domain, p.start, p.goal, road.rows[nodes]):
             proved = p.domain.prove(way)
             if not proved.failures:
-                return _plan(p, asked, "way", _found(p, proved, way), way=way, proved=proved, search=search)
+                return _plan(p, asked, "way", _found(proved, way), way=way, proved=proved, search=search)
             first = first or proved
         road.forget((nodes[k], nodes[k + 1]) for k in proved.failures)
     return _plan(p, asked, "undecided", _undecided(road, first), search=search)
@@ -229,7 +229,8 @@ def _plan(
         poses=tuple(way),
         path=proved.path if proved else None,
         least=proved.least if proved else 0.0,
-        proved=p.domain.proves_margin,
+        proved=proved.margin_proved if proved else False,
+        limits_proved=proved.limits_proved if proved else False,
         length=p.domain.length(way) if way else 0.0,
         straight=p.domain.length([p.start, p.goal]),
         size=p.domain.size,
@@ -239,10 +240,10 @@ def _plan(
     )
 
 
-def _found(p: Problem, proved: Proved, way: Sequence[Waypoint]) -> str:
+def _found(proved: Proved, way: Sequence[Waypoint]) -> str:
     pieces = len(way) - 1
     words = "The straight way is free" if pieces == 1 else f"A way of {pieces} straight pieces is free"
-    sure = "everywhere on it" if p.domain.proves_margin else "at all samples of it"
+    sure = "everywhere on it" if proved.margin_proved else "at all samples of it"
     return f"{words} of singular poses, proved; the margin σ is at least {rounded_down(proved.least)} {sure}."
 
 

@@ -58,8 +58,8 @@ class Plan(Shown):
     """Where a robot can go without a singularity.
 
     `outcome` is way | none | undecided, `reason` says it in a sentence. A way goes straight through the `poses`, and
-    `path` is its proof: nothing on it is singular. Its margin is `asked` at least: of a platform on six legs everywhere
-    (`proved`), and so are its limits; of a robot of joints at the samples of the path, at whose least it is `least`.
+    `path` is its proof: nothing on it is singular. Its margin is `asked` at least, and `least`: everywhere (`proved`),
+    or at the samples of the path, and so are its limits (`limits_proved`).
     A way out, with an `end_margin`, has `asked` at its end only; where none is found there is no `goal`. That there is
     none between two poses is proved by what is `opposed`. `length` is how long the way is, lengths in parts of the
     robot's `size`, angles in rad, and `straight` that from start to goal.
@@ -76,6 +76,7 @@ class Plan(Shown):
     path: PathReport | RobotPath | None
     least: float
     proved: bool
+    limits_proved: bool
     length: float
     straight: float
     size: float
@@ -99,6 +100,7 @@ class Plan(Shown):
             "poses": [pose_json(p) for p in self.poses],
             "least_margin": self.least if way else None,
             "margin_proved": self.proved if way else None,
+            "limits_proved": self.limits_proved if way else None,
             "end_margin": self.end_margin,
             "length": self.length if way else None,
             "straight_length": self.straight,

@@ -68,7 +68,8 @@ def _facts(p: Plan) -> Iterator[tuple[str, str]]:
     if p.search is not None:
         yield "sought", f"{p.search.states:,} states, seed {p.search.seed}, in {p.search.region}"
         if p.search.limits:
-            yield "limits", p.search.limits
+            sure = ", proved everywhere" if p.limits_proved else ", at the samples of the path"
+            yield "limits", f"{p.search.limits}{sure if p.poses else ''}"
     yield "proof", _proof(p)
     for note in p.notes:
         yield "note", note

@@ -6,6 +6,7 @@ import math
 from collections.abc import Iterator
 
 from gcrules.core.english import agreeing, as_sentence
+from gcrules.core.floats import rounded_down
 from gcrules.poses.limbs.path_report import Crossing, RobotPath
 from gcrules.screws.pose_text import ANGLES
 from gcrules.views.formulas.latex_text import latex_quantity, latex_table
@@ -46,15 +47,19 @@ def account(r: RobotPath) -> PathAccount:
 
 
 def _closest(r: RobotPath) -> Iterator[tuple[str, str]]:
-    margin, parameter = r.least
-    if not r.crossings:
-        yield "closest", f"σ = {margin:.4g} at parameter {parameter:.4g}, the least of the samples"
+    if r.crossings:
+        return
+    met = f"σ = {r.least.margin:.4g} at parameter {r.least.parameter:.4g}"
+    yield "closest", f"{met}, the least of the samples"
+    if r.least.bound > 0:
+        yield "bound", f"σ ≥ {rounded_down(r.least.bound)} everywhere on the path, proved: {_TURNED}"
 
 
 _PROOF = (
     "step by step: in a tube around each the loops have exactly one solution (Krawczyk's operator), and with the"
     " actuators locked none that moves"
 )
+_TURNED = "in each step no limb's wrenches turn further, seen from the platform"
 _SIGNS = "; the crossings lie where the determinant of all wrenches changes its sign"
 _NO_SIGNS = "; with more actuators than freedoms no determinant changes its sign: what is not proved stays undecided"
 
@@ -91,5 +96,7 @@ def as_latex(r: RobotPath) -> str:
     rows += [("singular at parameter", latex_quantity(c.parameter)) for c in r.crossings]
     rows += [("not decided from, to", f"{latex_quantity(a)}, {latex_quantity(b)}") for a, b in r.undecided]
     if not r.crossings:
-        rows.append(("least margin $\\sigma$ of the samples", latex_quantity(r.least[0])))
+        rows.append(("least margin $\\sigma$ of the samples", latex_quantity(r.least.margin)))
+        if r.least.bound > 0:
+            rows.append(("least margin $\\sigma$, proved", latex_quantity(r.least.bound)))
     return latex_table(rows)
