@@ -290,8 +290,10 @@ def _verdict(
         return "singular", f"The path is singular at parameter {first:.5g}{open_}."
     where = f"σ = {least.margin:.4g} at parameter {least.parameter:.4g} is the least of all samples"
     if least.bound > 0:
-        where = f"σ ≥ {rounded_down(least.bound)} everywhere, proved, and {least.margin:.4g} at parameter {least.parameter:.4g}"
-    turn = f"from there the wrenches of some limb have to turn by {degrees(turn_of(least.margin))} (threshold {limit.text})"
+        met = f"{least.margin:.4g} at parameter {least.parameter:.4g}"
+        where = f"σ ≥ {rounded_down(least.bound)} everywhere, proved, and {met}"
+    angle = degrees(turn_of(least.margin))
+    turn = f"from there the wrenches of some limb have to turn by {angle} (threshold {limit.text})"
     if looped:
         turn = f"as its limbs have loops of their own, σ bounds no way from there (threshold {limit.text})"
     if places:

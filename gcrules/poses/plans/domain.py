@@ -24,8 +24,8 @@ _LOOKS = 17  # places on a piece
 
 @dataclass(frozen=True)
 class Proved:
-    """What is proved of a path: its `least` margin, everywhere or only at samples of the path (`margin_proved`), that it
-    keeps to the limits everywhere or at these (`limits_proved`), and the places of the segments that do not keep to
+    """What is proved of a path: its `least` margin, everywhere (`margin_proved`) or only at samples of the path, that
+    it keeps to the limits everywhere (`limits_proved`) or at these, and the places of the segments that do not keep to
     what is asked for.
     """
 
@@ -36,7 +36,9 @@ class Proved:
     limits_proved: bool = True
 
     @classmethod
-    def of(cls, path: PathReport | RobotPath, least: float, places: Iterable[float], pieces: int, **sure: bool) -> Proved:
+    def of(
+        cls, path: PathReport | RobotPath, least: float, places: Iterable[float], pieces: int, **sure: bool
+    ) -> Proved:
         """With failures at these parameters of a path of so many segments."""
         return cls(path, least, tuple(sorted({min(int(p), pieces - 1) for p in places})), **sure)
 
