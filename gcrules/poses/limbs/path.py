@@ -69,8 +69,8 @@ def path_of_limbs(
     found: Limbs, poses: Sequence[Any], *, samples: Any = SAMPLES, threshold: Threshold, asked: float = 0.0
 ) -> RobotPath:
     """The path through `poses`, each as for `target_of`, or "home"; all of the same coordinates. Numbers are given at
-    `samples` places, beside the poses and the crossings. The bound of the margin is driven up to what is `asked` for, where
-    that is near the least one.
+    `samples` places, beside the poses and the crossings. The bound of the margin is driven up to what is `asked` for,
+    where that is near the least one.
 
     Raises InputError for what is no path, and where the robot does not assemble on it.
     """
