@@ -78,7 +78,7 @@ class Decided:
 class Decider:
     """Boxes of those coordinates of `forms` that are `free`, the others have the values of `centre`; `weights` are by
     how much the free ones change where others change by theirs; `limits` are those of the actuators; with a `margin`
-    above 0 poses have to keep it.
+    above 0 poses have to keep it. Poses are kept to where all values of `kept` are at least 0, too.
     """
 
     forms: BoxForms
@@ -87,6 +87,7 @@ class Decider:
     weights: tuple[float, ...]
     limits: LengthLimits | None = None
     margin: float = 0.0
+    kept: Program | None = None
 
     def decided(self, boxes: Boxes) -> Decided:
         """What is proved of them."""
@@ -133,7 +134,7 @@ class Decider:
     def sign_at(self, coordinates: Floats) -> int:
         """The sign of the determinant at one place (n,) of all coordinates of the forms; 0 where it is not known."""
         place = Boxes(coordinates[None, :1], np.zeros((1, 1)))
-        decider = replace(self, centre=tuple(coordinates.tolist()), free=(0,), weights=(1.0,), limits=None, margin=0.0)
+        decider = replace(self, centre=tuple(coordinates.tolist()), free=(0,), weights=(1.0,), limits=None, margin=0.0, kept=None)
         found = decider._models(self.forms.wrenches, place)
         return int(decider._regular(found, np.zeros(1, dtype=bool))[1][0])
 
@@ -199,6 +200,11 @@ class Decider:
         """Where (N,) no pose is reached within the limits, and where all are; `found` models the wrenches."""
         found = found or self._models(self.forms.wrenches, boxes)
         outside, inside = found.unreached.copy(), found.exists & self.forms.reached
+        if self.kept is not None:
+            held = self._models(self.kept, boxes)
+            low, high = held.ranges()
+            outside |= held.unreached | (high < 0).any(axis=0)
+            inside &= (low >= 0).all(axis=0)
         limits = self.limits
         if limits is None:
             return outside, inside & ~outside

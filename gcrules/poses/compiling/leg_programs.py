@@ -20,7 +20,7 @@ from gcrules.poses.compiling.tracing import COORDINATES
 from gcrules.poses.compiling.turns import TurnedBy, back, by_angles
 from gcrules.poses.compiling.vectors import Vector, add, cross, dot, exact, scaled, sub, total, turned
 
-__all__ = ["balanced_leg_lines", "leg_lengths", "leg_programs", "leg_wrenches", "plain_leg_wrenches"]
+__all__ = ["balanced_leg_lines", "leg_bars", "leg_lengths", "leg_programs", "leg_wrenches", "plain_leg_wrenches"]
 
 Floats = NDArray[np.float64]
 
@@ -38,7 +38,7 @@ def leg_programs(m: SixLegs) -> ClosedForms:
     def determinant(road: int, origin: Vector) -> Program:
         graph = Graph(6)
         value = roads_of(m.analysis)[road][1](joints.places(COORDINATES, graph, origin, None))
-        for _, length in _bars(m, graph):
+        for _, length in leg_bars(m, graph):
             value = value * inverse(length)
         return lower(graph, value * (1 / Fraction(size) ** 3))
 
@@ -49,18 +49,18 @@ def leg_programs(m: SixLegs) -> ClosedForms:
 
 def leg_lengths(m: SixLegs, graph: Graph, turned_by: TurnedBy = cosine_and_sine) -> Program:
     """The lengths of the legs."""
-    return lower(graph, *(length for _, length in _bars(m, graph, turned_by)))
+    return lower(graph, *(length for _, length in leg_bars(m, graph, turned_by)))
 
 
 def leg_wrenches(m: SixLegs, graph: Graph, turned_by: TurnedBy = cosine_and_sine) -> Program:
     """The entries of the legs' wrenches, row by row: six columns, the least singular value is the margin."""
-    units = [scaled(bar, inverse(length)) for bar, length in _bars(m, graph, turned_by)]
+    units = [scaled(bar, inverse(length)) for bar, length in leg_bars(m, graph, turned_by)]
     return lower(graph, *(c for row in _balanced(m, units) for c in row))
 
 
 def balanced_leg_lines(m: SixLegs, graph: Graph, turned_by: TurnedBy) -> BalancedLines:
     """The same, in parts of the robot's size as long as the legs are, and the squares of these lengths."""
-    forces = [scaled(bar, 1 / Fraction(m.rig.size)) for bar, _ in _bars(m, graph, turned_by)]
+    forces = [scaled(bar, 1 / Fraction(m.rig.size)) for bar, _ in leg_bars(m, graph, turned_by)]
     rows = lower(graph, *(c for row in _balanced(m, forces) for c in row))
     return BalancedLines(rows, lower(graph, *(dot(f, f) for f in forces)), (1,) * 6)
 
@@ -100,7 +100,7 @@ def _spread(m: SixLegs) -> float:
     return float(np.sqrt((_arms(m) ** 2).sum(axis=1).mean()))
 
 
-def _bars(m: SixLegs, graph: Graph, turned_by: TurnedBy = cosine_and_sine) -> list[tuple[Vector, Ring]]:
+def leg_bars(m: SixLegs, graph: Graph, turned_by: TurnedBy = cosine_and_sine) -> list[tuple[Vector, Ring]]:
     """The legs as the platform sees them, and their lengths."""
     joints, x = joints_of(m.analysis, m.rig), graph.inputs
     turn, centre = back(by_angles(x[3:], turned_by)), add((x[0], x[1], x[2]), joints.centre)

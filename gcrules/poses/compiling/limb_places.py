@@ -88,7 +88,7 @@ class LimbPlaces:
 
     def seen(self, name: str) -> Vector:
         """The same, as the platform sees it: where it would be with the platform at home."""
-        if self._rides(name) and not self._stays(name):
+        if self.rides(name) and not self._stays(name):
             return self.home[name]
         if self.sorts[name] != "point":
             return turned(back(self.turn), self.at(name))
@@ -123,7 +123,7 @@ class LimbPlaces:
 
     def _from_pivot(self, open_: list[str], given: dict[str, tuple[Ring, ...]]) -> dict[str, tuple[Ring, ...]]:
         """Unnamed shifts, from a point of the platform that stays where it is; nothing where there is none."""
-        still = (n for n, sort in self.sorts.items() if sort == "point" and self._stays(n) and self._rides(n))
+        still = (n for n, sort in self.sorts.items() if sort == "point" and self._stays(n) and self.rides(n))
         pivot = next(still, None)
         if pivot is None or not set(open_) <= set(SHIFTS):
             return {}
@@ -189,7 +189,7 @@ class LimbPlaces:
         found = platform[:, :3, :3] @ value
         return found + platform[:, :3, 3] if point else found
 
-    def _rides(self, name: str) -> bool:
+    def rides(self, name: str) -> bool:
         point = self.sorts[name] == "point"
         off = self.solved.values[name] - self._moved(self.m.home.values[name], point)
         return bool(np.abs(off).max() <= _STAYS * (self.size if point else 1.0))
@@ -204,7 +204,7 @@ class LimbPlaces:
         home, point = self.home[name], self.sorts[name] == "point"
         if self._stays(name):
             return home
-        if self._rides(name):
+        if self.rides(name):
             return self._carried(home, point)
         limb = next((a.limb for a in self.m.attachments.get(name, ()) if a.link == 1), None)
         roads: list[Callable[[], Vector]] = [] if point else [lambda: self._perpendicular(name)]
@@ -326,7 +326,7 @@ class LimbPlaces:
         for normal in (n for n, sort in self.sorts.items() if sort == "direction" and self._stays(n) and size):
             assert axis is not None
             n, v = self.home[normal], self.m.home.values[normal]
-            for other in (o for o, sort in self.sorts.items() if sort == "point" and self._rides(o)):
+            for other in (o for o, sort in self.sorts.items() if sort == "point" and self.rides(o)):
                 depth = (self.solved.values[other] - self.solved.values[name]) @ (v / np.linalg.norm(v))
                 if (
                     abs(v @ floats(axis)) > _APART * np.linalg.norm(v) * size
@@ -360,7 +360,7 @@ class LimbPlaces:
         for other, sort in self.sorts.items():
             if sort == "direction":
                 place = add(self.home[name], self.home[other])  # a bar may lead there
-            elif self._rides(other) and not self._stays(other):
+            elif self.rides(other) and not self._stays(other):
                 place = self.home[other]
             else:
                 continue
@@ -373,7 +373,7 @@ class LimbPlaces:
         """Directions of the platform with which one keeps its angle."""
         here, home = self.solved.values[name], self.m.home.values
         for other, sort in self.sorts.items():
-            if sort == "direction" and self._rides(other) and not self._stays(other):
+            if sort == "direction" and self.rides(other) and not self._stays(other):
                 angle = (here * self.solved.values[other]).sum(axis=1)
                 if np.abs(angle - home[name] @ home[other]).max() <= _STAYS:
                     yield other

@@ -32,7 +32,7 @@ from gcrules.poses.compiling.turns import TurnedBy
 from gcrules.poses.limbs.many import Solved, proved_at
 from gcrules.screws.pose_text import SHIFTS
 
-__all__ = ["limb_programs", "solved_near_home", "wrench_forms"]
+__all__ = ["limb_places", "limb_programs", "solved_near_home", "wrench_forms"]
 
 _POSES = 24  # from which closed forms are found, and as many with which they are compared
 _REACHES = (0.1, 0.02, 0.005)  # in parts of the robot's size, and rad
@@ -41,7 +41,7 @@ _EQUAL = 1e-9  # of values from −1 to 1
 
 def limb_programs(m: Limbs, target: Target) -> ClosedForms:
     """The programs that are found and checked for coordinates of the platform; none for actuators."""
-    places = _places(m, target)
+    places = limb_places(m, target)
     if places is None:
         return _none(m)
     factors = _lowered(places, lambda: traced_factors(m, places))
@@ -65,7 +65,7 @@ def wrench_forms(m: Limbs, target: Target, turned_by: TurnedBy) -> WrenchForms |
     """The wrenches over coordinates of the platform; `turned_by` makes cosines and sines of angles. None where they
     have no closed form.
     """
-    places = _places(m, target, turned_by)
+    places = limb_places(m, target, turned_by)
     if places is None:
         return None
     roots, reached = placing_roots(m, places), reach_is_seen(m, places)
@@ -79,7 +79,8 @@ def _none(m: Limbs) -> ClosedForms:
     return ClosedForms(columns=len(kept_axes(m.linkage)), turns=tuple(a.angle for a in m.linkage.actuators))
 
 
-def _places(m: Limbs, target: Target, turned_by: TurnedBy = cosine_and_sine) -> LimbPlaces | None:
+def limb_places(m: Limbs, target: Target, turned_by: TurnedBy = cosine_and_sine) -> LimbPlaces | None:
+    """Where points and directions are over coordinates of the platform; None where they have no closed form."""
     if target.driven:
         return None
     found = solved_near_home(m, target, np.random.default_rng(0))
