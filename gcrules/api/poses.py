@@ -12,6 +12,7 @@ from gcrules.mechanisms.load import Source
 if TYPE_CHECKING:
     from gcrules.poses.aspects.aspects import aspects
     from gcrules.poses.boxes.box_map import box_map
+    from gcrules.poses.certificates.certify import certify
     from gcrules.poses.compiling.compiled import compiled
     from gcrules.poses.length_regions.length_regions import length_regions
     from gcrules.poses.loci.locus import locus
@@ -32,6 +33,7 @@ __all__ = [
     "aspects",
     "assembly_modes",
     "box_map",
+    "certify",
     "compiled",
     "export",
     "export_model",
@@ -55,6 +57,7 @@ _MODULES = {
     "aspects": "gcrules.poses.aspects.aspects",
     "assembly_modes": "gcrules.poses.modes.modes",
     "box_map": "gcrules.poses.boxes.box_map",
+    "certify": "gcrules.poses.certificates.certify",
     "compiled": "gcrules.poses.compiling.compiled",
     "free_region": "gcrules.poses.regions.free_region",
     "length_regions": "gcrules.poses.length_regions.length_regions",

@@ -122,6 +122,7 @@ FORMS: dict[str, Forms] = {
         save=f"{_VIEWS}.plots.box_files:save",
         xarray=f"{_VIEWS}.plots.box_files:dataset",
     ),
+    "gcrules.poses.certificates.certificate.Certificate": _told("certificate"),
     "gcrules.poses.tiles.status.MapStatus": _result("tiles", formula=""),
     "gcrules.poses.stored_maps.verifying.MapVerified": _result(
         "tiles", text="verified_text", latex="verified_latex", formula=""

@@ -22,6 +22,7 @@ COMMANDS = {
     "path": ("gcrules.apps.cli.path:path", "Find every singular pose on a path of a robot."),
     "plan": ("gcrules.apps.cli.plan:plan", "Find a way without a singularity, or prove that there is none."),
     "aspects": ("gcrules.apps.cli.aspects:aspects", "Find which poses hang together without a singularity."),
+    "certify": ("gcrules.apps.cli.certify:certify", "Prove that a whole range has no singular pose, or find one."),
     "free": ("gcrules.apps.cli.free:free", "Find the largest region around a pose that is free, proved."),
     "regions": ("gcrules.apps.cli.regions:regions", "Find how singular lengths part the lengths of a robot's legs."),
     "modes": ("gcrules.apps.cli.modes:modes", "Find all poses that a robot can take with its actuators held."),

@@ -127,7 +127,7 @@ class Decider:
             if len(some) and self.forms.entries == self.forms.columns**2:
                 found[some] = self._changes(boxes[some])
             if len(some) and self.margin > 0:
-                margins = np.nan_to_num(self._margins_at(boxes.middles[some]), nan=1.0)
+                margins = np.nan_to_num(self.margins_at(boxes.middles[some]), nan=1.0)
                 found[some] |= margins < self.margin * _ABOVE
         return found
 
@@ -173,7 +173,7 @@ class Decider:
 
     def _margins(self, boxes: Boxes) -> tuple[Floats, Floats, Floats]:
         """The margin in the middle, what it is at least, and how much each coordinate (n, N) lowers it."""
-        margins, bounds = self._margins_at(boxes.middles), np.zeros(len(boxes))
+        margins, bounds = self.margins_at(boxes.middles), np.zeros(len(boxes))
         influence = np.zeros((boxes.middles.shape[1], len(boxes)))
         if not self.margin > 0:
             return margins, bounds, influence
@@ -192,7 +192,7 @@ class Decider:
             bounds[some] = found / np.sqrt(longest)
         return margins, bounds, influence
 
-    def _margins_at(self, middles: Floats) -> Floats:
+    def margins_at(self, middles: Floats) -> Floats:
         """The margins (N,), not numbers where the wrenches have no closed form there."""
         return self.forms.forms.margins("numpy", self._inputs(middles))
 

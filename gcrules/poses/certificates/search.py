@@ -155,13 +155,20 @@ class Search:
         self.status[now[found.outside]] = OUTSIDE
         self.bounds[now] = np.where(free, np.nan_to_num(found.bounds), 0.0)
         better = np.flatnonzero(free & (found.margins < self.least))
-        if len(better):  # margins of poses that are not within the limits say nothing
-            places = now[better]
-            points = Boxes(self.middles[places], np.zeros_like(self.halves[places]))
-            inside = better[self.decider.reached(points)[1]]
-            if len(inside):
-                k = inside[np.argmin(found.margins[inside])]
-                self.least, self.place = float(found.margins[k]), self.middles[now[k]]
+        if len(better):
+            self._see(now[better], found.margins[better])
+
+    def see(self, some: Places) -> None:
+        """Look at the margins in the middles of boxes."""
+        self._see(some, self.decider.margins_at(self.middles[some]))
+
+    def _see(self, some: Places, margins: Floats) -> None:
+        points = Boxes(self.middles[some], np.zeros_like(self.halves[some]))
+        inside = self.decider.reached(points)[1]  # margins of poses that are not within the limits say nothing
+        seen = np.where(inside, np.nan_to_num(margins, nan=np.inf), np.inf)
+        k = int(np.argmin(seen))
+        if seen[k] < self.least:
+            self.least, self.place = float(seen[k]), self.middles[some[k]]
 
     def _crossing(self, some: Places) -> bool:
         """Whether one of these boxes certainly holds a singular pose, or one below the margin; it is noted then."""

@@ -13,7 +13,18 @@ from gcrules.views.formulas.latex_text import latex_quantity, latex_table, latex
 from gcrules.views.results.result_account import Facts, ResultAccount
 from gcrules.views.text_tables import ASCII, table, wrapped
 
-__all__ = ["account", "as_latex", "as_text", "decided", "leaves_nothing", "parts", "picture_of", "seen", "verdict"]
+__all__ = [
+    "account",
+    "as_latex",
+    "as_text",
+    "decided",
+    "leaves_nothing",
+    "parts",
+    "percent",
+    "picture_of",
+    "seen",
+    "verdict",
+]
 
 picture = deferred("gcrules.views.plots.box_plot:picture")  # matplotlib, an extra of the installation
 
@@ -50,7 +61,7 @@ def verdict(m: BoxMap) -> str:
     least = f", and the margin is {m.task.margin:g} at least" if m.task.margin else ""
     beside = "" if q.always_reached else f", or poses that are not {reached}"
     parted = (
-        f" Both signs of the determinant occur ({_percent(free)} and {_percent(other)}): every way from one to the "
+        f" Both signs of the determinant occur ({percent(free)} and {percent(other)}): every way from one to the "
         f"other passes a singular pose{beside}."
     )
     if not (free and other):
@@ -61,10 +72,10 @@ def verdict(m: BoxMap) -> str:
         case "free":
             return f"Proved: no {pose} is singular{least}.{parted}"
         case "undecided":
-            return f"No singular pose was found, but {_percent(undecided)} of the range is undecided.{parted}"
+            return f"No singular pose was found, but {percent(undecided)} of the range is undecided.{parted}"
     if not crossed:
         return f"This range is not free: there is a singular pose in what is undecided.{parted}"
-    return f"This range is not free: boxes of {_percent(crossed)} of it hold {_bad(m)}.{parted}"
+    return f"This range is not free: boxes of {percent(crossed)} of it hold {_bad(m)}.{parted}"
 
 
 def _asked(m: BoxMap) -> Iterator[tuple[str, str]]:
@@ -83,14 +94,14 @@ def _asked(m: BoxMap) -> Iterator[tuple[str, str]]:
 
 def _shares(m: BoxMap) -> Iterator[tuple[str, str]]:
     free, other, outside, crossed, undecided = m.summary.shares
-    yield "free", f"{_percent(free)} of the volume" + (f", and {_percent(other)} with the other sign" if other else "")
+    yield "free", f"{percent(free)} of the volume" + (f", and {percent(other)} with the other sign" if other else "")
     if outside:
         where = "poses that are not reached" + (" within the limits" if m.task.question.limits else "")
-        yield "outside", f"{_percent(outside)}: {where}"
+        yield "outside", f"{percent(outside)}: {where}"
     if crossed:
-        yield "crossed", f"{_percent(crossed)}: boxes that hold {_bad(m)}"
+        yield "crossed", f"{percent(crossed)}: boxes that hold {_bad(m)}"
     if undecided:
-        yield "undecided", _percent(undecided)
+        yield "undecided", percent(undecided)
     s = m.summary
     if s.margin is not None and s.place is not None:
         at = ", ".join(f"{a.name} = {c:.5g}" for a, c in zip(m.axes, s.place, strict=True))
@@ -117,7 +128,7 @@ def _proof(m: BoxMap) -> Iterator[tuple[str, str]]:
         yield "check", "the closed forms of the wrenches agree with the joints at poses at random"
 
 
-def _percent(share: float) -> str:
+def percent(share: float) -> str:
     """A share in percent; what is not all, and not nothing, is not shown as if it were."""
     shown = f"{100 * share:.3g}"
     if shown == "100" and share < 1:
@@ -133,7 +144,7 @@ def as_latex(m: BoxMap) -> str:
         rows.append((latex_words(a.name), " to ".join(ends)))
     free, other, outside, crossed, undecided = m.summary.shares
     for name, share in (("free", free + other), ("outside", outside), ("crossed", crossed), ("undecided", undecided)):
-        rows.append((name, latex_words(_percent(share))))
+        rows.append((name, latex_words(percent(share))))
     if m.summary.margin is not None:
         rows.append(("least margin $\\sigma$ in a middle", latex_quantity(m.summary.margin)))
     return latex_table(rows)

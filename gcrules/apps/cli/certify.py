@@ -1,0 +1,108 @@
+"""The command certify: whether a robot is free of singularities in its whole range."""
+
+from __future__ import annotations
+
+import click
+
+from gcrules.apps.cli.base import ExpressionCommand, Output, about_option
+from gcrules.apps.cli.files import OutputFile, working
+from gcrules.apps.cli.limits import Seconds
+from gcrules.apps.cli.map_options import at_option, limits_option
+from gcrules.apps.cli.sources import mode_option, read_source, warn
+from gcrules.core.errors import InputError
+from gcrules.poses.certificates.certificate import check_suffix
+from gcrules.poses.certificates.certify import certify as certified
+
+__all__ = ["certify"]
+
+_CODES = {True: 0, False: 1, None: 3}
+
+
+@click.command(cls=ExpressionCommand)
+@click.argument("file", metavar="FILE.yaml|ID")
+@mode_option
+@click.option(
+    "--over",
+    multiple=True,
+    required=True,
+    metavar="RANGE",
+    help='A coordinate with start:stop, "x -20:20", or -40..40 deg, "roll -40..40 deg"; give one to six.',
+)
+@at_option
+@about_option
+@limits_option
+@click.option("--cone", metavar="ANGLES", help='Cones of joints of rods: "40 deg", "base 30 deg, C1 40 deg".')
+@click.option("--tilt", metavar="ANGLE", help='The platform tilts so far in any direction: "40 deg".')
+@click.option("--margin", type=float, default=0.0, metavar="M", help="Poses have this margin σ at least.")
+@click.option("--time", type=Seconds(), default=60.0, show_default=True, metavar="S", help="Seconds to search for.")
+@click.option("--target", default="100%", show_default=True, metavar="SHARE", help='End when so much is decided: "99.9%".')
+@click.option("--resume", metavar="FILE", help="Go on from the file of an earlier certificate of the same question.")
+@click.option("--json", "as_json", is_flag=True, help="Print the certificate as one JSON object.")
+@click.option("--latex", "as_latex", is_flag=True, help="Print LaTeX.")
+@click.option(
+    "--unicode/--ascii", " /--plain", "mathematics", default=None, help="Unicode or plain ASCII; by default what fits."
+)
+@click.option(
+    "-o",
+    "--output",
+    "outputs",
+    type=OutputFile(),
+    multiple=True,
+    metavar="FILE",
+    help="Write the certificate, whatever is decided: .json or .json.gz, which tools/check_certificate.py checks.",
+)
+@click.pass_context
+def certify(
+    ctx: click.Context,
+    file: str,
+    mode: str | None,
+    over: tuple[str, ...],
+    at: str | None,
+    about: str,
+    limits: str | None,
+    cone: str | None,
+    tilt: str | None,
+    margin: float,
+    time: float,
+    target: str,
+    resume: str | None,
+    as_json: bool,
+    as_latex: bool,
+    mathematics: bool | None,
+    outputs: tuple[str, ...],
+) -> None:
+    """Prove that a robot has no singular pose in its whole range, or find one.
+
+    \b
+    gcrules certify robot.yaml --over "x -100..100" --over "y -100..100" --limits "leg lengths 200..500"
+    gcrules certify reachy-mini-head --over "roll -40..40 deg" --over "pitch -40..40 deg" --over "yaw -65..65 deg" \\
+      --limits "actuators -84..44 deg" --cone "40 deg" -o head.json
+
+    The range is continuous: boxes of poses are proved or cut. The exit code is 0 where no pose in range is singular, 1
+    where one is, 3 where it is not decided; with --target also 0 where so much is.
+    """
+    if as_json and as_latex:
+        raise click.UsageError("--json and --latex exclude each other.")
+    for path in outputs:
+        check_suffix(path)
+    if not over:
+        raise InputError("no range")
+    source = warn(read_source(file, mode=mode))
+    with working("proving"):
+        found = certified(
+            source,
+            [text.replace("..", ":") for text in over],
+            at,
+            about=about,
+            limits=limits,
+            cone=cone,
+            tilt=tilt,
+            margin=margin,
+            time=time,
+            target=target,
+            resume=resume,
+        )
+    for path in outputs:
+        found.save(path)
+    Output(json=as_json, latex=as_latex, mathematics=mathematics).show(found)
+    ctx.exit(_CODES[found.holds])

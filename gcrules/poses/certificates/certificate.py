@@ -1,0 +1,211 @@
+"""The answer to whether a robot is free of singularities in its whole range, with the boxes that prove it."""
+
+from __future__ import annotations
+
+import gzip
+import json
+from functools import cached_property
+from os import PathLike, fspath
+from typing import Any
+
+import numpy as np
+
+from gcrules.core.arguments import FILE, checked
+from gcrules.core.dataclass import dataclass
+from gcrules.core.errors import FileError, InputError
+from gcrules.core.files import write_file
+from gcrules.core.floats import rounded_down
+from gcrules.core.frozen import HoldsArrays
+from gcrules.core.shown import Shown
+from gcrules.core.version import __version__
+from gcrules.poses.certificates.asked import Asked
+from gcrules.poses.certificates.checking import geometry
+from gcrules.poses.certificates.search import OTHER, Search
+from gcrules.poses.maps.cells import CROSSED, FREE, OUTSIDE, UNDECIDED
+
+__all__ = ["FORMAT", "Bad", "Certificate", "read_certificate", "restored"]
+
+FORMAT = "gcrules certificate 1"
+_LETTERS = {FREE: "f", OTHER: "g", OUTSIDE: "o", CROSSED: "x", UNDECIDED: "u"}
+_STATUS = {letter: status for status, letter in _LETTERS.items()}
+
+
+@dataclass(frozen=True)
+class Bad:
+    """A pose in the range that is singular, or below the margin: its coordinates in the units of the axes, as text for
+    `gcrules pose`, its margin, its cause in words; the box around it, all within the limits, and two places in it where
+    the determinant has opposite signs (none where the margin is below the one asked for), in rad and the file's unit.
+    """
+
+    place: tuple[float, ...]
+    at: str
+    margin: float
+    causes: tuple[str, ...]
+    box: tuple[tuple[float, float], ...]
+    ends: tuple[tuple[float, ...], ...]
+
+
+@dataclass(frozen=True, eq=False)
+class Certificate(HoldsArrays, Shown):
+    """What is proved of a whole range. `verdict` is free (no pose of it that is reached within the limits is singular,
+    or has a margin below the one asked for), outside (none is reached), singular or below (one is), undecided; `shares`
+    are of its volume in coordinates: free, free with the other sign of the determinant than at home, outside, crossed,
+    undecided. In free boxes the margin σ is at least `bound`, proved; `least` is the smallest that was seen at a pose
+    within the limits, at `place` in the units of the axes. `bad` is a pose that is not free. `target` is the share that
+    was asked for. `tree` and `bounds` are what proves it: see `to_json`.
+    """
+
+    asked: Asked
+    verdict: str
+    target: float
+    shares: tuple[float, ...]
+    bound: float | None
+    least: float | None
+    place: tuple[float, ...] | None
+    boxes: int
+    bad: Bad | None
+    tree: str
+    bounds: tuple[float, ...]
+
+    @property
+    def decided(self) -> float:
+        """The share that is proved to be free, or to be outside."""
+        return min(sum(self.shares[:3]), 1.0)
+
+    @property
+    def holds(self) -> bool | None:
+        """True where the range is free as far as was asked for, False where it is not, None where it is not known."""
+        if self.verdict in ("singular", "below"):
+            return False
+        return True if self.verdict in ("free", "outside") or self.decided >= self.target < 1 else None
+
+    @cached_property
+    def question(self) -> dict[str, Any]:
+        """What was asked, as JSON."""
+        q = self.asked.task.question
+        return {
+            "robot": self.asked.task.recipe["robot"],
+            "about": self.asked.task.recipe["about"],
+            "over": [
+                {"coordinate": a.name, "low": str(a.start), "high": str(a.stop), "unit": a.unit}
+                for a in self.asked.axes
+            ],
+            "rest": {n: v for n, v in zip(q.names, q.values, strict=True) if n not in {a.name for a in q.axes}},
+            **self.asked.beside,
+            "margin": self.asked.task.margin,
+        }
+
+    def to_json(self) -> dict[str, Any]:
+        """The certificate as its file has it. `tree` has a sign for each box, a box that is cut before its lower half,
+        that before the upper one: a digit is the coordinate of `over` across which it is cut in the middle; f free, g
+        free with the other sign of the determinant than at home, o outside, x crossed, u undecided. `bounds` are what
+        the margin is at least in each free box, in their order.
+        """
+        free, other, outside, crossed, undecided = self.shares
+        return {
+            "format": FORMAT,
+            "made by": f"gcrules {__version__}",
+            "title": self.asked.mechanism.title,
+            "question": self.question,
+            "geometry": geometry(self.asked),
+            "claim": {
+                "verdict": self.verdict,
+                "margin at least": self.bound,
+                "smallest margin seen": self.least,
+                "at": self.place,
+                "shares": {
+                    "free": free,
+                    "free with the other sign": other,
+                    "outside": outside,
+                    "crossed": crossed,
+                    "undecided": undecided,
+                },
+                "target": self.target,
+            },
+            "singular pose": None
+            if self.bad is None
+            else {
+                "place": self.bad.place,
+                "at": self.bad.at,
+                "margin": self.bad.margin,
+                "causes": list(self.bad.causes),
+                "box": self.bad.box,
+                "opposite signs at": self.bad.ends,
+            },
+            "tree": self.tree,
+            "bounds": list(self.bounds),
+        }
+
+    @checked("certificate.save", path=FILE)
+    def save(self, path: str) -> None:
+        """Write the file that the checker reads, .json, or .json.gz for less room. Raises FileError."""
+        check_suffix(path)
+        data = json.dumps(self.to_json(), separators=(",", ":")).encode() + b"\n"
+        write_file(path, gzip.compress(data, mtime=0) if path.lower().endswith(".gz") else data, at_once=True)
+
+    def __repr__(self) -> str:
+        over = ", ".join(a.name for a in self.asked.axes)
+        return f"<Certificate over {over}: {self.verdict}, {100 * self.decided:.4g} % decided>"
+
+
+def check_suffix(path: str) -> None:
+    """Raises FileError for a name of something else."""
+    if not path.lower().endswith((".json", ".json.gz")):
+        raise FileError("no name of a certificate", filename=path, hint="certificates end in .json or .json.gz")
+
+
+def parts_of(search: Search) -> tuple[str, tuple[float, ...]]:
+    """The tree of boxes as text, and the bounds of free ones, rounded down."""
+    letters, bounds = [], []
+    for k in search.preorder():
+        side = search.side_of(k)
+        letters.append(str(side) if side is not None else _LETTERS[int(search.status[k])])
+        if letters[-1] in "fg":
+            bounds.append(float(rounded_down(float(search.bounds[k]))))
+    return "".join(letters), tuple(bounds)
+
+
+def read_certificate(path: str | PathLike[str]) -> dict[str, Any]:
+    """The contents of a file that `Certificate.save` wrote. Raises FileError for what is none."""
+    name = fspath(path)
+    try:
+        with open(name, "rb") as file:
+            data = file.read()
+        found = json.loads(gzip.decompress(data) if data[:2] == b"\x1f\x8b" else data)
+    except OSError as fault:
+        raise FileError(f"cannot be read: {fault.strerror or fault}", filename=name) from None
+    except (ValueError, EOFError, RecursionError) as fault:
+        raise FileError("no certificate: not JSON", filename=name) from fault
+    if not isinstance(found, dict) or found.get("format") != FORMAT:
+        raise FileError("no certificate of a format that is known", filename=name, hint="gcrules certify … -o FILE.json")
+    return found
+
+
+def restored(search: Search, kept: dict[str, Any], question: dict[str, Any], name: str) -> None:
+    """Take over what a certificate has of the same question. Raises FileError where it is of another one."""
+    if kept.get("question") != json.loads(json.dumps(question)):
+        raise FileError("a certificate of another question", filename=name, hint="ask for the same range and limits")
+    try:
+        bounds = iter([float(c) for c in kept["bounds"]])
+        waiting = [0]
+        for sign in kept["tree"]:
+            k = waiting.pop()
+            if sign in _STATUS:
+                status = _STATUS[sign]
+                search.status[k] = UNDECIDED if status == CROSSED else status
+                if status in (FREE, OTHER):
+                    search.bounds[k] = next(bounds)
+                continue
+            first = search.cut(np.array([k]), np.array([_side(sign, search)]))
+            waiting += [int(first[1]), int(first[0])]
+        if waiting:
+            raise InputError("it ends too soon")
+    except (KeyError, TypeError, ValueError, IndexError, StopIteration, InputError) as fault:
+        raise FileError("no certificate: its tree of boxes is not complete", filename=name) from fault
+
+
+def _side(sign: str, search: Search) -> int:
+    side = int(sign)
+    if side >= search.middles.shape[1]:
+        raise ValueError(sign)
+    return side

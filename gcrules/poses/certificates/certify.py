@@ -1,0 +1,158 @@
+r"""Is a robot free of singularities in its whole range? Proved, or a singular pose of it, or what is undecided.
+
+>>> found = certify("3-rpr", ["x -0.1:0.1", "yaw -5:5 deg"], time=5)
+>>> found.verdict, found.bound > 0.2, found.bound <= found.least
+('free', True, True)
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from os import PathLike, fspath
+from time import monotonic
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from gcrules.core.errors import GcrulesError, InputError
+from gcrules.mechanisms.load import Source
+from gcrules.mechanisms.mechanism import mechanism
+from gcrules.poses.certificates.asked import Asked, asked, share_of
+from gcrules.poses.certificates.certificate import Bad, Certificate, parts_of, read_certificate, restored
+from gcrules.poses.certificates.search import OTHER, Search
+from gcrules.poses.maps.axes import GridAxis
+from gcrules.poses.maps.cells import CROSSED, FREE, OUTSIDE, UNDECIDED
+from gcrules.poses.pose import pose
+
+__all__ = ["certify"]
+
+Floats = NDArray[np.float64]
+
+_MOST = 4_000_000
+"""Boxes of a tree, some hundreds of bytes each."""
+_HALVINGS = 48
+_RAISING = 0.25  # of the time, if the search took less, but no more than a few times what it took
+_AGAIN = 3.0
+
+
+def certify(
+    source: Source,
+    over: Sequence[str | GridAxis],
+    at: Any = None,
+    *,
+    about: str | Sequence[Any] = "centroid",
+    limits: str | None = None,
+    cone: str | None = None,
+    tilt: str | None = None,
+    margin: float = 0.0,
+    time: float = 60.0,
+    target: str | float = 1.0,
+    resume: str | PathLike[str] | None = None,
+) -> Certificate:
+    """Whether a robot is free of singular poses in its whole range, not at samples (a `Certificate`).
+
+    `source`, `over`, `at`, `about`, `limits` and `margin` are those of `box_map`. Joints at the ends of rods keep to a
+    `cone` around their direction at home, as the body there carries it: "40 deg" for all, "base 30 deg, platform 40
+    deg", "C1 35 deg". The platform's third axis keeps to a `tilt`, "40 deg" in any direction. Boxes are cut for so much
+    `time` in seconds, or until the `target` share is decided; what is left of the time, a few times what that took at
+    most, goes to a better bound of the margin. `resume` is the file of an earlier certificate of the same question,
+    from which it goes on.
+
+    Raises InputError for what makes no sense, and where something has no closed form; FileError for another file.
+    """
+    start = monotonic()
+    if not 0 <= time < np.inf:
+        raise InputError(f"a time of {time} s", hint="a number of seconds, 0 or more")
+    share = share_of(target)
+    found = asked(mechanism(source, about=about), over, at, limits, cone, tilt, margin)
+    search = Search(found.decider, found.task.box(0), found.task.home)
+    if resume is not None:
+        _resumed(search, found, resume)
+    begun = monotonic()
+    search.run(start + time, share, _MOST)
+    now = monotonic()
+    if search.crossed is None:
+        search.raise_bound(min(start + time, max(now + _AGAIN * (now - begun), begun + _RAISING * time)), _MOST)
+    return _certificate(found, search, share)
+
+
+def _resumed(search: Search, found: Asked, path: str | PathLike[str]) -> None:
+    kept = read_certificate(path)
+    restored(search, kept, _certificate(found, search, 1.0).question, fspath(path))
+    free = np.flatnonzero(np.isin(search.status, (FREE, OTHER)))
+    if len(free):
+        search.see(free[np.argsort(search.bounds[free], kind="stable")])
+
+
+def _certificate(found: Asked, search: Search, target: float) -> Certificate:
+    shares = tuple(search.share(s) for s in (FREE, OTHER, OUTSIDE, CROSSED, UNDECIDED))
+    free, other, _, crossed, undecided = shares
+    bad = None if search.crossed is None else _bad(found, search, search.crossed)
+    verdict = "undecided"
+    if bad is not None:
+        verdict = "singular" if bad.ends else "below"
+    elif not (crossed or undecided):
+        verdict = "free" if free or other else "outside"
+    seen = bool(np.isfinite(search.least))
+    tree, bounds = parts_of(search)
+    return Certificate(
+        found,
+        verdict,
+        target,
+        shares,
+        min(bounds) if bounds else None,
+        search.least if seen else None,
+        tuple((search.place / found.task.units).tolist()) if seen else None,
+        len(search.status),
+        bad,
+        tree,
+        bounds,
+    )
+
+
+def _bad(found: Asked, search: Search, k: int) -> Bad:
+    """A pose of a crossed box: where the determinant changes its sign between two places of it, or else its middle."""
+    decider, middle, half = found.decider, search.middles[k], search.halves[k]
+    box = tuple(zip((middle - half).tolist(), (middle + half).tolist(), strict=True))
+
+    def sign(place: Floats) -> int:
+        every = np.array(decider.centre)
+        every[list(decider.free)] = place
+        return decider.sign_at(every)
+
+    steps = np.array(np.meshgrid(*[(-1.0, 1.0)] * len(middle), indexing="ij")).reshape(len(middle), -1).T
+    places = [middle, *(middle + step * half for step in steps)]
+    signs = [sign(p) for p in places]
+    place, ends = middle, ()
+    if {1, -1} <= set(signs):
+        low, high = places[signs.index(1)], places[signs.index(-1)]
+        ends = (tuple(low.tolist()), tuple(high.tolist()))
+        for _ in range(_HALVINGS):
+            place = (low + high) / 2
+            match sign(place):
+                case 1:
+                    low = place
+                case -1:
+                    high = place
+                case _:
+                    break
+    at = found.pose_text(place.tolist())
+    margin = float(decider.forms.forms.margins("numpy", _all(found, place))[0])
+    return Bad(tuple((place / found.task.units).tolist()), at, margin, _causes(found, at), box, ends)
+
+
+def _all(found: Asked, place: Floats) -> Floats:
+    every = np.array(found.decider.centre)
+    every[list(found.decider.free)] = place
+    return every[None]
+
+
+def _causes(found: Asked, at: str) -> tuple[str, ...]:
+    """What the analysis says of the pose, as `pose` tells it."""
+    m: Any = found.mechanism
+    try:
+        here: Any = pose(m.analysis, at, about=found.task.recipe["about"], nearest=False)
+    except GcrulesError as fault:
+        return (f"what it is geometrically is not known: {fault.message}",)
+    return tuple(here.causes) or (here.reason,)

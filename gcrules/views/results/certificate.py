@@ -1,0 +1,136 @@
+r"""A certificate as text and as LaTeX: whether the whole range is free, how much of it is proved, and by what."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+
+from gcrules.core.floats import rounded_down
+from gcrules.poses.boxes.task import MODES
+from gcrules.poses.certificates.certificate import Certificate
+from gcrules.views.formulas.latex_text import latex_quantity, latex_table, latex_words
+from gcrules.views.results.box_map import percent
+from gcrules.views.results.result_account import Facts, ResultAccount
+from gcrules.views.text_tables import ASCII, table, wrapped
+
+__all__ = ["account", "as_latex", "as_text", "verdict"]
+
+
+def as_text(c: Certificate, *, unicode: bool = False) -> str:
+    """The whole answer; without `unicode` in ASCII."""
+    rows = list(_rows(c))
+    before = ["", *(name for name, _ in rows)]
+    named = [("" if name == last else name, value) for (name, value), last in zip(rows, before, strict=False)]
+    found = "\n".join([*wrapped(verdict(c)), "", *table(named)])
+    return found if unicode else found.translate(ASCII)
+
+
+def account(c: Certificate) -> ResultAccount:
+    """What there is to say of it."""
+    return ResultAccount(verdict(c), (Facts(tuple(_rows(c))),))
+
+
+def verdict(c: Certificate) -> str:
+    """The answer in one sentence."""
+    asked = c.asked.task.margin
+    reached = "that is reached within the limits" if c.asked.limited else "that is reached"
+    inside = f" {reached}" if c.shares[2] or c.asked.limited else ""
+    match c.verdict:
+        case "free":
+            return f"No singular pose in range{inside} (proved; {_between(c)}).{_parted(c)}"
+        case "outside":
+            return f"No pose of this range is one {reached} (proved)."
+        case "singular":
+            assert c.bad is not None
+            return f"There is a singular pose in range{inside} (proved by the sign of the determinant): {_at(c)}."
+        case "below":
+            assert c.bad is not None
+            return f"There is a pose in range{inside} whose margin is below {asked:g}: {_at(c)}."
+    so_far = f"{percent(c.decided)} of the range is proved, {percent(c.shares[4])} of it is undecided"
+    if c.holds:
+        return f"No singular pose in {percent(c.decided)} of the range (proved); the rest, {percent(c.shares[4])}, is undecided."
+    return f"Not decided: {so_far}; no singular pose was found."
+
+
+def _parted(c: Certificate) -> str:
+    free, other, *_ = c.shares
+    if not (free and other):
+        return ""
+    return (
+        f" Both signs of the determinant occur ({percent(free)} and {percent(other)}): every way from one to the other "
+        "leaves the range, or what is reached within the limits."
+    )
+
+
+def _between(c: Certificate) -> str:
+    return f"smallest margin σ ≥ {rounded_down(c.bound or 0.0)}"
+
+
+def _at(c: Certificate) -> str:
+    assert c.bad is not None
+    return ", ".join(
+        f"{a.name} = {value:.6g} {a.unit}".rstrip() for a, value in zip(c.asked.axes, c.bad.place, strict=True)
+    )
+
+
+def _rows(c: Certificate) -> Iterator[tuple[str, str]]:
+    yield from _question(c)
+    free, other, outside, crossed, undecided = c.shares
+    yield "free", f"{percent(free)} of the volume" + (f", and {percent(other)} with the other sign" if other else "")
+    if outside:
+        yield "outside", f"{percent(outside)}: poses that are not reached" + (
+            " within the limits" if c.asked.limited else ""
+        )
+    if crossed:
+        yield "crossed", f"{percent(crossed)}: boxes that hold such a pose"
+    if undecided:
+        yield "undecided", percent(undecided)
+    if c.bad is not None:
+        yield "pose", f"{c.bad.at} (as gcrules pose --at takes it)"
+        yield "", f"margin σ = {c.bad.margin:.3g} there"
+        for cause in c.bad.causes:
+            yield "cause", cause
+    if c.least is not None and c.place is not None:
+        at = ", ".join(f"{a.name} = {v:.5g}" for a, v in zip(c.asked.axes, c.place, strict=True))
+        if c.bound is not None:
+            what = "in all boxes that are free" if undecided or crossed else "in all of it"
+            yield "margin", f"σ ≥ {rounded_down(c.bound)} {what}, proved"
+        yield "margin", f"σ = {c.least:.4g} at {at}: the smallest that was seen"
+    yield "boxes", f"{c.boxes:,}"
+    yield "proof", (
+        "in a free box the wrenches hold the platform at all poses, by Taylor models of second order with bounds of "
+        "all that they leave out and of rounding; free boxes, and those outside, fill what is proved."
+    )
+
+
+def _question(c: Certificate) -> Iterator[tuple[str, str]]:
+    a, q = c.asked, c.asked.task.question
+    yield "range", f"poses of {a.mechanism.title or 'the robot'}"
+    for axis in a.axes:
+        yield "over", f"{axis.name} from {float(axis.start):g} to {float(axis.stop):g} {axis.unit}".rstrip()
+    if q.rest:
+        yield "rest", q.rest
+    if a.tilt is not None:
+        yield "limits", f"tilt ≤ {math.degrees(a.tilt):.6g} deg in any direction"
+    if q.limits:
+        yield "limits", q.limits.text
+    if a.cones is not None:
+        yield "limits", f"joints of rods within cones around their directions at home: {a.cones.text}"
+    if a.task.margin:
+        yield "asked", f"a margin of {a.task.margin:g} at least"
+    yield "mode", MODES[q.chosen] + ("" if q.chosen else ": whatever assembly mode it belongs to")
+
+
+def as_latex(c: Certificate) -> str:
+    """A tabular of the ranges and of the answer; needs no package."""
+    rows = []
+    for a in c.asked.axes:
+        ends = (latex_quantity(float(x), a.unit) for x in (a.start, a.stop))
+        rows.append((latex_words(a.name), " to ".join(ends)))
+    free, other, outside, crossed, undecided = c.shares
+    rows.append(("answer", latex_words(c.verdict)))
+    for name, share in (("free", free + other), ("outside", outside), ("crossed", crossed), ("undecided", undecided)):
+        rows.append((name, latex_words(percent(share))))
+    if c.bound is not None:
+        rows.append(("margin $\\sigma$, at least", latex_quantity(float(rounded_down(c.bound)))))
+    return latex_table(rows)
