@@ -66,7 +66,7 @@ def certify(
         raise InputError(f"a time of {time} s", hint="a number of seconds, 0 or more")
     share = share_of(target)
     found = asked(mechanism(source, about=about), over, at, limits, cone, tilt, margin)
-    search = Search(found.decider, found.task.box(0), found.task.home)
+    search = Search(found.decider, found.task.box(0), found.task.home, found.task.margin)
     if resume is not None:
         _resumed(search, found, resume)
     begun = monotonic()

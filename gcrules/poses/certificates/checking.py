@@ -25,9 +25,8 @@ def geometry(asked: Asked) -> dict[str, Any] | None:
 
 def _of_legs(m: SixLegs) -> dict[str, Any]:
     points = {n: [float(c) for c in p] for n, p in m.rig.points.items()}
-    ends = np.array([points[b] for _, b in m.rig.legs])
     rods = [{"names": [a, b], "ends": [points[a], points[b]], "drive": "leg"} for a, b in m.rig.legs]
-    return {"centre": ends.mean(axis=0).tolist() if m.rig.centre is None else _plain(m.rig.centre), "rods": rods}
+    return {"centre": _plain(m.rig.centre), "rods": rods}
 
 
 def _of_limbs(m: Limbs) -> dict[str, Any] | None:

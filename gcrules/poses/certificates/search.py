@@ -8,6 +8,7 @@ counts only where both halves are proved, so that nothing is lost by it.
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from time import monotonic
 
 import numpy as np
@@ -32,11 +33,13 @@ _SIDES = 1e-6  # of a box: what it is cut by at least
 
 class Search:
     """The tree of a box. `status` (K,), `sides` and `first` (the place of the first half) of each box, `bounds` of free
-    ones; `least` is the smallest margin that a pose in the range and within the limits has, with its place.
+    ones; `least` is the smallest margin that a pose in the range and within the limits has, with its place; below `margin` a pose is no
+    better than a singular one.
     """
 
-    def __init__(self, decider: Decider, whole: Boxes, home: int) -> None:
+    def __init__(self, decider: Decider, whole: Boxes, home: int, margin: float) -> None:
         self.decider, self.home = decider, home
+        self.crossing = replace(decider, margin=margin)
         self.middles, self.halves = whole.middles.copy(), whole.halves.copy()
         self.status = np.full(1, UNDECIDED, dtype=np.int8)
         self.sides, self.first = np.zeros(1, dtype=np.intp), np.full(1, -1, dtype=np.intp)
@@ -128,7 +131,7 @@ class Search:
     def raise_bound(self, until: float, most: int) -> None:
         """Cut the free boxes with the lowest bounds until the moment `until`, or the least margin is known well."""
         stuck = np.zeros(len(self.status), dtype=bool)
-        while monotonic() < until and len(self.status) < most:
+        while monotonic() < until and len(self.status) < most and np.isfinite(self.least):
             checkpoint()
             free = np.flatnonzero(np.isin(self.status, (FREE, OTHER)) & ~stuck)
             low = free[self.bounds[free] < _CLOSE * self.least]
@@ -164,7 +167,9 @@ class Search:
 
     def _see(self, some: Places, margins: Floats) -> None:
         points = Boxes(self.middles[some], np.zeros_like(self.halves[some]))
-        inside = self.decider.reached(points)[1]  # margins of poses that are not within the limits say nothing
+        outside, inside = self.decider.reached(points)  # margins of poses that are not within the limits say nothing
+        if not self.decider.forms.reached:  # nothing shows that a pose is reached, but that it has a closed form
+            inside = ~outside
         seen = np.where(inside, np.nan_to_num(margins, nan=np.inf), np.inf)
         k = int(np.argmin(seen))
         if seen[k] < self.least:
@@ -174,7 +179,7 @@ class Search:
         """Whether one of these boxes certainly holds a singular pose, or one below the margin; it is noted then."""
         if not len(some):
             return False
-        crossed = some[self.decider.crossed(self.boxes(some))]
+        crossed = some[self.crossing.crossed(self.boxes(some))]
         if not len(crossed):
             return False
         self.crossed = int(crossed[np.argmin(self.volumes[crossed])])

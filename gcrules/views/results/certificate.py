@@ -39,7 +39,7 @@ def verdict(c: Certificate) -> str:
         case "free":
             return f"No singular pose in range{inside} (proved; {_between(c)}).{_parted(c)}"
         case "outside":
-            return f"No pose of this range is one {reached} (proved)."
+            return f"No pose of this range is {reached.removeprefix('that is ')} (proved)."
         case "singular":
             assert c.bad is not None
             return f"There is a singular pose in range{inside} (proved by the sign of the determinant): {_at(c)}."
@@ -90,11 +90,11 @@ def _rows(c: Certificate) -> Iterator[tuple[str, str]]:
         yield "", f"margin σ = {c.bad.margin:.3g} there"
         for cause in c.bad.causes:
             yield "cause", cause
+    if c.bound is not None:
+        what = "in all boxes that are free" if undecided or crossed else "in all of it"
+        yield "margin", f"σ ≥ {rounded_down(c.bound)} {what}, proved"
     if c.least is not None and c.place is not None:
         at = ", ".join(f"{a.name} = {v:.5g}" for a, v in zip(c.asked.axes, c.place, strict=True))
-        if c.bound is not None:
-            what = "in all boxes that are free" if undecided or crossed else "in all of it"
-            yield "margin", f"σ ≥ {rounded_down(c.bound)} {what}, proved"
         yield "margin", f"σ = {c.least:.4g} at {at}: the smallest that was seen"
     yield "boxes", f"{c.boxes:,}"
     yield "proof", (
