@@ -14,7 +14,7 @@ about the mean of the ends. The margin is the s with s^2 = the least value over 
 v_i the velocity of p_i; with the columns of K orthonormal in the second form it is the least singular value of W K. Let
 B be near the inverse of W K in the middle, |1 - B W K| <= A in all entries, l the lengths of B's rows, v > 0 with v >= A
 v + l. If (W K + D) x = 0 with |x| = 1, |D| = d, then |x| <= A |x| + d l, so that |x| <= d v: all margins in the box are at
-least 1/|v|.
+least 1/|v|. They are also at least (1 - |A|) / |B|, in spectral norms, and those in the middle less the size of W - W_0.
 
 Exit codes: 0 what is claimed is proved, 1 it is not, 2 the file is no certificate of a robot that is known here.
 """
@@ -428,35 +428,61 @@ def least_margin(robot, rows, half):
     if back is None:
         return 0.0, [1.0] * n
     size, k_size = sizes(back), sizes(robot.scale)
-    whole = sizes([[(i == j) - x for j, x in enumerate(row)] for i, row in enumerate(times(back, scaled))])
-    rest, most, parts = off, sizes(middle), []
+    start = sizes([[(i == j) - x for j, x in enumerate(row)] for i, row in enumerate(times(back, scaled))])
+    whole, far, rest, most, parts = start, [[0.0] * 6 for _ in start], off, sizes(middle), []
     for j in range(n):
         slope = [[(0.0, 0.0) if c.g is None else c.g[j] for c in row] for row in rows]
         centre = [[(a + b) / 2 * half[j] for a, b in row] for row in slope]
         rest = [[r + (b - a) * 0.5001 * half[j] for r, (a, b) in zip(*rr)] for rr in zip(rest, slope)]
-        most = [[m + abs(c) for m, c in zip(*mm)] for mm in zip(most, centre)]
-        part = sizes(times(times(back, centre), robot.scale))
-        parts.append(max(map(sum, part)))
-        whole = [[a + b for a, b in zip(*ab)] for ab in zip(whole, part)]
-    rest = [[r * (1 + 1e-9) + 1e-13 * m for r, m in zip(*rm)] for rm in zip(rest, most)]
-    more = times(times(size, rest), k_size)
-    whole = [[(a + b) * (1 + 1e-12) for a, b in zip(*ab)] for ab in zip(whole, more)]
+        most = plus(most, sizes(centre))
+        moved = times(centre, robot.scale)
+        part = sizes(times(back, moved))
+        parts.append(norm(part))
+        whole, far = plus(whole, part), plus(far, sizes(moved))
+    rest = times([[r * (1 + 1e-9) + 1e-13 * m for r, m in zip(*rm)] for rm in zip(rest, most)], k_size)
+    more = times(size, rest)
+    whole, far, start = plus(whole, more), plus(far, rest), plus(start, more)
+    large = spectral(back)
+    found = max((1 - norm(whole)) / large, (1 - norm(start)) / large - norm(far))
+    return max(found * (1 - 1e-9), by_rows(whole, back), 0.0), parts
+
+
+def plus(a, b):
+    return [[x + y for x, y in zip(*xy)] for xy in zip(a, b)]
+
+
+def norm(a):
+    """No less than the largest singular value of matrices with entries of these sizes."""
+    return math.sqrt(max(map(sum, a)) * max(map(sum, zip(*a)))) * (1 + 1e-12)
+
+
+def spectral(b):
+    """No less than the largest singular value of b: |(b b^T)^64|^(1/128), in the norm of Frobenius."""
+    power, found = times(b, list(zip(*b))), 1.0
+    for k in range(6):
+        size = math.sqrt(sum(x * x for row in power for x in row))
+        found *= size ** (0.5 ** (k + 1))
+        power = [[x / size for x in row] for row in power]
+        power = times(power, power)
+    return found * math.sqrt(sum(x * x for row in power for x in row)) ** (0.5**7) * (1 + 1e-9)
+
+
+def by_rows(whole, back):
+    """1/|v| with v >= A v + l."""
     lengths = [math.sqrt(sum(x * x for x in row)) for row in back]
-    if max(map(sum, whole)) > 50:
-        return 0.0, parts
     v = lengths
     for _ in range(60):
         new = [sum(a * x for a, x in zip(row, v)) + c for row, c in zip(whole, lengths)]
         if max(new) > 1e9 * max(lengths):
-            return 0.0, parts
+            return 0.0
         done = max(abs(a - b) for a, b in zip(new, v)) <= 1e-4 * max(new)
         v = new
         if done:
             break
     v = [x * 1.001 for x in v]
     if any(x < (sum(a * y for a, y in zip(row, v)) + c) * (1 + 1e-12) for x, row, c in zip(v, whole, lengths)):
-        return 0.0, parts
-    return (1 - 1e-9) / math.sqrt(sum(x * x for x in v)), parts
+        return 0.0
+    return (1 - 1e-9) / math.sqrt(sum(x * x for x in v))
 
 
 def proved(robot, box, margin, only_outside, cuts, count):
