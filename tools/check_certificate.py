@@ -5,16 +5,18 @@ It needs Python alone and shares no code with gcrules. From the file it takes th
 claim, and the tree of boxes as a hint how to cut; of every box it proves anew that no pose in it is reached within the
 limits, or that the margin in it is at least the one claimed, cutting it further where its own bounds need that.
 
-Numbers are intervals, rounded outwards by `math.nextafter`; sin, cos, asin and atan2 are taken to be right to 2^-48. A
-value f of the coordinates x in a box has its interval in the middle m, an interval over the box, and one for each
-derivative there; f(x) lies in f(m) + sum f'_j(box) (x_j - m_j), which narrows the second one after each operation.
+Numbers are intervals, rounded outwards by `math.nextafter`; sin, cos, asin and atan2 are taken to be right to 2^-48,
+and dimensions that follow from those of the file (rods' lengths, axes of length 1) are floats. A value f of the coordinates
+x in a box has its interval in the middle m, an interval over the box, and one for each derivative there; f(x) lies in
+f(m) + sum f'_j(box) (x_j - m_j), which narrows the second one after each operation.
 
 The wrench of rod i on the platform is the unit force f_i along it through its end p_i: W_i = (f_i; p_i x f_i), moments
 about the mean of the ends. The margin is the s with s^2 = the least value over twists t of |W t|^2 / sum |v_i(t)|^2,
-v_i the velocity of p_i; with the columns of K orthonormal in the second form it is the least singular value of W K. Let
-B be near the inverse of W K in the middle, |1 - B W K| <= A in all entries, l the lengths of B's rows, v > 0 with v >= A
-v + l. If (W K + D) x = 0 with |x| = 1, |D| = d, then |x| <= A |x| + d l, so that |x| <= d v: all margins in the box are at
-least 1/|v|. They are also at least (1 - |A|) / |B|, in spectral norms, and those in the middle less the size of W - W_0.
+v_i the velocity of p_i; with the columns of K orthonormal in the second form it is the least singular value of W K.
+Let B be near the inverse of W K in the middle, |1 - B W K| <= A in all entries, l the lengths of B's rows, v > 0 with
+v >= A v + l. If (W K + D) x = 0 with |x| = 1, |D| = d, then |x| <= A |x| + d l, so that |x| <= d v: all margins in the
+box are at least 1/|v|. They are also at least (1 - |A|) / |B|, in spectral norms, and the least singular value in the
+middle less the size of what W K changes.
 
 Exit codes: 0 what is claimed is proved, 1 it is not, 2 the file is no certificate of a robot that is known here.
 """
@@ -27,153 +29,32 @@ import math
 import sys
 from fractions import Fraction
 
-INF = math.inf
-EPS = 2.0**-48
+from certificate_intervals import (
+    EPS,
+    INF,
+    Beyond,
+    Box,
+    Undefined,
+    Value,
+    check,
+    cross,
+    dot,
+    down,
+    flat,
+    least_margin,
+    point,
+    span,
+    up,
+    wave,
+)
+
 CUTS = 14  # of a box of the certificate, so often further
+SHARES = {"f": "free", "g": "free with the other sign", "o": "outside", "x": "crossed", "u": "undecided"}
 NAMES = ("x", "y", "z", "roll", "pitch", "yaw")
 
 
 class Refused(Exception):
     """The certificate does not hold, or is none."""
-
-
-def down(x):
-    return math.nextafter(x, -INF)
-
-
-def up(x):
-    return math.nextafter(x, INF)
-
-
-def add(a, b):
-    return down(a[0] + b[0]), up(a[1] + b[1])
-
-
-def mul(a, b):
-    p, q, r, s = a[0] * b[0], a[0] * b[1], a[1] * b[0], a[1] * b[1]
-    return down(min(p, q, r, s)), up(max(p, q, r, s))
-
-
-def point(x):
-    return (x, x)
-
-
-class Undefined(Exception):
-    """A root or a quotient that may not exist in a box."""
-
-
-class Box:
-    """Coordinates that are free in `low`..`high`; others have their values."""
-
-    def __init__(self, low, high):
-        self.low, self.high = low, high
-        self.middle = [(a + b) / 2 for a, b in zip(low, high)]
-        self.half = [
-            up(max(b - m, m - a) * (1 + EPS) + EPS * max(abs(a), abs(b)))
-            for a, b, m in zip(low, high, self.middle)
-        ]
-
-    def cut(self, k):
-        middle = self.middle[k]
-        high, low = list(self.high), list(self.low)
-        high[k] = low[k] = middle
-        return Box(self.low, high), Box(low, self.high)
-
-
-class Value:
-    """m in the middle, r over the box, g the derivatives there (None for constants)."""
-
-    __slots__ = ("m", "r", "g", "half")
-
-    def __init__(self, m, r, g, half):
-        self.m, self.g, self.half = m, g, half
-        if g is not None:
-            reach = 0.0
-            for d, h in zip(g, half):
-                reach = up(reach + up(max(abs(d[0]), abs(d[1])) * h))
-            r = max(r[0], down(m[0] - reach)), min(r[1], up(m[1] + reach))
-        self.r = r
-
-    def __add__(self, other):
-        if not isinstance(other, Value):
-            c = point(other)
-            return Value(add(self.m, c), add(self.r, c), self.g, self.half)
-        if self.g is None or other.g is None:
-            g = self.g or other.g
-        else:
-            g = [add(a, b) for a, b in zip(self.g, other.g)]
-        return Value(add(self.m, other.m), add(self.r, other.r), g, self.half)
-
-    def __mul__(self, other):
-        if not isinstance(other, Value):
-            c = point(other)
-            g = None if self.g is None else [mul(a, c) for a in self.g]
-            return Value(mul(self.m, c), mul(self.r, c), g, self.half)
-        parts = [[mul(a, v.r) for a in u.g] for u, v in ((self, other), (other, self)) if u.g is not None]
-        g = None if not parts else parts[0] if len(parts) == 1 else [add(a, b) for a, b in zip(*parts)]
-        return Value(mul(self.m, other.m), mul(self.r, other.r), g, self.half)
-
-    def __neg__(self):
-        g = None if self.g is None else [(-b, -a) for a, b in self.g]
-        return Value((-self.m[1], -self.m[0]), (-self.r[1], -self.r[0]), g, self.half)
-
-    def __sub__(self, other):
-        return self + (-other)
-
-    def root(self):
-        if self.r[0] <= 0:
-            raise Undefined
-        m, r = ((down(math.sqrt(a)), up(math.sqrt(b))) for a, b in (self.m, self.r))
-        slope = down(0.5 / r[1]), up(0.5 / r[0])
-        return Value(m, r, None if self.g is None else [mul(a, slope) for a in self.g], self.half)
-
-    def inverse(self):
-        if self.r[0] <= 0 <= self.r[1]:
-            raise Undefined
-        m, r = ((down(1 / b), up(1 / a)) for a, b in (self.m, self.r))
-        slope = mul(r, r)
-        return Value(m, r, None if self.g is None else [mul(a, (-slope[1], -slope[0])) for a in self.g], self.half)
-
-
-def dot(a, b):
-    found = a[0] * b[0]
-    return found + a[1] * b[1] + a[2] * b[2]
-
-
-def flat(a, b):
-    """The product of a vector of values and one of numbers."""
-    terms = [x * c for x, c in zip(a, b) if c]
-    found = terms[0]
-    for t in terms[1:]:
-        found = found + t
-    return found
-
-
-def cross(a, b):
-    return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-
-
-def wave(box, k, angle, shift):
-    """sin(angle + shift pi/2)."""
-    m, h = angle, box.half[k] if k is not None else 0.0
-
-    def near(x):
-        c = (math.sin, math.cos)[shift % 2](x) * (1, 1, -1, -1)[shift % 4]
-        return down(c - EPS), up(c + EPS)
-
-    if k is None:
-        return Value(near(m), near(m), None, box.half)
-    (a, b), (c, d) = near(m), near_slope(m, shift)
-    reach = up(h * 1.0)
-    slope = max(down(c - reach), -1.0), min(up(d + reach), 1.0)
-    zero = (0.0, 0.0)
-    g = [slope if j == k else zero for j in range(len(box.half))]
-    return Value((a, b), (max(down(a - reach), -1.0), min(up(b + reach), 1.0)), g, box.half)
-
-
-def near_slope(x, shift):
-    c = (math.cos, math.sin)[shift % 2](x) * (1, -1, -1, 1)[shift % 4]
-    return down(c - EPS), up(c + EPS)
 
 
 class Robot:
@@ -195,10 +76,13 @@ class Robot:
             if rod["drive"] not in ("leg", "turn", "slide"):
                 raise Refused(f"no independent checker yet for a drive that is a {rod['drive']}")
         names = [rod.get("actuator") for rod in self.rods]
-        order = range(6) if names[0] is None else sorted(range(6), key=lambda k: int(names[k][1:]))
+        order = range(6) if names[0] is None else [names.index(n) for n in q["limits"] or () if n in names]
         self.limits = [(-INF, INF)] * 6
-        for k, (low, high) in zip(order, (q["limits"] or {}).values()):
-            self.limits[k] = (-INF if low is None else low, INF if high is None else high)
+        if q["limits"]:
+            if len(q["limits"]) != 6 or (names[0] and set(names) != set(q["limits"])):
+                raise Refused("the limits are not those of six drives")
+            for k, (low, high) in zip(order, q["limits"].values()):
+                self.limits[k] = (-INF if low is None else low, INF if high is None else high)
         self.cones = []
         for c in q["cones"]:
             k = next((k for k, rod in enumerate(self.rods) if rod["names"] == c["rod"]), None)
@@ -267,7 +151,9 @@ class Robot:
         rod = self.rods[k]
         start, end = rod["ends"]
         arm = [e - c for e, c in zip(end, self.centre)]
-        tip = [flat(turn[j], arm) + shift[j] + self.centre[j] if any(arm) else shift[j] + self.centre[j] for j in range(3)]
+        tip = [
+            flat(turn[j], arm) + shift[j] + self.centre[j] if any(arm) else shift[j] + self.centre[j] for j in range(3)
+        ]
         if rod["drive"] == "leg":
             v = [tip[j] + (-start[j]) for j in range(3)]
             length = dot(v, v).root()
@@ -282,7 +168,7 @@ class Robot:
             along = flat(far, axis)
             under = along * along - dot(far, far) + square
             check(under)
-            sign = -1.0 if sum(h * a for h, a in zip(home, axis)) > 0 else 1.0
+            sign = -branch(sum(h * a for h, a in zip(home, axis)), square)
             amount = along + under.root() * sign
             return [far[j] - amount * axis[j] for j in range(3)], by, amount
         off = [s - t for s, t in zip(start, rod["through"])]
@@ -291,7 +177,7 @@ class Robot:
         radius = [s - f for s, f in zip(start, foot)]
         h = math.sqrt(sum(c * c for c in radius))
         one = [c / h for c in radius]
-        other = [axis[1] * one[2] - axis[2] * one[1], axis[2] * one[0] - axis[0] * one[2], axis[0] * one[1] - axis[1] * one[0]]
+        other = cross(axis, one)
         far = [tip[j] + (-foot[j]) for j in range(3)]
         u, w = flat(far, one), flat(far, other)
         reach = (dot(far, far) + (h * h - square)) * (0.5 / h)
@@ -299,7 +185,7 @@ class Robot:
         under = both - reach * reach
         check(under)
         at_home = sum((e - f) * o for e, f, o in zip(end, foot, other))
-        s, over = under.root() * (-1.0 if at_home > 0 else 1.0), both.inverse()
+        s, over = under.root() * -branch(at_home, square), both.inverse()
         cosine, sine = (u * reach - w * s) * over, (w * reach + u * s) * over
         v = [far[j] - (cosine * (h * one[j]) + sine * (h * other[j])) for j in range(3)]
         return v, by, (cosine, sine)
@@ -361,128 +247,18 @@ class Robot:
             a = [c / size for c in rod["axis"]]
             along = sum(x * y for x, y in zip(home, a))
             across = [home[j] - along * a[j] for j in range(3)]
-            more = [a[1] * across[2] - a[2] * across[1], a[2] * across[0] - a[0] * across[2], a[0] * across[1] - a[1] * across[0]]
+            more = cross(a, across)
             carried = [amount[0] * across[j] + amount[1] * more[j] + along * a[j] for j in range(3)]
         else:
             return flat(v, home) * by
         return dot(carried, v) * by
 
 
-class Beyond(Exception):
-    """A rod that reaches no pose of a box."""
-
-
-def check(under):
-    if under.r[1] < 0:
-        raise Beyond
-
-
-def span(amount):
-    """The interval of an amount; of a turn from its cosine and sine."""
-    if isinstance(amount, Value):
-        return amount.r
-    c, s = amount
-    at = math.atan2(s.m[0], c.m[0])
-    off = s * math.cos(at) - c * math.sin(at)
-    along = c * math.cos(at) + s * math.sin(at)
-    far = max(abs(off.r[0]), abs(off.r[1])) + EPS
-    if along.r[0] <= 0 or far >= 1:
-        return -10.0, 10.0
-    half = math.asin(far) + EPS
-    return at - half, at + half
-
-
-def times(a, b):
-    columns = list(zip(*b))
-    return [[sum(x * y for x, y in zip(row, col)) for col in columns] for row in a]
-
-
-def inverse(a):
-    n = len(a)
-    rows = [[*row, *((1.0 if i == j else 0.0) for j in range(n))] for i, row in enumerate(a)]
-    for i in range(n):
-        p = max(range(i, n), key=lambda k: abs(rows[k][i]))
-        if rows[p][i] == 0:
-            return None
-        rows[i], rows[p] = rows[p], rows[i]
-        by = rows[i][i]
-        rows[i] = [x / by for x in rows[i]]
-        for k in range(n):
-            if k != i and rows[k][i]:
-                c = rows[k][i]
-                rows[k] = [x - c * y for x, y in zip(rows[k], rows[i])]
-    return [row[n:] for row in rows]
-
-
-def sizes(a):
-    return [[abs(x) for x in row] for row in a]
-
-
-def least_margin(robot, rows, half):
-    """What the margin is at least in a box; 0 where nothing is proved. And how much each coordinate keeps from it."""
-    n = len(half)
-    middle = [[(c.m[0] + c.m[1]) / 2 for c in row] for row in rows]
-    off = [[(c.m[1] - c.m[0]) for c in row] for row in rows]
-    scaled = times(middle, robot.scale)
-    back = inverse(scaled)
-    if back is None:
-        return 0.0, [1.0] * n
-    size, k_size = sizes(back), sizes(robot.scale)
-    start = sizes([[(i == j) - x for j, x in enumerate(row)] for i, row in enumerate(times(back, scaled))])
-    whole, far, rest, most, parts = start, [[0.0] * 6 for _ in start], off, sizes(middle), []
-    for j in range(n):
-        slope = [[(0.0, 0.0) if c.g is None else c.g[j] for c in row] for row in rows]
-        centre = [[(a + b) / 2 * half[j] for a, b in row] for row in slope]
-        rest = [[r + (b - a) * 0.5001 * half[j] for r, (a, b) in zip(*rr)] for rr in zip(rest, slope)]
-        most = plus(most, sizes(centre))
-        moved = times(centre, robot.scale)
-        part = sizes(times(back, moved))
-        parts.append(norm(part))
-        whole, far = plus(whole, part), plus(far, sizes(moved))
-    rest = times([[r * (1 + 1e-9) + 1e-13 * m for r, m in zip(*rm)] for rm in zip(rest, most)], k_size)
-    more = times(size, rest)
-    whole, far, start = plus(whole, more), plus(far, rest), plus(start, more)
-    large = spectral(back)
-    found = max((1 - norm(whole)) / large, (1 - norm(start)) / large - norm(far))
-    return max(found * (1 - 1e-9), by_rows(whole, back), 0.0), parts
-
-
-def plus(a, b):
-    return [[x + y for x, y in zip(*xy)] for xy in zip(a, b)]
-
-
-def norm(a):
-    """No less than the largest singular value of matrices with entries of these sizes."""
-    return math.sqrt(max(map(sum, a)) * max(map(sum, zip(*a)))) * (1 + 1e-12)
-
-
-def spectral(b):
-    """No less than the largest singular value of b: |(b b^T)^64|^(1/128), in the norm of Frobenius."""
-    power, found = times(b, list(zip(*b))), 1.0
-    for k in range(6):
-        size = math.sqrt(sum(x * x for row in power for x in row))
-        found *= size ** (0.5 ** (k + 1))
-        power = [[x / size for x in row] for row in power]
-        power = times(power, power)
-    return found * math.sqrt(sum(x * x for row in power for x in row)) ** (0.5**7) * (1 + 1e-9)
-
-
-def by_rows(whole, back):
-    """1/|v| with v >= A v + l."""
-    lengths = [math.sqrt(sum(x * x for x in row)) for row in back]
-    v = lengths
-    for _ in range(60):
-        new = [sum(a * x for a, x in zip(row, v)) + c for row, c in zip(whole, lengths)]
-        if max(new) > 1e9 * max(lengths):
-            return 0.0
-        done = max(abs(a - b) for a, b in zip(new, v)) <= 1e-4 * max(new)
-        v = new
-        if done:
-            break
-    v = [x * 1.001 for x in v]
-    if any(x < (sum(a * y for a, y in zip(row, v)) + c) * (1 + 1e-12) for x, row, c in zip(v, whole, lengths)):
-        return 0.0
-    return (1 - 1e-9) / math.sqrt(sum(x * x for x in v))
+def branch(at_home, square):
+    """Of two solutions of a drive the one at home. Raises Refused where they are not apart there."""
+    if abs(at_home) < 1e-6 * math.sqrt(square):
+        raise Refused("home is a dead point of a drive")
+    return 1.0 if at_home > 0 else -1.0
 
 
 def proved(robot, box, margin, only_outside, cuts, count):
@@ -494,7 +270,7 @@ def proved(robot, box, margin, only_outside, cuts, count):
     wide = [h / w for h, w in zip(box.half, count[1])]
     k = wide.index(max(wide))
     if rows is not None and not only_outside:
-        found, parts = least_margin(robot, rows, box.half)
+        found, parts = least_margin(robot.scale, rows, box.half)
         if found >= margin and found > 0:
             return True
         k = parts.index(max(parts))
@@ -515,7 +291,7 @@ def sign(robot, place):
     """The sign of the determinant of W at a place, proved; 0 where it is not."""
     box = Box(list(place), list(place))
     outside, _, rows = robot.look(box)
-    if outside or rows is None or not least_margin(robot, rows, box.half)[0]:
+    if outside or rows is None or not least_margin(robot.scale, rows, box.half)[0]:
         return 0
     rows = [[Fraction((c.m[0] + c.m[1]) / 2) for c in row] for row in rows]
     value = Fraction(1)
@@ -539,7 +315,9 @@ def checked(data):
     robot, claim, over = Robot(data), data["claim"], data["question"]["over"]
     units = [math.pi / 180 if r["unit"] == "deg" else 1.0 for r in over]
     low, high = ([float(Fraction(r[end])) * u for r, u in zip(over, units)] for end in ("low", "high"))
-    if any(r["unit"] == "deg" and NAMES.index(r["coordinate"]) < 3 for r in over) or not all(a < b for a, b in zip(low, high)):
+    if any(r["unit"] == "deg" and NAMES.index(r["coordinate"]) < 3 for r in over) or not all(
+        a < b for a, b in zip(low, high)
+    ):
         raise Refused("a range that is none")
     whole = Box(low, high)
     if claim["verdict"] == "singular":
@@ -584,7 +362,7 @@ def _tree(data, robot, whole, claim):
             raise Refused(f"not proved: box {place} of the tree, {ranges} (rad, or the file's unit)")
     if waiting:
         raise Refused("the tree ends too soon: boxes are missing")
-    if any(abs(float(share[k]) - claim["shares"][name]) > 1e-9 for k, name in zip("fgoxu", claim["shares"])):
+    if any(abs(float(share[k]) - claim["shares"][name]) > 1e-9 for k, name in SHARES.items()):
         raise Refused("the shares claimed are not those of the boxes")
     if claim["verdict"] != "undecided" and (share["x"] or share["u"]):
         raise Refused("boxes are not decided")
@@ -592,7 +370,9 @@ def _tree(data, robot, whole, claim):
         raise Refused("not all boxes are outside")
     done = 100 * float(share["f"] + share["g"] + share["o"])
     least = f", and the margin there is at least {margin:.6g}" if share["f"] + share["g"] else ""
-    return f"proved: no singular pose within the limits in {done:.6g} % of the range{least} ({count[0]:,} boxes looked at)"
+    return (
+        f"proved: no singular pose within the limits in {done:.6g} % of the range{least} ({count[0]:,} boxes looked at)"
+    )
 
 
 def main(arguments):

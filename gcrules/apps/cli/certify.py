@@ -35,7 +35,9 @@ _CODES = {True: 0, False: 1, None: 3}
 @click.option("--tilt", metavar="ANGLE", help='The platform tilts so far in any direction: "40 deg".')
 @click.option("--margin", type=float, default=0.0, metavar="M", help="Poses have this margin σ at least.")
 @click.option("--time", type=Seconds(), default=60.0, show_default=True, metavar="S", help="Seconds to search for.")
-@click.option("--target", default="100%", show_default=True, metavar="SHARE", help='End when so much is decided: "99.9%".')
+@click.option(
+    "--target", default="100%", show_default=True, metavar="SHARE", help='End when so much is decided: "99.9%".'
+)
 @click.option("--resume", metavar="FILE", help="Go on from the file of an earlier certificate of the same question.")
 @click.option("--json", "as_json", is_flag=True, help="Print the certificate as one JSON object.")
 @click.option("--latex", "as_latex", is_flag=True, help="Print LaTeX.")

@@ -134,7 +134,9 @@ class Decider:
     def sign_at(self, coordinates: Floats) -> int:
         """The sign of the determinant at one place (n,) of all coordinates of the forms; 0 where it is not known."""
         place = Boxes(coordinates[None, :1], np.zeros((1, 1)))
-        decider = replace(self, centre=tuple(coordinates.tolist()), free=(0,), weights=(1.0,), limits=None, margin=0.0, kept=None)
+        decider = replace(
+            self, centre=tuple(coordinates.tolist()), free=(0,), weights=(1.0,), limits=None, margin=0.0, kept=None
+        )
         found = decider._models(self.forms.wrenches, place)
         return int(decider._regular(found, np.zeros(1, dtype=bool))[1][0])
 

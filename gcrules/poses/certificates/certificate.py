@@ -177,7 +177,9 @@ def read_certificate(path: str | PathLike[str]) -> dict[str, Any]:
     except (ValueError, EOFError, RecursionError) as fault:
         raise FileError("no certificate: not JSON", filename=name) from fault
     if not isinstance(found, dict) or found.get("format") != FORMAT:
-        raise FileError("no certificate of a format that is known", filename=name, hint="gcrules certify … -o FILE.json")
+        raise FileError(
+            "no certificate of a format that is known", filename=name, hint="gcrules certify … -o FILE.json"
+        )
     return found
 
 

@@ -32,8 +32,8 @@ Floats = NDArray[np.float64]
 _MOST = 4_000_000
 """Boxes of a tree, some hundreds of bytes each."""
 _HALVINGS = 48
-_RAISING = 0.25  # of the time, if the search took less, but no more than a few times what it took
 _AGAIN = 3.0
+"""Times what the search took, for a better bound of the margin."""
 
 
 def certify(
@@ -55,13 +55,12 @@ def certify(
     `source`, `over`, `at`, `about`, `limits` and `margin` are those of `box_map`. Joints at the ends of rods keep to a
     `cone` around their direction at home, as the body there carries it: "40 deg" for all, "base 30 deg, platform 40
     deg", "C1 35 deg". The platform's third axis keeps to a `tilt`, "40 deg" in any direction. Boxes are cut for so much
-    `time` in seconds, or until the `target` share is decided; what is left of the time, a few times what that took at
-    most, goes to a better bound of the margin. `resume` is the file of an earlier certificate of the same question,
-    from which it goes on.
+    `time` in seconds, or until the `target` share is decided; of what is left of the time three times what that took
+    goes to a better bound of the margin. `resume` is the file of an earlier certificate of the same question, from
+    which it goes on, for all of the time.
 
     Raises InputError for what makes no sense, and where something has no closed form; FileError for another file.
     """
-    start = monotonic()
     if not 0 <= time < np.inf:
         raise InputError(f"a time of {time} s", hint="a number of seconds, 0 or more")
     share = share_of(target)
@@ -70,10 +69,11 @@ def certify(
     if resume is not None:
         _resumed(search, found, resume)
     begun = monotonic()
-    search.run(start + time, share, _MOST)
+    search.run(begun + time, share, _MOST)
     now = monotonic()
     if search.crossed is None:
-        search.raise_bound(min(start + time, max(now + _AGAIN * (now - begun), begun + _RAISING * time)), _MOST)
+        more = time if resume is not None else _AGAIN * (now - begun)
+        search.raise_bound(min(begun + time, now + more), _MOST)
     return _certificate(found, search, share)
 
 
@@ -124,7 +124,8 @@ def _bad(found: Asked, search: Search, k: int) -> Bad:
     steps = np.array(np.meshgrid(*[(-1.0, 1.0)] * len(middle), indexing="ij")).reshape(len(middle), -1).T
     places = [middle, *(middle + step * half for step in steps)]
     signs = [sign(p) for p in places]
-    place, ends = middle, ()
+    place = middle
+    ends: tuple[tuple[float, ...], ...] = ()
     if {1, -1} <= set(signs):
         low, high = places[signs.index(1)], places[signs.index(-1)]
         ends = (tuple(low.tolist()), tuple(high.tolist()))

@@ -236,7 +236,9 @@ def _turn_of(m: Limbs, places: LimbPlaces, name: str) -> tuple[Ring, Ring]:
     raise NoForm(f"{name} has no turn")
 
 
-def _check(m: Limbs, target: Target, program: Program, chosen: tuple[Cone, ...], limbs: dict[tuple[str, str], int]) -> None:
+def _check(
+    m: Limbs, target: Target, program: Program, chosen: tuple[Cone, ...], limbs: dict[tuple[str, str], int]
+) -> None:
     """Compare with the joints at poses that had no part in it. Raises InputError where they differ."""
     seed = drawn("cones", m.robot.id, *target.names).getrandbits(64)
     found = solved_near_home(m, target, np.random.default_rng(seed))

@@ -46,10 +46,10 @@ def verdict(c: Certificate) -> str:
         case "below":
             assert c.bad is not None
             return f"There is a pose in range{inside} whose margin is below {asked:g}: {_at(c)}."
-    so_far = f"{percent(c.decided)} of the range is proved, {percent(c.shares[4])} of it is undecided"
+    proved, left = percent(c.decided), percent(c.shares[4])
     if c.holds:
-        return f"No singular pose in {percent(c.decided)} of the range (proved); the rest, {percent(c.shares[4])}, is undecided."
-    return f"Not decided: {so_far}; no singular pose was found."
+        return f"No singular pose in {proved} of the range (proved); the rest, {left}, is undecided."
+    return f"Not decided: {proved} of the range is proved, {left} of it is undecided; no singular pose was found."
 
 
 def _parted(c: Certificate) -> str:
@@ -78,8 +78,9 @@ def _rows(c: Certificate) -> Iterator[tuple[str, str]]:
     free, other, outside, crossed, undecided = c.shares
     yield "free", f"{percent(free)} of the volume" + (f", and {percent(other)} with the other sign" if other else "")
     if outside:
-        yield "outside", f"{percent(outside)}: poses that are not reached" + (
-            " within the limits" if c.asked.limited else ""
+        yield (
+            "outside",
+            f"{percent(outside)}: poses that are not reached" + (" within the limits" if c.asked.limited else ""),
         )
     if crossed:
         yield "crossed", f"{percent(crossed)}: boxes that hold such a pose"
@@ -97,9 +98,12 @@ def _rows(c: Certificate) -> Iterator[tuple[str, str]]:
         at = ", ".join(f"{a.name} = {v:.5g}" for a, v in zip(c.asked.axes, c.place, strict=True))
         yield "margin", f"σ = {c.least:.4g} at {at}: the smallest that was seen"
     yield "boxes", f"{c.boxes:,}"
-    yield "proof", (
-        "in a free box the wrenches hold the platform at all poses, by Taylor models of second order with bounds of "
-        "all that they leave out and of rounding; free boxes, and those outside, fill what is proved."
+    yield (
+        "proof",
+        (
+            "in a free box the wrenches hold the platform at all poses, by Taylor models of second order with bounds of "
+            "all that they leave out and of rounding; free boxes, and those outside, fill what is proved."
+        ),
     )
 
 
