@@ -6,9 +6,9 @@ claim, and the tree of boxes as a hint how to cut; of every box it proves anew t
 limits, or that the margin in it is at least the one claimed, cutting it further where its own bounds need that.
 
 Numbers are intervals, rounded outwards by `math.nextafter`; sin, cos, asin and atan2 are taken to be right to 2^-48,
-and dimensions that follow from those of the file (rods' lengths, axes of length 1) are floats. A value f of the coordinates
-x in a box has its interval in the middle m, an interval over the box, and one for each derivative there; f(x) lies in
-f(m) + sum f'_j(box) (x_j - m_j), which narrows the second one after each operation.
+and dimensions that follow from those of the file (rods' lengths, axes of length 1) are floats. A value f of the
+coordinates x in a box has its interval in the middle m, an interval over the box, and one for each derivative there;
+f(x) lies in f(m) + sum f'_j(box) (x_j - m_j), which narrows the second one after each operation.
 
 The wrench of rod i on the platform is the unit force f_i along it through its end p_i: W_i = (f_i; p_i x f_i), moments
 about the mean of the ends. The margin is the s with s^2 = the least value over twists t of |W t|^2 / sum |v_i(t)|^2,

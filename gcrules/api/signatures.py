@@ -145,7 +145,7 @@ SIGNATURES: dict[str, dict[str, ArgumentKind]] = {
         "cone": optional(TEXT),
         "tilt": optional(TEXT),
         "margin": NUMBER,
-        "time": NUMBER,
+        "time": DURATION,
         "target": either("a share as text or a number", TEXT, NUMBER),
         "resume": optional(FILE),
     },

@@ -119,8 +119,8 @@ def _angle(text: str) -> float:
 def share_of(text: str | float) -> float:
     """A share from "99.9%" or 0.999. Raises InputError for what is none."""
     given = str(text).strip()
-    number = float(read_number(given.rstrip("% ")))
+    number = read_number(given.rstrip("% "))
     found = number / 100 if given.endswith("%") else number
     if not 0 < found <= 1:
         raise InputError(f"a target of {given[:40]}", hint='a share of the range: "99.9%", or 0.999')
-    return found
+    return float(found)

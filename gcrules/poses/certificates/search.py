@@ -33,8 +33,8 @@ _SIDES = 1e-6  # of a box: what it is cut by at least
 
 class Search:
     """The tree of a box. `status` (K,), `sides` and `first` (the place of the first half) of each box, `bounds` of free
-    ones; `least` is the smallest margin that a pose in the range and within the limits has, with its place; below `margin` a pose is no
-    better than a singular one.
+    ones; `least` is the smallest margin that a pose in the range and within the limits has, with its place; a pose
+    below `margin` is no better than a singular one.
     """
 
     def __init__(self, decider: Decider, whole: Boxes, home: int, margin: float) -> None:

@@ -101,8 +101,8 @@ def _rows(c: Certificate) -> Iterator[tuple[str, str]]:
     yield (
         "proof",
         (
-            "in a free box the wrenches hold the platform at all poses, by Taylor models of second order with bounds of "
-            "all that they leave out and of rounding; free boxes, and those outside, fill what is proved."
+            "in a free box the wrenches hold the platform at all poses, by Taylor models of second order with bounds "
+            "of all that they leave out and of rounding; free boxes, and those outside, fill what is proved."
         ),
     )
 
