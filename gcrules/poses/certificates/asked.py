@@ -12,6 +12,7 @@ import numpy as np
 
 from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import InputError
+from gcrules.core.frozen import HoldsArrays
 from gcrules.mechanisms.mechanism import Mechanism
 from gcrules.poses.boxes.deciding import Decider
 from gcrules.poses.boxes.task import BoxTask, box_task
@@ -27,7 +28,7 @@ _LEAST = 1e-12
 
 
 @dataclass(frozen=True, eq=False)
-class Asked:
+class Asked(HoldsArrays):
     """A box of poses (one tile of a `BoxTask`), the `cones` of joints, and the `tilt` in rad that the platform's third
     axis keeps to, if there are any.
     """

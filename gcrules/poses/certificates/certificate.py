@@ -112,7 +112,7 @@ class Certificate(HoldsArrays, Shown):
                 "verdict": self.verdict,
                 "margin at least": self.bound,
                 "smallest margin seen": self.least,
-                "at": self.place,
+                "at": None if self.place is None else list(self.place),
                 "shares": {
                     "free": free,
                     "free with the other sign": other,
@@ -125,12 +125,12 @@ class Certificate(HoldsArrays, Shown):
             "singular pose": None
             if self.bad is None
             else {
-                "place": self.bad.place,
+                "place": list(self.bad.place),
                 "at": self.bad.at,
                 "margin": self.bad.margin,
                 "causes": list(self.bad.causes),
-                "box": self.bad.box,
-                "opposite signs at": self.bad.ends,
+                "box": [list(ends) for ends in self.bad.box],
+                "opposite signs at": [list(end) for end in self.bad.ends],
             },
             "tree": self.tree,
             "bounds": list(self.bounds),

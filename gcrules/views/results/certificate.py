@@ -22,7 +22,7 @@ def as_text(c: Certificate, *, unicode: bool = False) -> str:
     before = ["", *(name for name, _ in rows)]
     named = [("" if name == last else name, value) for (name, value), last in zip(rows, before, strict=False)]
     found = "\n".join([*wrapped(verdict(c)), "", *table(named)])
-    return found if unicode else found.translate(ASCII)
+    return found if unicode else found.replace("≥", ">=").translate(ASCII)
 
 
 def account(c: Certificate) -> ResultAccount:
