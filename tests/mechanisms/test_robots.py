@@ -47,6 +47,7 @@ FOUND: dict[str, tuple[int, int, str, tuple[str, ...]]] = {
     "3-pprs": (6, 0, "A1S1 S1r1 A2S2 S2r2 A3S3 S3r3", ("actuation",)),
     "3-prps": (6, 0, "A1S1 S1r1 A2S2 S2r2 A3S3 S3r3", ("actuation",)),
     "6-rus": (6, 0, "B1C1 B2C2 B3C3 B4C4 B5C5 B6C6", ("actuation",)),
+    "reachy-mini-head": (6, 0, "B1C1 B2C2 B3C3 B4C4 B5C5 B6C6", ("actuation",)),
     "6-pus": (6, 0, "B1C1 B2C2 B3C3 B4C4 B5C5 B6C6", ("actuation",)),
     "3-upu": (3, 0, "A1B1 u1v1 A2B2 u2v2 A3B3 u3v3", ("actuation", "constraint")),
     "3-ups-s": (3, 0, "Ox Oy Oz A1B1 A2B2 A3B3", ("actuation", "never")),
@@ -196,6 +197,7 @@ def test_a_family_that_is_singular_everywhere_is_refused() -> None:
 
 LIMBS = {
     "6-rus": "the plane A1B1C1 contains the direction r1",
+    "reachy-mini-head": "the plane A1B1C1 contains the direction r1",
     "6-pus": "d1 is perpendicular to B1C1",
     "3-prps": "p1 is perpendicular to r1",
     "3-prs": "d1 is perpendicular to B1S1",
