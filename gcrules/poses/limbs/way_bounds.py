@@ -20,8 +20,8 @@ from gcrules.mechanisms.kinematics.loops import close_loops
 from gcrules.mechanisms.kinematics.margin import margins
 from gcrules.mechanisms.kinematics.margin_bounds import StepBounds, bounds_of
 from gcrules.mechanisms.kinematics.rigid_motions import Floats
+from gcrules.poses.limbs.lattice import blocks
 from gcrules.poses.limbs.nodes import Nodes
-from gcrules.poses.limbs.sweep import blocks
 
 __all__ = ["WayBounds", "no_bounds", "way_bounds"]
 

@@ -169,7 +169,7 @@ def decided(m: BoxMap) -> str:
     """How much is decided, in one sentence."""
     reached = "or not to be reached" + (" within the limits" if m.task.question.limits else "")
     less = f"to be free, {reached}" if not m.task.question.always_reached else "to be free"
-    return f"{_percent(m.summary.decided)} of the volume is decided: proved {less}."
+    return f"{percent(m.summary.decided)} of the volume is decided: proved {less}."
 
 
 def parts(m: BoxMap) -> Iterator[tuple[str, float, str]]:
@@ -178,7 +178,7 @@ def parts(m: BoxMap) -> Iterator[tuple[str, float, str]]:
     names = ("free", "other", "outside", "crossed", "undecided")
     for name, kind, share in zip(names, kinds, m.summary.shares, strict=True):
         if share:
-            yield name, share, f"{_percent(share)} {kind}"
+            yield name, share, f"{percent(share)} {kind}"
 
 
 def seen(m: BoxMap) -> str:
