@@ -274,7 +274,7 @@ export interface RobotSource {
   mode?: string;
 }
 
-/** The text of a platform file or of a robot file, told apart by its keys. */
+/** The text of a platform file or of a robot file, told apart by its keys, or of a model. */
 export interface FileSource {
   kind: "file";
   text: string;
