@@ -78,10 +78,7 @@ class Asked(HoldsArrays):
         q = self.task.question
         values = dict(zip(q.names, q.values, strict=True))
         values |= {q.names[k]: float(c) for k, c in zip(q.free, place, strict=True)}
-        if q.chosen:
-            return ", ".join(f"{n}={_number(c, n)}" for n, c in values.items())
-        x, y, z, yaw, pitch, roll = (_number(values[n], n) for n in ("x", "y", "z", "yaw", "pitch", "roll"))
-        return f"{x} {y} {z}; euler zyx {yaw} {pitch} {roll}".replace("deg", "") + " deg"
+        return ", ".join(f"{n}={_number(c, n)}" for n, c in values.items())
 
 
 def _number(value: float, name: str) -> str:
