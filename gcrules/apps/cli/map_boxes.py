@@ -105,7 +105,7 @@ def boxes_(
 @click.option(
     "--boxes", type=int, metavar="N", help="So many boxes in each tile at most; four times as many as before."
 )
-@click.option("--over", multiple=True, metavar="RANGE", help="Another range, of whole tiles of the store.")
+@click.option("--over", multiple=True, metavar="RANGE", help="Another range, of whole tiles of the store, without a number.")
 @time_limit(None)
 @workers_option
 @scheduler_option
@@ -119,11 +119,14 @@ def refine(
     scheduler: str | None,
     as_json: bool,
 ) -> None:
-    """A map of boxes once more: finer where it is undecided, or over wider ranges. What is decided is taken over.
+    """A map once more: finer where it is undecided, or over wider ranges. What is done is taken over.
 
     \b
     gcrules map refine range.zarr -o finer.zarr
     gcrules map refine range.zarr -o wider.zarr --over "x -200:200"
+
+    Maps of whole boxes are made finer, and wider in each coordinate. Maps over nodes of platforms on six legs are made
+    wider in their first coordinate, with nodes as far apart as before.
     """
     if not refined.lower().endswith(".zarr"):
         raise InputError(f"{refined}: no name of a store", hint="stores end in .zarr")

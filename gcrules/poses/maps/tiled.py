@@ -10,14 +10,14 @@ import numpy as np
 from gcrules.core.dataclass import dataclass
 from gcrules.core.frozen import FrozenMap, HoldsArrays
 from gcrules.mechanisms.mechanism import mechanism
-from gcrules.poses.maps.planned import planned
+from gcrules.poses.maps.planned import Plan, planned
 from gcrules.poses.maps.recipe import robot_of
 from gcrules.poses.maps.task import KINDS, MapTask, width_of
 from gcrules.poses.maps.variables import Variable, about, coordinates, variables
 from gcrules.poses.tiles.task import Coordinate, Stage, Tile, TiledArray
 from gcrules.screws.threshold import DEFAULT
 
-__all__ = ["GridTiles", "task_again"]
+__all__ = ["GridTiles", "plan_again", "task_again"]
 
 
 @dataclass(frozen=True, eq=False)
@@ -73,9 +73,13 @@ def _attributes(v: Variable) -> FrozenMap[str, Any]:
     return FrozenMap({k: a.tolist() if isinstance(a, np.ndarray) else a for k, a in v.attributes.items()})
 
 
-def task_again(recipe: Mapping[str, Any]) -> GridTiles:
-    """The task of a recipe. Raises GcrulesError and KeyError for what is none."""
+def plan_again(recipe: Mapping[str, Any]) -> Plan:
+    """The plan of a recipe. Raises GcrulesError and KeyError for what is none."""
     given = {name: recipe[name] for name in ("over", "at", "limits", "measure")}
-    found = mechanism(robot_of(recipe["robot"]), about=recipe["about"])
-    plan = planned(found, threshold=DEFAULT.text, **given)
+    return planned(mechanism(robot_of(recipe["robot"]), about=recipe["about"]), threshold=DEFAULT.text, **given)
+
+
+def task_again(recipe: Mapping[str, Any]) -> GridTiles:
+    """The task of a recipe; raises as `plan_again`."""
+    plan = plan_again(recipe)
     return GridTiles(plan.task, plan.sentence, recipe)

@@ -1,4 +1,4 @@
-"""A map of boxes that begins with what another one has proved: finer where it is undecided, or over wider ranges."""
+"""A map that begins with what another one has: of boxes finer where it is undecided, and all over wider ranges."""
 
 from __future__ import annotations
 
@@ -16,6 +16,9 @@ from gcrules.poses.boxes.task import MOST_BOXES, BoxTask, box_task
 from gcrules.poses.maps.axes import GridAxis, parse_axis
 from gcrules.poses.maps.cells import CROSSED, UNDECIDED
 from gcrules.poses.maps.recipe import robot_of
+from gcrules.poses.maps.report import SingularMap
+from gcrules.poses.maps.tiled import GridTiles
+from gcrules.poses.stored_maps.extending import extended
 from gcrules.poses.stored_maps.kinds import task_of
 from gcrules.poses.tiles.how import running
 from gcrules.poses.tiles.store import TileStore
@@ -36,22 +39,28 @@ def refine_map(
     *,
     workers: int = 0,
     scheduler: str | None = None,
-) -> BoxMap:
-    """The map of a `store` once more, with more `boxes` in each tile (four times as many), or `over` other ranges that
-    are whole tiles of it, in the new store `output` (a `BoxMap`): exactly what a run of its own would give.
+) -> BoxMap | SingularMap:
+    """The map of a `store` once more, in the new store `output`: exactly what a run of its own would give.
 
-    Tiles that are decided, and those that would not be halved further, are taken over; the others are computed. Raises
-    FileError for a store of something else, InputError for ranges that cut its tiles.
+    One of whole boxes (a `BoxMap`) with more `boxes` in each tile (four times as many), or `over` other ranges that are
+    whole tiles of it. Tiles that are decided, and those that would not be halved further, are taken over; the others
+    are computed. One over nodes of a platform on six legs (a `SingularMap`) `over` another range of its first
+    coordinate. Raises FileError for a store of something else, InputError for ranges that cut its tiles.
     """
     how = running(workers, None, scheduler)
     if os.path.abspath(store) == os.path.abspath(output):
         raise FileError("a store is not refined into itself", filename=fspath(output), hint="give the new one a name")
     old = TileStore.existing(store)
     known = task_of(old)
+    if isinstance(known, GridTiles):
+        if boxes is not None or over is None or len(over) != 1:
+            raise InputError(
+                "a map over nodes is extended along its first coordinate, and not refined",
+                hint='as in --over "x -200:400"; gcrules map boxes refines where it is undecided',
+            )
+        return extended(old, known, fspath(output), over[0], how)
     if not isinstance(known, BoxTask):
-        raise FileError(
-            "no map of whole boxes", filename=fspath(store), hint="gcrules map boxes … -o range.zarr makes one"
-        )
+        raise FileError("neither a map over nodes nor one of whole boxes", filename=fspath(store))
     most = boxes or (known.boxes if over else min(_FINER * known.boxes, MOST_BOXES))
     if most < known.boxes:
         raise InputError(f"{most:,} boxes are fewer than the {known.boxes:,} of the store")
