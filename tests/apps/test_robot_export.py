@@ -62,3 +62,10 @@ def test_what_is_refused(words: tuple[str, ...], says: str, tmp_path: Path, monk
     monkeypatch.chdir(tmp_path)
     assert_refused(invoke("robot", "export", *words), 2, says)
     assert not list(tmp_path.iterdir())
+
+
+def test_a_name_that_says_no_format(tmp_path: Path) -> None:
+    done = invoke("robot", "export", "delta", "-o", str(tmp_path / "delta.sdf"))
+    assert done.exit_code == 2
+    assert "end in .xml, .mjcf, .urdf" in done.stderr
+    assert not list(tmp_path.iterdir())

@@ -105,7 +105,9 @@ def boxes_(
 @click.option(
     "--boxes", type=int, metavar="N", help="So many boxes in each tile at most; four times as many as before."
 )
-@click.option("--over", multiple=True, metavar="RANGE", help="Another range, of whole tiles of the store, without a number.")
+@click.option(
+    "--over", multiple=True, metavar="RANGE", help="Another range, of whole tiles of the store, without a number."
+)
 @time_limit(None)
 @workers_option
 @scheduler_option

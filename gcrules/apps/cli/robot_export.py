@@ -10,6 +10,7 @@ from gcrules.apps.cli.files import OutputCommand, OutputFile, working
 from gcrules.apps.cli.limits import time_limit
 from gcrules.apps.cli.sources import mode_option, read_source, warn
 from gcrules.core.deferred import deferred
+from gcrules.core.errors import InputError
 from gcrules.core.files import write_file
 from gcrules.screws.pose import UNITS
 
@@ -46,6 +47,8 @@ def export(source: str, form: str | None, mode: str | None, unit: str | None, pa
     named = _ENDINGS.get(suffix.lower())
     if form and named and named != form:
         raise click.UsageError(f"{path} is a name for {named}, and --format is {form}.")
+    if path not in (None, "-") and (form or named) is None:
+        raise InputError(f"{path}: no name of a model file", hint=f"names of model files end in {', '.join(_ENDINGS)}")
     form = form or named or "mjcf"
     if form == "urdf" and path in (None, "-"):
         raise click.UsageError("A model in URDF takes two files: give -o FILE.urdf.")

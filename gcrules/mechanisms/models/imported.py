@@ -60,6 +60,12 @@ class Imported(Shown):
         """The largest distance, in metres, and the largest angle by which a joint was moved."""
         return max((m.distance for m in self.moved), default=0.0), max((m.angle for m in self.moved), default=0.0)
 
+    @property
+    def drives(self) -> tuple[tuple[str, str], ...]:
+        """The actuators of the robot file, "q1", with the joints of the model that they are."""
+        starred = [names for limb in self.limbs for kind, names in limb.joints if "*" in kind]
+        return tuple((f"q{n}", " = ".join(names)) for n, names in enumerate(starred, 1))
+
     def to_json(self) -> dict[str, Any]:
         return {
             "robot": self.robot.id,
@@ -75,6 +81,7 @@ class Imported(Shown):
                 for limb in self.limbs
             ],
             "actuated": [*self.actuated],
+            "drives": dict(self.drives),
             "limits": {name: [low, high] for name, low, high in self.limits},
             "left_out": [*self.left_out],
             "moved": [{"joint": m.joint, "distance": m.distance, "angle": m.angle} for m in self.moved],

@@ -18,8 +18,8 @@ __all__ = ["extended"]
 
 
 def extended(old: TileStore, known: GridTiles, output: str, over: str, how: Running) -> SingularMap:
-    """The map of a store `over` another range of its first coordinate, "x -300:600", with nodes as far apart, in the new
-    store `output`: exactly what a run of its own would give. Tiles that both maps have are taken over.
+    """The map of a store `over` another range of its first coordinate, "x -300:600", with nodes as far apart, in the
+    new store `output`: exactly what a run of its own would give. Tiles that both maps have are taken over.
 
     Raises InputError for another coordinate, for a range that parts tiles, and for robots that are led from home over
     the whole grid, whose tiles are not the same in another one.

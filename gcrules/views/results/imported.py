@@ -36,7 +36,7 @@ def _rows(r: Imported) -> Iterator[tuple[str, str]]:
     for said in merged:
         example = next(n for limb in r.limbs for kind, n in limb.merged if f"{len(n)} joints to {kind}" == said)
         yield "merged", f"{said}: {_several(example)}" + (", and so on" if _count(r, said) > 1 else "")
-    yield "driven", _several(r.actuated, most=24)
+    yield "driven", _several([f"{q} = {joint}" for q, joint in r.drives], most=24)
     if r.limits:
         yield "limits", _several([f"{n} {low:.6g} to {high:.6g}" for n, low, high in r.limits], most=24) + "; from home"
     if r.left_out:
