@@ -50,6 +50,7 @@ def grid_of(a: Analysis, over: list[str], at: Any = None) -> Grid:
     [
         ("x -2:2:5", "translation", 0, "mm"),
         ("z -2:2:5 mm", "translation", 2, "mm"),
+        ("y -.5...5:3", "translation", 1, "mm"),
         ("ry -1/3:0.5:2 rad", "vector", 1, "rad"),
         ("rz -90:90:181°", "vector", 2, "deg"),
         ("zyx1 0:1e1:3 deg", "zyx", 0, "deg"),

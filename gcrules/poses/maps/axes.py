@@ -56,6 +56,7 @@ MOST_TILES = 10_000_000
 """Tiles of a map of whole boxes in all."""
 
 _DRIVE = re.compile(r"q[1-9]\d*")
+_BETWEEN = re.compile(r":|\.\.")  # the ends of a range, which limits write with dots
 _EULER = re.compile(r"([xyz]{3}|[XYZ]{3})([123])")
 _ANGLES = {"deg": "deg", "degree": "deg", "degrees": "deg", "°": "deg", "rad": "rad", "radian": "rad", "radians": "rad"}
 _FORM = 'write a coordinate, start:stop:number and the unit of angles: "x -200:200:201", "rz -90:90:181 deg"'
@@ -210,7 +211,7 @@ def are_ranges(over: Sequence[str | GridAxis]) -> bool:
     some of them have a number and others have none.
     """
     listed = [over] if isinstance(over, (str, GridAxis)) else list(over)
-    colons = [2 if isinstance(a, GridAxis) else "".join(a.split()[1:2]).count(":") for a in listed]
+    colons = [2 if isinstance(a, GridAxis) else len(_BETWEEN.findall("".join(a.split()[1:2]))) for a in listed]
     if 1 in colons and 2 in colons:
         plain, numbered = (a if isinstance(a, str) else a.text for a in (listed[colons.index(n)] for n in (1, 2)))
         raise InputError(
@@ -247,8 +248,9 @@ def _together(axes: tuple[GridAxis, ...]) -> tuple[GridAxis, ...]:
 def parse_axis(
     text: str, unit: str = "", actuators: Mapping[str, bool] | None = None, number: int | None = None
 ) -> GridAxis:
-    """Read "NAME start:stop:number [unit]", or "NAME start:stop [unit]" where the `number` of nodes is given; lengths
-    are in `unit`, which they may name, angles say deg or rad, those of `actuators` that are angles too.
+    """Read "NAME start:stop:number [unit]", or "NAME start:stop [unit]" where the `number` of nodes is given, also
+    with dots as limits have them, "x -1..1"; lengths are in `unit`, which they may name, angles say deg or rad, those of
+    `actuators` that are angles too.
 
     Raises InputError for what is no axis, for numbers that are not finite, for a range that is empty or runs
     backwards and for fewer than two nodes, LimitReached for more than `MAX_NODES`.
@@ -275,7 +277,7 @@ def _axis(words: list[str], unit: str, actuators: Mapping[str, bool], nodes: int
             some = f"the actuators are {', '.join(actuators)}" if actuators else "take coordinates of the pose"
             raise InputError(f"there is no actuator {name} to map over", hint=some)
         raise InputError(f"{name[:40]!r} is no coordinate of a pose", hint=f"the coordinates are {_NAMES}")
-    parts = bounds.split(":")
+    parts = _BETWEEN.split(bounds)
     if len(parts) != (3 if nodes is None else 2):
         other = _OTHER_RANGES.get((nodes is None, len(parts)), form)
         raise InputError(f"{bounds[:60]!r} is no range", hint=other)
