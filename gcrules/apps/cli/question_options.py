@@ -51,7 +51,12 @@ def question_options(command: Callable[..., Any]) -> Callable[..., Any]:
         click.option(
             "--plan", multiple=True, metavar="POSE", help="Add a way from one pose to another; of one the way out."
         ),
-        click.option("--free", type=click.Choice(SHAPES), help="Add the largest region that is free of singularities."),
+        click.option(
+            "--free",
+            type=click.Choice(SHAPES),
+            metavar="SHAPE",
+            help=f"Add the largest region that is free of singularities, a {' or a '.join(SHAPES)}.",
+        ),
         click.option(
             "--at", metavar="POSE", help="The pose of modes and free region, home without it; the rest of the map."
         ),

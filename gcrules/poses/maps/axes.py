@@ -249,8 +249,8 @@ def parse_axis(
     text: str, unit: str = "", actuators: Mapping[str, bool] | None = None, number: int | None = None
 ) -> GridAxis:
     """Read "NAME start:stop:number [unit]", or "NAME start:stop [unit]" where the `number` of nodes is given, also
-    with dots as limits have them, "x -1..1"; lengths are in `unit`, which they may name, angles say deg or rad, those of
-    `actuators` that are angles too.
+    with dots as limits have them, "x -1..1"; lengths are in `unit`, which they may name, angles say deg or rad, those
+    of `actuators` that are angles too.
 
     Raises InputError for what is no axis, for numbers that are not finite, for a range that is empty or runs
     backwards and for fewer than two nodes, LimitReached for more than `MAX_NODES`.
