@@ -107,7 +107,7 @@ def asked(
 def _angle(text: str) -> float:
     match = re.fullmatch(r"\s*(\S+?)\s*(deg|°|rad)\s*", text)
     if match is None:
-        raise InputError(f"{text[:40]!r} is no angle with its unit", hint='tilt="40 deg"')
+        raise InputError(f"the tilt {text[:40]!r} is no angle with its unit", hint='as in "40 deg"')
     found = float(read_number(match[1])) * (1.0 if match[2] == "rad" else math.radians(1.0))
     if not 0 < found < math.pi:
         raise InputError(f"a tilt of {text}", hint="it is between 0 and 180 deg")
@@ -120,5 +120,5 @@ def share_of(text: str | float) -> float:
     number = read_number(given.rstrip("% "))
     found = number / 100 if given.endswith("%") else number
     if not 0 < found <= 1:
-        raise InputError(f"a target of {given[:40]}", hint='a share of the range: "99.9%", or 0.999')
+        raise InputError(f"the target {given[:40]} is no share of the range", hint='as in "99.9%", or 0.999')
     return float(found)
