@@ -67,10 +67,10 @@ def _facts(r: FreeRegion) -> Iterator[tuple[str, str]]:
         )
         times = r.tried / r.scale
         if r.margin > 0:
-            words = f"of {times:.4g} times the size not proved, with so many boxes: at {where} the margin is"
+            words = f"{times:.4g} times as large was not proved with this many boxes: at {where} the margin is"
             yield "larger", f"{words} {r.margin:.3g}"
         else:
-            yield "larger", f"of {times:.4g} times the size not: at {where} the robot is singular, or past that"
+            yield "larger", f"{times:.4g} times as large is not free: at {where} the robot is singular, or past that"
     yield "proof", f"{r.boxes:,} boxes cover it, in each of which nothing is singular"
     for note in r.notes:
         yield "note", note

@@ -61,7 +61,8 @@ def _facts(p: Plan) -> Iterator[tuple[str, str]]:
         yield "margin", f"σ ≥ {rounded_down(p.least)}, {sure}{end}; asked for: {p.asked:.4g}"
         yield (
             "length",
-            f"{p.length:.4g}, the straight way {p.straight:.4g} (rad, and lengths by the robot's size {p.size:.4g})",
+            f"{p.length:.4g}, the straight way {p.straight:.4g} (angles in rad, lengths divided by the robot's size"
+            f" {p.size:.4g})",
         )
     elif p.outcome == "undecided":
         yield "margin", f"σ ≥ {p.asked:.4g} asked for"
