@@ -59,8 +59,8 @@ def _reason(
     if relations:
         used = [w for i, w in enumerate(words) if any(r[i] for r in relations)]
         what = "six legs" if len(used) == 6 else f"legs {listed(used)}"
-        same = "in the same ratio " if len(relations) == 1 else ""
-        return f"forces along the {what} balance in every pose, {same}for each unit of length{_likeness(facts, used)}"
+        same = ", per unit of leg length always in the same ratio" if len(relations) == 1 else ""
+        return f"forces along the {what} balance in every pose{same}{_likeness(facts, used)}"
     return ""
 
 

@@ -28,6 +28,7 @@ from gcrules.mechanisms.mechanism import Mechanism, mechanism
 from gcrules.mechanisms.six_legs import SixLegs
 from gcrules.poses.aspects.joining import Joiner
 from gcrules.poses.aspects.report import Aspects, AspectSet, LeftOut
+from gcrules.poses.everywhere import check_architecture
 from gcrules.poses.methods import Methods, as_six_legs, method
 from gcrules.poses.modes.modes import modes_of
 from gcrules.poses.modes.report import AssemblyMode, AssemblyModes
@@ -210,6 +211,7 @@ def _answer(domain: Domain, starts: _Starts, joiner: Joiner, modes: AssemblyMode
 def _of_legs(
     m: SixLegs, asked: float, limits: str | None, within: str | None, modes: AssemblyModes | None
 ) -> LegDomain:
+    check_architecture(m)
     rows = np.stack([row_of(p) for p in (Pose(), *(mode.pose for mode in _listed(modes)))])
     return LegDomain(m, asked, leg_space(m, rows, asked, limits, within))
 

@@ -18,6 +18,7 @@ from gcrules.mechanisms.limbs import Limbs
 from gcrules.mechanisms.mechanism import Mechanism
 from gcrules.mechanisms.moving_platform import FAR
 from gcrules.mechanisms.six_legs import SixLegs
+from gcrules.poses.everywhere import check_architecture
 from gcrules.poses.limbs.map_grid import coordinates_of
 from gcrules.poses.limits import LengthLimits, parse_limits
 from gcrules.poses.maps.axes import ACTUATOR, TRANSLATION, TURNS, GridAxis, read_ranges
@@ -89,6 +90,7 @@ def _of_legs(m: SixLegs, axes: tuple[GridAxis, ...], at: Any, limits: str | None
     pose = one_pose(at, {}, False, m.unit)
     if pose is None:
         raise InputError("a map is around one pose", hint='at="0 0 5; euler zyx 10 0 0 deg"')
+    check_architecture(m)
     r = np.array(pose.rotation, dtype=np.float64)
     turns = (np.arctan2(r[2, 1], r[2, 2]), -np.arcsin(np.clip(r[2, 0], -1, 1)), np.arctan2(r[1, 0], r[0, 0]))
     values = tuple(float(c) + 0.0 for c in (*pose.translation, *turns))

@@ -10,6 +10,7 @@ import numpy as np
 from gcrules.core.dataclass import dataclass
 from gcrules.mechanisms.kinematics.rigid_motions import Floats
 from gcrules.mechanisms.six_legs import SixLegs
+from gcrules.poses.everywhere import check_architecture
 from gcrules.poses.numbers.arrays import from_poses
 from gcrules.poses.numbers.pose_arguments import read_one
 from gcrules.poses.plans.leg_domain import LegDomain, leg_space
@@ -51,6 +52,7 @@ def leg_problem(m: SixLegs, start: Any, goal: Any, asked: float, limits: str | N
     """What is asked for. Raises InputError where start or goal do not keep to it."""
     first, last = (read_one(given, m.unit) for given in (start, goal))
     m.rig.ends(*from_poses([first, last]))  # refuses poses that are too far away, and legs of no length
+    check_architecture(m)
     rows = np.stack([row_of(first), row_of(last)])
     bare = leg_space(m, rows, 0.0, limits, within)
     kept = margin_kept(bare, rows, asked)

@@ -27,6 +27,7 @@ from gcrules.mechanisms.limbs import Limbs
 from gcrules.mechanisms.load import Folders, Source
 from gcrules.mechanisms.mechanism import Mechanism, mechanism
 from gcrules.mechanisms.six_legs import SixLegs
+from gcrules.poses.everywhere import check_architecture
 from gcrules.poses.limbs.pose_report import target_of
 from gcrules.poses.methods import Methods, as_six_legs, method
 from gcrules.poses.numbers.pose_arguments import read_one
@@ -165,6 +166,7 @@ def _of_legs(m: SixLegs, at: Any, over: str | None) -> _Question:
             "ranges of the legs' lengths are for robots that are described by their joints",
             hint="describe the legs as limbs UP*S, as gough-stewart does",
         )
+    check_architecture(m)
     pose = read_one(HOME if at is None else at, m.unit)
     kinds = {n: n in VECTOR for n in NAMES}
     extents = parse_extents(over if over is not None else ", ".join(NAMES), kinds, m.rig.size, m.unit)
