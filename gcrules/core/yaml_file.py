@@ -137,6 +137,18 @@ class Node:
         """Record a fault at this node."""
         self.document.faults.append(self.document.error(self.span, message, hint))
 
+    def fault_inside(self, text: str, fault: GcrulesError) -> None:
+        """Record a fault of the text of this scalar at its place inside, where the scalar stands in the file as it
+        reads; else at this node.
+        """
+        start = self.span.start + int(self.quoted)
+        as_written = self.document.source[start : start + len(self.text)] == self.text
+        if fault.span and self.kind == "scalar" and as_written and len(self.text) == len(text):
+            span = Span(start + fault.span.start, start + fault.span.end)
+            self.document.faults.append(self.document.error(span, fault.message, fault.hint))
+        else:
+            self.fault(fault.message, fault.hint)
+
     def mapping(
         self,
         required: Collection[str] = (),

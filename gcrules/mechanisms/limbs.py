@@ -13,6 +13,7 @@ from gcrules.mechanisms.analyze import analyze_robot
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.mechanisms.description.as_platform import as_platform
 from gcrules.mechanisms.description.limb_file import BASE
+from gcrules.mechanisms.description.limits import LengthLimits, limits_of_limbs
 from gcrules.mechanisms.platform_analysis import legs_of, with_platform
 from gcrules.mechanisms.robot import Robot
 from gcrules.mechanisms.six_legs import SixLegs
@@ -80,6 +81,14 @@ class Limbs:
     @property
     def actuators(self) -> tuple[str, ...]:
         return tuple(a.name for a in self.linkage.actuators)
+
+    @property
+    def limits(self) -> str:
+        return self.robot.limits
+
+    def read_limits(self, text: str) -> LengthLimits:
+        """Those of amounts from home."""
+        return limits_of_limbs(text, self.robot.limbs, self.unit)
 
     @property
     def drives(self) -> Drives:

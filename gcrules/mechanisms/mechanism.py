@@ -7,11 +7,13 @@ robots that are described by their joints.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from typing import Any, Protocol
 
 from gcrules.conditions.analysis import Analysis
 from gcrules.core.errors import InputError
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
+from gcrules.mechanisms.description.limits import LengthLimits
 from gcrules.mechanisms.description.platform_file import Platform
 from gcrules.mechanisms.kinematics.amplification import Drives
 from gcrules.mechanisms.kinematics.wrenches import WrenchJacobian
@@ -21,7 +23,10 @@ from gcrules.mechanisms.robot import Robot
 from gcrules.mechanisms.six_legs import SixLegs
 from gcrules.screws.pose import Pose
 
-__all__ = ["Mechanism", "mechanism"]
+__all__ = ["NO_LIMITS", "Mechanism", "limits_of", "mechanism"]
+
+NO_LIMITS = "none"
+"""The word for limits with which not even those of the file hold."""
 
 
 class Mechanism(Protocol):
@@ -46,6 +51,13 @@ class Mechanism(Protocol):
         """What is driven, by name."""
 
     @property
+    def limits(self) -> str:
+        """What its file says that legs or actuators reach, as written; "" where it says nothing."""
+
+    def read_limits(self, text: str) -> LengthLimits:
+        """Limits of its legs or actuators as they are written. Raises InputError."""
+
+    @property
     def drives(self) -> Drives:
         """What its actuators drive, which tells what numbers they have."""
 
@@ -60,6 +72,15 @@ class Mechanism(Protocol):
 
     def six_legs(self) -> SixLegs:
         """The same as a platform on six legs. Raises InputError, which says why it is none and what it has instead."""
+
+
+def limits_of(m: Mechanism, given: str | None) -> LengthLimits | None:
+    """The limits that hold: those that are given, "none" for no limits; where none are given those of the file, if it
+    has any. Raises InputError.
+    """
+    if given is None:
+        return replace(m.read_limits(m.limits), of_file=True) if m.limits else None
+    return None if given.strip().lower() == NO_LIMITS else m.read_limits(given)
 
 
 def mechanism(source: Source, *, about: str | Sequence[Any] = "centroid", plugins: Folders = ()) -> Mechanism:

@@ -47,7 +47,8 @@ class Robot:
     `family` holds the points and directions with the relations that make them, `limbs` the joints; `lines` are
     given in place of limbs where wrenches are known already, with the points `derived` for those that are meets of
     planes. `mobility` is that expected of the platform (checked), `home` one configuration (empty for names that
-    the relations determine), `condition` a published one in the language. `text` is that of the file.
+    the relations determine), `limits` what its actuators reach from there, as written, `condition` a published one in
+    the language. `text` is that of the file.
     """
 
     id: str
@@ -65,6 +66,7 @@ class Robot:
     filename: str = "<input>"
     owner: str = ""
     derived: tuple[Derived, ...] = ()
+    limits: str = ""
     text: str = field(default="", compare=False)
 
     def __post_init__(self) -> None:

@@ -11,6 +11,7 @@ import numpy as np
 from gcrules.conditions.analysis import Analysis
 from gcrules.core.dataclass import dataclass
 from gcrules.core.frozen import FrozenMap
+from gcrules.mechanisms.description.limits import LengthLimits, limits_of_legs
 from gcrules.mechanisms.description.platform_file import Platform
 from gcrules.mechanisms.kinematics.amplification import Drives
 from gcrules.mechanisms.kinematics.leg_amplification import LEGS, amplified_by_legs
@@ -64,6 +65,14 @@ class SixLegs:
     @property
     def actuators(self) -> tuple[str, ...]:
         return self.rig.names
+
+    @property
+    def limits(self) -> str:
+        return self.platform.limits
+
+    def read_limits(self, text: str) -> LengthLimits:
+        """Those of the lengths of legs."""
+        return limits_of_legs(text, self.rig.structure.legs, self.unit)
 
     @property
     def drives(self) -> Drives:

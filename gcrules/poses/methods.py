@@ -14,7 +14,7 @@ from gcrules.core.errors import InputError
 from gcrules.mechanisms.mechanism import Mechanism
 from gcrules.mechanisms.six_legs import SixLegs
 
-__all__ = ["Methods", "as_six_legs", "has_six_legs", "method", "on_six_legs"]
+__all__ = ["Methods", "as_six_legs", "has_six_legs", "legs_within", "method", "on_six_legs"]
 
 Answer = TypeVar("Answer")
 Methods = Mapping[type[Mechanism], Callable[..., Answer]]
@@ -40,6 +40,15 @@ def as_six_legs(found: Mechanism) -> SixLegs | None:
         return found.six_legs()
     except InputError:
         return None
+
+
+def legs_within(found: Mechanism, limits: str | None) -> SixLegs | None:
+    """The same for what keeps to limits, those of the file where None are given. None, too, where these are of slides
+    that do not go along the legs, so that lengths of legs do not say them.
+    """
+    legs = as_six_legs(found)
+    untold = legs is not None and limits is None and found.limits and not legs.limits
+    return None if untold else legs
 
 
 def has_six_legs(found: Mechanism) -> bool:

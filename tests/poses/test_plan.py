@@ -18,7 +18,7 @@ from gcrules.mechanisms.limbs import Limbs
 from gcrules.mechanisms.mechanism import mechanism
 from gcrules.poses.limbs.many import Solved
 from gcrules.poses.limbs.pose_report import target_of
-from gcrules.poses.limits import LengthLimits
+from gcrules.mechanisms.description.limits import LengthLimits
 from gcrules.poses.numbers.arrays import matrices
 from gcrules.poses.paths.lengths import keeps_to
 from gcrules.poses.paths.segments import segments

@@ -121,6 +121,8 @@ def _shown(r: Robot) -> Iterator[str]:
     if r.lines:
         yield f"lines: {' '.join(''.join(line) for line in r.lines)}"
         yield from (f"  {d.name}: {in_words(r.derived, d.name)}" for d in r.derived if d.is_point)
+    if r.limits:
+        yield f"limits: {r.limits}"
     if r.platform:
         yield f"platform: {' '.join(r.platform)}"
 

@@ -22,12 +22,13 @@ def composed(drawing: Mapping[str, Any]) -> Composed:
     return {"text": text}
 
 
-def platform_text(title: str, note: str, unit: str, legs: Any, points: Mapping[str, Any]) -> str:
+def platform_text(title: str, note: str, unit: str, legs: Any, points: Mapping[str, Any], limits: str = "") -> str:
     """A platform file; points that no leg names are left out."""
     used = dict.fromkeys(n for leg in legs for n in leg)
     lines = [f"title: {_quoted(title)}"]
     lines += [f"note: {_quoted(note)}"] if note else []
     lines += [f"units: {unit}"] if unit else []
+    lines += [f"limits: {_quoted(limits)}"] if limits else []
     written = {n: ", ".join(map(_number, points[n])) for n in used if n in points}
     lines += ["legs:" if legs else "legs: []", *(f"  - [{_quoted(a)}, {_quoted(b)}]" for a, b in legs)]
     lines += ["points:" if written else "points: {}", *(f"  {_quoted(n)}: [{c}]" for n, c in written.items())]

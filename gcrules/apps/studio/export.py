@@ -78,7 +78,8 @@ def _platform(subject: Subject, pose: PoseJson) -> Platform:
     note = subject.note if not subject.invented else "a sample shape: the dimensions are invented"
     if not at_home(pose):
         note = " ".join(filter(None, [note, "In a pose of the studio."]))
-    return Platform(structure.legs, places, subject.title, note, subject.unit)
+    limits = subject.legs.limits if subject.legs else ""
+    return Platform(structure.legs, places, subject.title, note, subject.unit, limits=limits)
 
 
 def _rounded(p: tuple[Fraction, ...]) -> Vector:
@@ -133,7 +134,7 @@ def _yaml(subject: Subject, pose: PoseJson, threshold: str | None) -> str:
         if source["kind"] == "example":
             return examples()[source["name"]].read_text(encoding="utf-8")
     p = _platform(subject, pose)
-    return platform_text(p.title, p.note, p.units, p.legs, p.points)
+    return platform_text(p.title, p.note, p.units, p.legs, p.points, p.limits)
 
 
 def _code(language: str) -> Bytes:

@@ -7,12 +7,17 @@ it resists with is the force along the line through both points, whatever the di
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+import math
+from collections.abc import Iterable, Mapping, Sequence
+from fractions import Fraction
 
+from gcrules.algebra.language.legs_text import leg_text
 from gcrules.algebra.structure import Structure
 from gcrules.core.errors import InputError
 from gcrules.mechanisms.description.limb_file import LimbSpec
+from gcrules.mechanisms.description.limits import limits_of_limbs
 from gcrules.mechanisms.description.platform_file import Platform
+from gcrules.mechanisms.description.relations import pair_or_name
 from gcrules.mechanisms.robot import Robot
 
 __all__ = ["as_platform"]
@@ -54,6 +59,7 @@ def as_platform(robot: Robot) -> Platform:
         note=robot.note,
         source=robot.source,
         filename=robot.filename,
+        limits="" if lines else _lengths(robot, found, points),
     )
 
 
@@ -75,6 +81,29 @@ def _leg(robot: Robot, limb: LimbSpec) -> tuple[str, str] | None:
         return None
     (start,), (end,), (along,) = first.points, last.points, slide.directions
     return (start, end) if start != end and _carried(robot, [n for _, n in along], {start, end}) else None
+
+
+def _lengths(robot: Robot, legs: Sequence[tuple[str, str]], points: Mapping[str, Sequence[Fraction]]) -> str:
+    """The limits of the file as those of the legs' lengths; none where a slide does not go along its leg."""
+    if not robot.limits:
+        return ""
+    reach, found = limits_of_limbs(robot.limits, robot.limbs), []
+    for limb, leg, low, high in zip(robot.limbs, legs, reach.low, reach.high, strict=True):
+        (along,) = limb.joints[1].directions
+        if low == -math.inf and high == math.inf:
+            continue
+        if along == pair_or_name(" ".join(reversed(leg))):
+            low, high = -high, -low
+        elif along != pair_or_name(" ".join(leg)):
+            return ""
+        home = math.dist(*([float(c) for c in points[end]] for end in leg))
+        if home + high <= max(home + low, 0.0):
+            return ""
+        least = f"{home + low:.15g}" if home + low > 0 else ""
+        most = f"{home + high:.15g}" if high < math.inf else ""
+        if least or most:
+            found.append(f"{leg_text(leg)} {least}..{most}")
+    return ", ".join(found)
 
 
 def _carried(robot: Robot, names: Iterable[str], ends: set[str]) -> bool:

@@ -7,6 +7,7 @@ A YAML file with the keys
     source: where the dimensions are from # optional
     units: mm                             # optional; one of `gcrules.screws.pose.UNITS`
     legs: [ab, af, cb, cd, ed, ef]        # two points each: ab, S1A1, "S1 A1" or [left, right]; or one text "ab af cb"
+    limits: legs 200..500                 # optional; lengths that legs reach, in these units: "ab 200..500, cd 300.."
     points:                               # Cartesian coordinates in one frame, in these units
       a: [0, 1/2, -0.25]                  # whole numbers, decimals or quotients, all exact
 
@@ -16,7 +17,7 @@ Every point of a leg needs coordinates; a leg has two different ends in two diff
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from os import PathLike
 from pathlib import PurePath
@@ -29,6 +30,7 @@ from gcrules.core.floats import exact
 from gcrules.core.frozen import FrozenMap
 from gcrules.core.hints import near
 from gcrules.core.yaml_file import Document, Node
+from gcrules.mechanisms.description.limits import limits_of_legs
 from gcrules.mechanisms.description.point_pairs import point_pairs
 from gcrules.screws.pose import UNITS
 
@@ -51,7 +53,7 @@ class Platform:
     """Legs and the Cartesian coordinates of their end points, in `units` ("" if the file names none).
 
     `legs` are pairs of points as written; `points` gives (x, y, z), exact. `warnings` are sentences with their place
-    in the file.
+    in the file, `limits` the lengths that legs reach, as written.
     """
 
     legs: tuple[tuple[str, str], ...]
@@ -62,6 +64,7 @@ class Platform:
     source: str = ""
     filename: str = "<input>"
     warnings: tuple[str, ...] = ()
+    limits: str = ""
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "legs", read(_LEGS, self.legs, "gc.Platform: `legs`"))
@@ -71,8 +74,10 @@ class Platform:
                 raise InputError(f"gc.Platform: the point {described(name)} has {len(place)} coordinates, expected 3")
         found = {n: tuple(exact(c, f"a coordinate of {n}") for c in place) for n, place in points.items()}
         object.__setattr__(self, "points", FrozenMap(found))
-        for name in ("title", "note", "units", "source", "filename"):
+        for name in ("title", "note", "units", "source", "filename", "limits"):
             read(TEXT, getattr(self, name), f"gc.Platform: `{name}`")
+        if self.limits:
+            limits_of_legs(self.limits, self.legs, self.units, "gc.Platform: `limits`")
 
     def homogeneous(self) -> dict[str, tuple[Fraction, Fraction, Fraction, Fraction]]:
         """The points as (x, y, z, 1), as `evaluate` takes them."""
@@ -92,7 +97,7 @@ def parse_platform(text: str, filename: str = "<input>") -> Platform:
 def _platform(document: Document) -> Platform:
     top = document.root.mapping(
         required=("legs", "points"),
-        optional=("title", "note", "source", "units"),
+        optional=("title", "note", "source", "units", "limits"),
         reserved={"limbs": "a robot with limbs is analysed by `gcrules robot analyze`, it is no geometry file"},
     )
     texts = {key: top[key].string() or "" for key in ("title", "note", "source") if key in top}
@@ -101,6 +106,7 @@ def _platform(document: Document) -> Platform:
     legs = point_pairs(top["legs"], "leg") if "legs" in top else []
     for node, leg in legs:
         _check_leg(node, leg, points)
+    limits = _limits(top["limits"], [leg for _, leg in legs], units) if "limits" in top else ""
     document.check()
     used = {name for _, leg in legs for name in leg}
     return Platform(
@@ -112,6 +118,7 @@ def _platform(document: Document) -> Platform:
         source=texts.get("source", ""),
         filename=document.filename,
         warnings=tuple(f"{key.place}: point {n} is in no leg" for n, (key, _) in points.items() if n not in used),
+        limits=limits,
     )
 
 
@@ -132,6 +139,16 @@ def _points(node: Node) -> _Points:
     if node.kind == "mapping" and not found:
         node.fault("there are no points")
     return found
+
+
+def _limits(node: Node, legs: Sequence[tuple[str, str]], units: str) -> str:
+    text = node.string() or ""
+    if text and not node.document.faults:
+        try:
+            limits_of_legs(text, legs, units)
+        except InputError as fault:
+            node.fault_inside(text, fault)
+    return text
 
 
 def _check_leg(node: Node, leg: tuple[str, str], points: _Points) -> None:

@@ -17,13 +17,14 @@ platform: S1 S2 S3              # optional: the points that move with the platfo
 mobility: 3                     # expected, and checked
 facts: []                       # optional: relations that follow, checked: "u1 perpendicular to v1"
 home: {A1: [0, 0, 0]}           # optional: one configuration, checked against the relations
+limits: q1 -30..30 deg, q2 0..1 # optional: what actuators reach from home, as --limits has it; lengths as in the file
 condition: "…"                  # optional: a published condition in the language, compared
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from itertools import pairwise
@@ -31,7 +32,7 @@ from os import PathLike
 from pathlib import Path
 
 from gcrules.algebra.language.text import SHORT_NAME
-from gcrules.core.errors import GcrulesError, InputError, Span
+from gcrules.core.errors import InputError
 from gcrules.core.hints import near
 from gcrules.core.yaml_file import Document, Node
 from gcrules.mechanisms.conditions.checks import check_family, check_home, check_limbs
@@ -45,6 +46,7 @@ from gcrules.mechanisms.description.file_parts import (
     read_platform,
 )
 from gcrules.mechanisms.description.limb_file import LimbSpec, cable_joints, read_limb
+from gcrules.mechanisms.description.limits import limits_of_limbs
 from gcrules.mechanisms.description.point_pairs import numbered
 from gcrules.mechanisms.description.relations import AXES, RELATIONS, relation
 from gcrules.mechanisms.robot import Robot
@@ -54,7 +56,8 @@ __all__ = ["load_robot", "parse_robot"]
 
 _REQUIRED = ("title", "points", "mobility")
 _OPTIONAL = (
-    "source", "note", "copies", "space", "directions", "limbs", "lines", "platform", "facts", "home", "condition",
+    "source", "note", "copies", "space", "directions", "limbs", "lines", "platform", "facts", "home", "limits",
+    "condition",
 )  # fmt: skip
 _OF_CHAINS = {True: ("couplings",), False: ()}  # keys of limbs with joints
 _NAMED = re.compile(r"[0-9A-Za-z]+(?:\*\d?)?:([A-Za-z]\w*)\s*\(")  # joints that have names
@@ -111,6 +114,7 @@ class _Reader:
         facts = tuple(read_facts(top["facts"], family, self.copies)) if "facts" in top else ()
         home = read_home(top["home"], family) if "home" in top else None
         platform = read_platform(top["platform"], family, self.copies) if "platform" in top else ()
+        limits = self._limits(top["limits"], [limb for _, limb in limbs]) if "limits" in top else ""
         self.document.check()
         robot = Robot(
             id=self.name,
@@ -122,6 +126,7 @@ class _Reader:
             derived=derived,
             platform=platform,
             home=home,
+            limits=limits,
             condition=texts.get("condition", ""),
             source=texts.get("source", ""),
             note=texts.get("note", ""),
@@ -267,7 +272,7 @@ class _Reader:
         try:
             joints, subchains = read_limb(text)
         except InputError as fault:
-            self._inside(node, text, fault)
+            node.fault_inside(text, fault)
             return None
         good = True
         for joint in joints:
@@ -283,7 +288,7 @@ class _Reader:
                     else:
                         continue
                     good = False
-                    self._inside(node, text, InputError(message, span=joint.place, hint=hint))
+                    node.fault_inside(text, InputError(message, span=joint.place, hint=hint))
         limb = LimbSpec(name, joints, tuple(through.split()), cable, subchains)
         for word in limb.through:
             if family.sorts.get(word) is None:
@@ -294,6 +299,15 @@ class _Reader:
             return None
         return limb if good else None
 
+    def _limits(self, node: Node, limbs: Sequence[LimbSpec]) -> str:
+        text = node.string() or ""
+        if text and not self.document.faults:  # else limbs may be missing, and names of actuators with them
+            try:
+                limits_of_limbs(text, limbs)
+            except InputError as fault:
+                node.fault_inside(text, fault)
+        return text
+
     def _coupled(self, limb: LimbSpec, node: Node, others: Collection[str]) -> LimbSpec | None:
         if node.kind == "scalar":
             text = node.string() or ""
@@ -302,18 +316,8 @@ class _Reader:
         try:
             return replace(limb, couplings=couplings(text, limb.joints, limb.subchains, others))
         except InputError as fault:
-            self._inside(node, text, fault)
+            node.fault_inside(text, fault)
             return None
-
-    def _inside(self, node: Node, text: str, fault: GcrulesError) -> None:
-        """Record a fault at its place inside a scalar, where the scalar stands in the file as it reads."""
-        start = node.span.start + int(node.quoted)
-        as_written = self.document.source[start : start + len(node.text)] == node.text
-        if fault.span and node.kind == "scalar" and as_written and len(node.text) == len(text):
-            span = Span(start + fault.span.start, start + fault.span.end)
-            self.document.faults.append(self.document.error(span, fault.message, fault.hint))
-        else:
-            node.fault(fault.message, fault.hint)
 
 
 def _chain(node: Node) -> str:

@@ -12,6 +12,7 @@ import numpy as np
 from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import InputError
 from gcrules.mechanisms.conditions.checks import home_values
+from gcrules.mechanisms.description.driven import driven_freedoms
 from gcrules.mechanisms.description.limb_file import BASE, PLATFORM
 from gcrules.mechanisms.description.relations import Values
 from gcrules.mechanisms.kinematics.attachments import Attachment, attachments
@@ -289,11 +290,8 @@ def _spans(robot: Robot, values: Values) -> Iterator[Span]:
 
 
 def _actuators(robot: Robot) -> Iterator[Actuator]:
-    number = 0
-    for place, limb in enumerate(robot.limbs):
-        for joint, own in zip(limb.joints, limb.coordinates, strict=True):
-            turns = {m.freedom: m.turns for m in shape_of(joint.kind).motions}
-            freedoms = JOINTS[joint.kind].freedoms
-            for n in joint.actuated:
-                number += 1
-                yield Actuator(f"q{number}", limb.name, joint.text, freedoms[n], place, own[n], turns[n])
+    for d in driven_freedoms(robot.limbs):
+        limb = robot.limbs[d.limb]
+        joint, own = limb.joints[d.place], limb.coordinates[d.place]
+        freedom = JOINTS[joint.kind].freedoms[d.freedom]
+        yield Actuator(d.name, limb.name, joint.text, freedom, d.limb, own[d.freedom], d.angle)

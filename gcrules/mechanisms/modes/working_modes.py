@@ -42,6 +42,7 @@ _NAME = re.compile(r"home|[+\-−]+|\d+(\.\d+)*")
 _WORDS = re.compile(r"working(?: mode)?\s+")
 _DENOMINATORS = 10**6  # of coordinates that are tried to be exact
 _SHOWN = 8  # names in a hint
+_UNLIMITED = "the limits of its file count from another home, and are left out"
 
 Numbers = tuple[int, ...]
 
@@ -135,7 +136,7 @@ def in_working_mode(choices: LimbChoices, mode: Sequence[int]) -> Robot:
         here = choices.configuration(mode)
     except NotClosed as fault:
         raise InputError(f"{robot.id} is none of its family in the mode {name}: {fault}", hint=fault.hint) from None
-    return at_places(choices.linkage, here.values, f"working mode {name}")
+    return at_places(choices.linkage, here.values, f"working mode {name}", driven=True)
 
 
 def reached_at(m: Linkage, platform: Floats) -> Configuration:
@@ -159,9 +160,10 @@ def reached_at(m: Linkage, platform: Floats) -> Configuration:
         raise InputError(f"{m.robot.id} is none of its family in that pose: {fault}", hint=fault.hint) from None
 
 
-def at_places(m: Linkage, places: Values, words: str) -> Robot:
+def at_places(m: Linkage, places: Values, words: str, *, driven: bool = False) -> Robot:
     """The robot with its points and directions in these `places` (those of a configuration of it) for its home, and
-    with what that is in words beside its title.
+    with what that is in words beside its title. Where actuators are `driven` to get there the limits of its file, which
+    count from its own home, are left out.
     """
     robot = m.robot
     before = home_values(robot)
@@ -176,6 +178,8 @@ def at_places(m: Linkage, places: Values, words: str) -> Robot:
     }
     short = {n: tuple(c.limit_denominator(_DENOMINATORS) for c in v) for n, v in rounded.items()}
     home = short if _is_same_robot(robot, m, before, short) else rounded
+    if driven and robot.limits:
+        robot = replace(robot, limits="", note="; ".join(filter(None, [robot.note, _UNLIMITED])))
     return replace(robot, home=home, title=f"{robot.title}, {words}")
 
 

@@ -29,7 +29,7 @@ from gcrules.mechanisms.six_legs import SixLegs
 from gcrules.poses.aspects.joining import Joiner
 from gcrules.poses.aspects.report import Aspects, AspectSet, LeftOut
 from gcrules.poses.everywhere import check_architecture
-from gcrules.poses.methods import Methods, as_six_legs, method
+from gcrules.poses.methods import Methods, legs_within, method
 from gcrules.poses.modes.modes import modes_of
 from gcrules.poses.modes.report import AssemblyMode, AssemblyModes
 from gcrules.poses.plans.domain import Domain, Place, search_in
@@ -217,7 +217,7 @@ def _of_legs(
 
 
 def _of_limbs(m: Limbs, asked: float, limits: str | None, within: str | None, modes: AssemblyModes | None) -> Domain:
-    if (legs := as_six_legs(m)) is not None:
+    if (legs := legs_within(m, limits)) is not None:
         return _of_legs(legs, asked, limits, within, modes)
     names = free_coordinates(m.linkage)
     bare = LimbDomain(m, asked, limb_space(m, names, (), asked, limits, within))

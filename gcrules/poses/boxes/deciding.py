@@ -14,12 +14,12 @@ from numpy.typing import NDArray
 
 from gcrules.core.budget import checkpoint
 from gcrules.core.dataclass import dataclass
+from gcrules.mechanisms.description.limits import LengthLimits
 from gcrules.poses.boxes.forms import BoxForms
 from gcrules.poses.boxes.matrices import Matrices, Products, signs
 from gcrules.poses.boxes.taylor import Models, models
 from gcrules.poses.compiling.closed_forms import run
 from gcrules.poses.compiling.tape import Program
-from gcrules.poses.limits import LengthLimits
 
 __all__ = ["Boxes", "Decided", "Decider"]
 

@@ -10,17 +10,17 @@ import numpy as np
 
 from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import InputError
+from gcrules.mechanisms.description.limits import LengthLimits
 from gcrules.mechanisms.kinematics.leading import leading
 from gcrules.mechanisms.kinematics.linkage import Linkage
 from gcrules.mechanisms.kinematics.solve import check_target
 from gcrules.mechanisms.kinematics.targets import Target
 from gcrules.mechanisms.limbs import Limbs
-from gcrules.mechanisms.mechanism import Mechanism
+from gcrules.mechanisms.mechanism import Mechanism, limits_of
 from gcrules.mechanisms.moving_platform import FAR
 from gcrules.mechanisms.six_legs import SixLegs
 from gcrules.poses.everywhere import check_architecture
 from gcrules.poses.limbs.map_grid import coordinates_of
-from gcrules.poses.limits import LengthLimits, parse_limits
 from gcrules.poses.maps.axes import ACTUATOR, TRANSLATION, TURNS, GridAxis, read_ranges
 from gcrules.poses.methods import Methods, method
 from gcrules.poses.numbers.pose_arguments import one_pose
@@ -96,7 +96,7 @@ def _of_legs(m: SixLegs, axes: tuple[GridAxis, ...], at: Any, limits: str | None
     values = tuple(float(c) + 0.0 for c in (*pose.translation, *turns))
     if max(map(abs, values)) > FAR * m.rig.size:
         raise InputError(f"a pose is more than {FAR:g} times the robot's size away", hint="check the unit")
-    reach = parse_limits(limits, m.actuators, m.unit) if limits is not None else None
+    reach = limits_of(m, limits)
     return Question(
         axes, (*TRANSLATION, *reversed(TURNS)), values, reach, m.rig.size, False, m.analysis.condition.sentence
     )
@@ -106,9 +106,7 @@ def _of_limbs(m: Limbs, axes: tuple[GridAxis, ...], at: Any, limits: str | None)
     k: Linkage = m.linkage
     names, values = coordinates_of(k, axes, at, driven=False)
     check_target(k, Target(names, np.zeros(len(names)), text="home"))
-    angles = {a.name: a.angle for a in k.actuators}
-    reach = parse_limits(limits, tuple(angles), m.unit, tuple(angles.values())) if limits is not None else None
-    return Question(axes, names, values, reach, k.size, True, m.analysis.statement)
+    return Question(axes, names, values, limits_of(m, limits), k.size, True, m.analysis.statement)
 
 
 _QUESTION: Methods[Question] = {SixLegs: _of_legs, Limbs: _of_limbs}

@@ -139,7 +139,7 @@ class BoxTask(HoldsArrays):
         if q.limits is not None and forms.forms.actuators is None:
             raise InputError(
                 "what the actuators do has no closed form that is known here: limits cannot be proved over boxes",
-                hint="leave --limits out, or map nodes: give each range a number",
+                hint="leave them out (--limits none), or map nodes: give each range a number",
             )
         return Decider(forms, q.values, q.free, q.weights, q.limits, self.margin)
 

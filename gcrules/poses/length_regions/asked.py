@@ -7,8 +7,8 @@ from math import inf
 
 from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import InputError
+from gcrules.mechanisms.description.limits import parse_limits
 from gcrules.poses.length_regions.three_legs import ThreeLegs
-from gcrules.poses.limits import parse_limits
 from gcrules.screws.pose_text import read_named
 
 __all__ = ["Asked", "Range"]

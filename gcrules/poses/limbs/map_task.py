@@ -22,6 +22,7 @@ from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import InputError, LimitReached
 from gcrules.core.frozen import HoldsArrays
 from gcrules.core.version import __version__
+from gcrules.mechanisms.description.limits import LengthLimits
 from gcrules.mechanisms.kinematics.amplification import INDICES
 from gcrules.mechanisms.kinematics.leading import leading
 from gcrules.mechanisms.kinematics.linkage import Linkage
@@ -30,13 +31,13 @@ from gcrules.mechanisms.kinematics.rigid_motions import Floats
 from gcrules.mechanisms.kinematics.solve import check_target, solve
 from gcrules.mechanisms.kinematics.targets import Target
 from gcrules.mechanisms.limbs import Limbs
+from gcrules.mechanisms.mechanism import limits_of
 from gcrules.poses.limbs.boxes import LARGEST, proved_cells
 from gcrules.poses.limbs.lattice import Lattice
 from gcrules.poses.limbs.map_grid import LimbsGrid, coordinates_of
 from gcrules.poses.limbs.patches import Patches
 from gcrules.poses.limbs.spreading import spread
 from gcrules.poses.limbs.sweep import Sweep
-from gcrules.poses.limits import LengthLimits, parse_limits
 from gcrules.poses.maps.axes import ACTUATOR, read_axes
 from gcrules.poses.maps.summary import MapSummary
 from gcrules.poses.maps.task import Chunk
@@ -297,7 +298,7 @@ def limbs_task(m: Limbs, over: Any, at: Any = None, limits: str | None = None, m
         raise InputError("a robot of joints has no superbracket of its legs", hint="leave --measure out")
     driven = axes[0].kind == ACTUATOR
     names, values = coordinates_of(k, axes, at, driven)
-    reach = parse_limits(limits, tuple(angles), m.unit, tuple(angles.values())) if limits is not None else None
+    reach = limits_of(m, limits)
     grid = LimbsGrid(
         axes, names, values, driven, m.title or k.robot.id, tuple(angles), tuple(angles.values()), m.unit, k.notes
     )

@@ -12,19 +12,18 @@ from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import InputError
 from gcrules.core.frozen import FrozenMap
 from gcrules.mechanisms.limbs import Limbs
-from gcrules.mechanisms.mechanism import Mechanism
+from gcrules.mechanisms.mechanism import Mechanism, limits_of
 from gcrules.mechanisms.platform_analysis import with_platform
 from gcrules.mechanisms.six_legs import SixLegs
 from gcrules.poses.compiling.compiled import compiled
 from gcrules.poses.limbs.map_task import limbs_task
-from gcrules.poses.limits import parse_limits
 from gcrules.poses.maps.axes import read_axes
 from gcrules.poses.maps.grid import grid
 from gcrules.poses.maps.recipe import recipe_of
 from gcrules.poses.maps.slices import factors, slice_polynomial, vanishes
 from gcrules.poses.maps.task import KINDS, MEASURES, MapTask, width_of
 from gcrules.poses.maps.values import LegsTask
-from gcrules.poses.methods import Methods, method
+from gcrules.poses.methods import Methods, legs_within, method
 from gcrules.screws.threshold import Threshold, angle_threshold
 
 __all__ = ["KIND", "Plan", "bytes_of", "planned"]
@@ -57,7 +56,7 @@ def planned(found: Mechanism, over: Any, at: Any, limits: str | None, threshold:
 
 def _of_legs(m: SixLegs, over: Any, at: Any, limits: str | None, limit: Threshold, measure: str) -> Plan:
     axes = read_axes(over, m.unit)
-    reached = parse_limits(limits, m.actuators, m.unit) if limits is not None else None
+    reached = limits_of(m, limits)
     g = grid(m.rig, axes, at)
     known = m.analysis if m.analysis.platform is not None else with_platform(m.analysis, m.platform)
     condition = compiled(known, about=m.about)
@@ -70,9 +69,8 @@ def _of_legs(m: SixLegs, over: Any, at: Any, limits: str | None, limit: Threshol
 
 def _of_limbs(m: Limbs, over: Any, at: Any, limits: str | None, limit: Threshold, measure: str) -> Plan:
     """By the exact polynomial where the limbs are six legs."""
-    try:
-        legs = m.six_legs()
-    except InputError:
+    legs = legs_within(m, limits)
+    if legs is None:
         stated = m.analysis.statement
         task = limbs_task(m, over, at, limits, measure)
         return Plan(task, stated, {"statement": stated, "statement_source": None}, limit)

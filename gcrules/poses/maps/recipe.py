@@ -34,20 +34,21 @@ def recipe_of(kind: str, found: Mechanism, over: Any, at: Any, limits: str | Non
 
 def _described(found: Mechanism) -> dict[str, Any]:
     """A platform by its legs and points, a robot of joints by the text of its file and its home, which a mode may have
-    changed.
+    changed; with the limits of the file, if there are any, which a mode may have left out.
     """
+    own = {"limits": found.limits} if found.limits else {}
     if isinstance(found, Limbs):
         robot = found.robot
-        return {"id": robot.id, "text": robot.text, "home": _plain(robot.home)}
+        return {"id": robot.id, "text": robot.text, "home": _plain(robot.home), **own}
     assert isinstance(found, SixLegs)
     p = found.platform
-    return {"legs": _plain(p.legs), "points": _plain(p.points), "title": p.title, "units": p.units}
+    return {"legs": _plain(p.legs), "points": _plain(p.points), "title": p.title, "units": p.units, **own}
 
 
 def robot_of(given: Mapping[str, Any]) -> Source:
     if "text" not in given:
         return {name: value for name, value in given.items() if value}
-    robot = parse_robot(given["text"], name=given["id"])
+    robot = replace(parse_robot(given["text"], name=given["id"]), limits=given.get("limits", ""))
     home = given["home"]
     if home is None:
         return robot

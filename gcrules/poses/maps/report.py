@@ -14,7 +14,7 @@ from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import EngineFault, InputError, LimitReached
 from gcrules.core.frozen import FrozenMap, HoldsArrays
 from gcrules.core.shown import Shown
-from gcrules.poses.limits import LengthLimits
+from gcrules.mechanisms.description.limits import LengthLimits
 from gcrules.poses.maps.mesh import Mesh
 from gcrules.poses.maps.slices import SliceFactor
 from gcrules.poses.maps.summary import MapSummary

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
+from gcrules.mechanisms.description.limits import LengthLimits
 from gcrules.mechanisms.kinematics.amplification import INDICES
-from gcrules.poses.limits import LengthLimits
 from gcrules.poses.maps.axes import GridAxis
 from gcrules.poses.tiles.task import Stage
 

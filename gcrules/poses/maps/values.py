@@ -17,10 +17,10 @@ from gcrules.core.budget import checkpoint
 from gcrules.core.dataclass import dataclass
 from gcrules.core.frozen import HoldsArrays
 from gcrules.core.version import __version__
+from gcrules.mechanisms.description.limits import LengthLimits
 from gcrules.mechanisms.kinematics.amplification import INDICES
 from gcrules.mechanisms.kinematics.leg_amplification import amplified_by_legs
 from gcrules.poses.compiling.compiled import CompiledCondition
-from gcrules.poses.limits import LengthLimits
 from gcrules.poses.maps.cells import CROSSED, FREE, UNDECIDED, certified
 from gcrules.poses.maps.grid import Grid
 from gcrules.poses.maps.regular_cells import regular_cells

@@ -110,7 +110,7 @@ def _in_operation_mode(loaded: Loaded, number: int) -> Loaded:
         raise InputError(f"no pose of operation mode {number} of {robot.id} is known that has short coordinates")
     m = Limbs.of(robot).linkage
     there = reached_at(m, _motion(mode.witness, m))
-    moved = at_places(m, there.values, f"operation mode {number}")
+    moved = at_places(m, there.values, f"operation mode {number}", driven=True)
     return _analysed_anew(loaded, moved) if isinstance(loaded, RobotAnalysis) else moved
 
 

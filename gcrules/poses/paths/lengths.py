@@ -10,7 +10,7 @@ from __future__ import annotations
 import numpy as np
 
 from gcrules.core.budget import checkpoint
-from gcrules.poses.limits import LengthLimits
+from gcrules.mechanisms.description.limits import LengthLimits
 from gcrules.poses.numbers.arrays import matrices
 from gcrules.poses.paths.segment import Segment
 

@@ -8,9 +8,9 @@ import numpy as np
 
 from gcrules.core.dataclass import dataclass
 from gcrules.mechanisms.kinematics.rigid_motions import Floats
+from gcrules.mechanisms.mechanism import limits_of
 from gcrules.mechanisms.six_legs import SixLegs
 from gcrules.poses.limbs.path_report import RobotPath
-from gcrules.poses.limits import parse_limits
 from gcrules.poses.modes.report import AssemblyMode
 from gcrules.poses.path_report import path_of_legs
 from gcrules.poses.paths.lengths import keeps_to
@@ -87,7 +87,7 @@ class LegDomain:
 
 def leg_space(m: SixLegs, rows: Floats, margin: float, limits: str | None, within: str | None) -> LegSpace:
     """The states around home and around others (N, width) that keep to what is asked for. Raises InputError."""
-    reach = None if limits is None else parse_limits(limits, m.actuators, m.unit)
+    reach = limits_of(m, limits)
     near = region_of(m.rig)
     room = np.array([m.rig.size * _ROOM] * 3 + [0.0])
     region = near.around(LegSpace(m.rig, near, 0.0).coordinates(rows), room).within(within, m.unit)

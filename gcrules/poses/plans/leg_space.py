@@ -12,9 +12,9 @@ import numpy as np
 
 from gcrules.core.budget import checkpoint
 from gcrules.core.dataclass import dataclass
+from gcrules.mechanisms.description.limits import LengthLimits
 from gcrules.mechanisms.kinematics.rigid_motions import Floats
 from gcrules.mechanisms.moving_platform import MovingPlatform
-from gcrules.poses.limits import LengthLimits
 from gcrules.poses.numbers.arrays import from_vectors, matrices
 from gcrules.poses.plans.region import Region, Truths
 from gcrules.poses.plans.space import Ways

@@ -11,9 +11,9 @@ from gcrules.core.frozen import FrozenMap
 from gcrules.mechanisms.kinematics.coordinates import principal, wrapped
 from gcrules.mechanisms.kinematics.rigid_motions import Floats
 from gcrules.mechanisms.limbs import Limbs
+from gcrules.mechanisms.mechanism import limits_of
 from gcrules.poses.limbs.path import path_of_limbs
 from gcrules.poses.limbs.path_report import RobotPath
-from gcrules.poses.limits import parse_limits
 from gcrules.poses.modes.report import AssemblyMode
 from gcrules.poses.paths.report import PathReport
 from gcrules.poses.plans.domain import Place, Proved, outside, samples_of
@@ -153,6 +153,4 @@ def limb_space(
     places = np.array([list(zero), *([p[n] for n in names] for p in poses)])
     region = Region(names, zero, zero, angles).around(places, room)
     region = region.within(within, m.unit).clipped("pitch", -STEEPEST, STEEPEST)
-    kinds = {a.name: a.angle for a in k.actuators}
-    reach = None if limits is None else parse_limits(limits, tuple(kinds), m.unit, tuple(kinds.values()))
-    return LimbSpace(m, names, region, margin, reach)
+    return LimbSpace(m, names, region, margin, limits_of(m, limits))

@@ -19,7 +19,7 @@ from gcrules.mechanisms.kinematics.solve import check_target, solve
 from gcrules.mechanisms.kinematics.targets import Target
 from gcrules.mechanisms.limbs import Limbs
 from gcrules.poses.limbs.path import path_targets
-from gcrules.poses.methods import as_six_legs
+from gcrules.poses.methods import legs_within
 from gcrules.poses.plans.domain import Place
 from gcrules.poses.plans.leg_problem import LegProblem, leg_problem
 from gcrules.poses.plans.limb_domain import LimbDomain, limb_space
@@ -65,7 +65,7 @@ def limb_problem(
     """What is asked for; of a robot whose limbs are six legs by its platform. Raises InputError where start or goal do
     not keep to it.
     """
-    if (legs := as_six_legs(m)) is not None:
+    if (legs := legs_within(m, limits)) is not None:
         return leg_problem(legs, start, goal, asked, limits, within)
     k = m.linkage
     first, last = path_targets(k, [start, goal])

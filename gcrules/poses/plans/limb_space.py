@@ -18,6 +18,7 @@ from gcrules.core.budget import checkpoint
 from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import InputError
 from gcrules.core.frozen import FrozenMap
+from gcrules.mechanisms.description.limits import LengthLimits
 from gcrules.mechanisms.kinematics.configurations import Configurations
 from gcrules.mechanisms.kinematics.coordinates import coordinates, wrapped
 from gcrules.mechanisms.kinematics.linkage import Configuration
@@ -30,7 +31,6 @@ from gcrules.mechanisms.limbs import Limbs
 from gcrules.poses.limbs.lattice import blocks
 from gcrules.poses.limbs.many import Solved
 from gcrules.poses.limbs.straight import led, number_of_steps
-from gcrules.poses.limits import LengthLimits
 from gcrules.poses.plans.region import Region, Truths
 from gcrules.poses.plans.space import Ways
 from gcrules.poses.signs.of_limbs import one_sign

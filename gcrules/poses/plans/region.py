@@ -13,8 +13,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gcrules.core.dataclass import dataclass
+from gcrules.mechanisms.description.limits import LengthLimits, parse_limits
 from gcrules.mechanisms.kinematics.rigid_motions import Floats
-from gcrules.poses.limits import LengthLimits, parse_limits
 
 __all__ = ["Region", "Truths"]
 

@@ -11,8 +11,8 @@ from typing import Any, Protocol
 import numpy as np
 
 from gcrules.core.dataclass import dataclass
+from gcrules.mechanisms.description.limits import LengthLimits
 from gcrules.mechanisms.kinematics.rigid_motions import Floats
-from gcrules.poses.limits import LengthLimits
 from gcrules.poses.plans.region import Region, Truths
 
 __all__ = ["Space", "Ways"]
