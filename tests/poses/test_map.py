@@ -17,9 +17,9 @@ from poses.small_maps import TURNING, exact_value, ranges, rig_of
 import gcrules as gc
 from gcrules.conditions.analysis import Analysis
 from gcrules.core.errors import InputError, LimitReached
+from gcrules.mechanisms.description.limits import parse_limits
 from gcrules.mechanisms.description.platform_file import parse_platform
 from gcrules.mechanisms.platform_analysis import analyze_legs
-from gcrules.mechanisms.description.limits import parse_limits
 from gcrules.poses.maps import tracing
 from gcrules.poses.maps.axes import parse_axis, read_axes
 from gcrules.poses.maps.bernstein import coefficients, corners, halves, tolerance

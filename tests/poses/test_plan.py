@@ -13,12 +13,12 @@ from places import EXAMPLES
 
 import gcrules as gc
 from gcrules.core.errors import InputError
+from gcrules.mechanisms.description.limits import LengthLimits
 from gcrules.mechanisms.kinematics.solve import solve
 from gcrules.mechanisms.limbs import Limbs
 from gcrules.mechanisms.mechanism import mechanism
 from gcrules.poses.limbs.many import Solved
 from gcrules.poses.limbs.pose_report import target_of
-from gcrules.mechanisms.description.limits import LengthLimits
 from gcrules.poses.numbers.arrays import matrices
 from gcrules.poses.paths.lengths import keeps_to
 from gcrules.poses.paths.segments import segments

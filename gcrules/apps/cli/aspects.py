@@ -18,7 +18,11 @@ __all__ = ["aspects"]
 @click.argument("file", metavar="FILE.yaml|ID")
 @mode_option
 @click.option("--margin", type=float, metavar="SIGMA", help="The least margin on all ways; by default a regular one.")
-@click.option("--limits", metavar="RANGES", help='Of legs or actuators: "leg lengths 1..3", "q1 -30..30 deg".')
+@click.option(
+    "--limits",
+    metavar="RANGES",
+    help='Of legs or actuators: "leg lengths 1..3", "q1 -30..30 deg"; "none": not those of the file.',
+)
 @click.option("--within", metavar="RANGES", help='Of coordinates from home: "z -100..50, turn ..40 deg".')
 @click.option("--poses", default=POSES, show_default=True, metavar="N", help="Look at so many poses at random.")
 @click.option("--modes/--no-modes", default=True, show_default=True, help="Look at the assembly modes, too.")

@@ -31,7 +31,8 @@ at_option = click.option(
 limits_option = click.option(
     "--limits",
     metavar="RANGES",
-    help='What legs or actuators reach: "leg lengths 1..3", "ab 1..3, cd 2..", of joints "q1 -30..30 deg".',
+    help='What legs or actuators reach: "leg lengths 1..3", "ab 1..3, cd 2..", of joints "q1 -30..30 deg"; "none":'
+    " not those of the file.",
 )
 workers_option = click.option(
     "--workers",

@@ -24,7 +24,11 @@ _CODES = {"way": 0, "none": 1, "undecided": 3}
 @click.option("--from", "start", required=True, metavar="POSE", help="The pose to start from, as in gcrules path.")
 @click.option("--to", "goal", metavar="POSE", help="The pose to go to; without one the way out, to a larger margin.")
 @click.option("--margin", type=float, metavar="SIGMA", help="The least margin on the way; by default a regular one.")
-@click.option("--limits", metavar="RANGES", help='Of legs or actuators: "leg lengths 1..3", "q1 -30..30 deg".')
+@click.option(
+    "--limits",
+    metavar="RANGES",
+    help='Of legs or actuators: "leg lengths 1..3", "q1 -30..30 deg"; "none": not those of the file.',
+)
 @click.option("--within", metavar="RANGES", help='Of coordinates from home: "z -100..50, turn ..40 deg".')
 @about_option
 @click.option("--states", default=STATES, show_default=True, metavar="N", help="Give up at so many states.")

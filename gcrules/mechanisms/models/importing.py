@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import replace
 from os import PathLike, fspath
 from os.path import isfile
@@ -192,10 +192,18 @@ class _Import:
     ) -> Imported:
         """With the fewest relations with which the family moves as the model does."""
         fault: GcrulesError | None = None
+        limits = dict(self._amounts(drawn, motions))
         for level, words in enumerate(LEVELS):
             naming = Naming([d.parts for d in drawn], self.size, level, plane=self.plane)
             text, order = robot_text(
-                drawn, naming, self.ratios, self.pair, title=_title(self.model), note=self._note(), mobility=mobility
+                drawn,
+                naming,
+                self.ratios,
+                self.pair,
+                title=_title(self.model),
+                note=self._note(limits),
+                mobility=mobility,
+                limits=limits,
             )
             try:
                 robot = parse_robot(text, self.model.filename, _id(self.model))
@@ -254,9 +262,23 @@ class _Import:
             if j.name in self.driven and j.limits is not None:
                 yield j.name, j.limits
 
-    def _note(self) -> str:
-        own = [f"{n} from {low:.6g} to {high:.6g}" for n, (low, high) in self._limits()]
-        limits = f"; limits of the actuators from home, in metres and radians: {', '.join(own)}" if own else ""
+    def _amounts(
+        self, drawn: Sequence[Drawn], motions: Sequence[Sequence[Motion]]
+    ) -> Iterator[tuple[str, tuple[float, float]]]:
+        """Limits of joints by themselves, along the axes of the model, as seen from the base."""
+        starts = {(m.joint, m.place): m.start for m in self.motions}
+        known = dict(self._limits())
+        for d, own in zip(drawn, motions, strict=True):
+            alone = {p.joints[0] for p in d.parts if not p.merged}
+            for m in own:
+                if m.driven and m.joint in alone and m.joint in known and known[m.joint][0] < known[m.joint][1]:
+                    low, high = known[m.joint]
+                    yield m.joint, (low, high) if m.start == starts[m.joint, m.place] else (-high, -low)
+
+    def _note(self, written: Collection[str]) -> str:
+        """With the limits that are not written as such: of joints that have become one with others, and of no width."""
+        own = [f"{n} from {low:.6g} to {high:.6g}" for n, (low, high) in self._limits() if n not in written]
+        limits = f"; limits of the model from home, in metres and radians: {', '.join(own)}" if own else ""
         name = PurePath(self.model.filename).name
         return f"imported from {name}, with {self.ends.platform} as the platform; lengths in metres{limits}"
 

@@ -15,8 +15,9 @@ link of its own that is fixed to the body.
 
 from __future__ import annotations
 
+import math
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from pathlib import PurePath
 from typing import Any
@@ -27,6 +28,7 @@ from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import InputError
 from gcrules.mechanisms.conditions.checks import home_values
 from gcrules.mechanisms.description.limb_file import BASE, PLATFORM, JointSpec, LimbSpec, read_joints
+from gcrules.mechanisms.description.limits import limits_of_legs, limits_of_limbs
 from gcrules.mechanisms.description.platform_file import Platform
 from gcrules.mechanisms.kinematics.chains import Geometry, geometry_of, shape_of
 from gcrules.mechanisms.kinematics.rigid_motions import Floats
@@ -63,16 +65,30 @@ def model_of(source: Robot | Platform, unit: str = "") -> Model:
     making = _Making({name: np.array([float(c) for c in v]) for name, v in places.items()})
     for limb in limbs:
         making.limb(limb)
+    if source.limits:
+        making.limit(_amounts(source, limbs))
     model = Model(
         name,
         "robot",
         source.filename,
         tuple(making.links),
         tuple(making.joints),
-        tuple(making.actuated),
+        tuple(making.driven),
         tuple(making.couplings),
     )
     return model if scale == 1 else _scaled(model, scale)
+
+
+def _amounts(source: Robot | Platform, limbs: Sequence[LimbSpec]) -> Iterator[tuple[float, float]]:
+    """From home, what the limits of a file say of each actuator."""
+    if isinstance(source, Robot):
+        found = limits_of_limbs(source.limits, limbs)
+        yield from zip(found.low, found.high, strict=True)
+        return
+    reach = limits_of_legs(source.limits, source.legs, source.units)
+    for leg, low, high in zip(source.legs, reach.low, reach.high, strict=True):
+        home = math.dist(*([float(c) for c in source.points[end]] for end in leg))
+        yield low - home, high - home
 
 
 def _known(unit: str) -> str:
@@ -105,7 +121,10 @@ def _scaled(model: Model, scale: float) -> Model:
     def length_of(name: str) -> float:
         return scale if kinds[name] == "prismatic" else 1.0
 
-    joints = tuple(replace(j, at=vector([c * scale for c in j.at])) for j in model.joints)
+    def limits_of(j: ModelJoint) -> tuple[float, float] | None:
+        return (j.limits[0] * length_of(j.name), j.limits[1] * length_of(j.name)) if j.limits else None
+
+    joints = tuple(replace(j, at=vector([c * scale for c in j.at]), limits=limits_of(j)) for j in model.joints)
     couplings = tuple(replace(c, ratio=c.ratio * length_of(c.joint) / length_of(c.leader)) for c in model.couplings)
     return replace(model, joints=joints, couplings=couplings)
 
@@ -129,7 +148,7 @@ class _Making:
         self.links: dict[str, None] = {BASE: None}
         self.joints: list[ModelJoint] = []
         self.names: set[str] = set()
-        self.actuated: list[str] = []
+        self.driven: dict[str, float] = {}  # what is actuated, and its value for a unit of the actuator
         self.couplings: list[ModelCoupling] = []
         self.reached = {BASE}
 
@@ -143,6 +162,16 @@ class _Making:
             start, end = (b if b in (BASE, PLATFORM) else f"{name}_{_word(b)}" for b in (part.start, part.end))
             chain = _Chain(self, limb, name, start, end, leaders)
             chain.add([(limb.joints[k], k) for k in own])
+
+    def limit(self, amounts: Iterable[tuple[float, float]]) -> None:
+        """Give the joints that are driven, in their order, the limits of amounts of actuators; models have none with
+        one end only.
+        """
+        places = {j.name: k for k, j in enumerate(self.joints)}
+        for (name, ratio), (low, high) in zip(self.driven.items(), amounts, strict=True):
+            if math.isfinite(low) and math.isfinite(high):
+                least, most = sorted((low * ratio, high * ratio))
+                self.joints[places[name]] = replace(self.joints[places[name]], limits=(least, most))
 
     def link(self, name: str) -> str:
         self.links.setdefault(name)
@@ -208,7 +237,7 @@ class _Chain:
             else:
                 self.leaders[coordinate] = name, ratio
             if m.freedom in spec.actuated and all(m.freedom != before.freedom for before in motions[:n]):
-                self.making.actuated.append(name)
+                self.making.driven[name] = ratio
 
     def _joint(self, name: str, kind: str, at: Floats, axes: Sequence[Floats], *, last: bool) -> None:
         """A joint from the link where the chain is to the next one; the last one leads to the body at its end."""

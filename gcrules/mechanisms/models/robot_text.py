@@ -13,6 +13,7 @@ from gcrules.mechanisms.kinematics.rigid_motions import Floats
 from gcrules.mechanisms.models.chains_between import Chain
 from gcrules.mechanisms.models.family_found import Known, Named, Naming
 from gcrules.mechanisms.models.merging import Part, Ratios
+from gcrules.screws import JOINTS
 
 __all__ = ["Drawn", "robot_text"]
 
@@ -119,7 +120,29 @@ class _Writing:
         way = named[0].values[0] if len(named) == 1 else named[1].values[0] - named[0].values[0]
         return float(np.sign(way @ part.axis))
 
-    def lines(self, title: str, note: str, mobility: int, platform: Sequence[Known]) -> Iterator[str]:
+    def _limits(self, limits: Mapping[str, tuple[float, float]]) -> str:
+        """Those of joints, along the axes of the model, as limits of actuators, about the axes as they are written."""
+        found: dict[str, str] = {}
+        for k in self.order:
+            for p in self.limbs[k].parts:
+                for place in range(len(JOINTS[p.kind].drives) if p.driven else 0):
+                    name = f"q{len(found) + 1}"
+                    found[name] = ""
+                    if place == 0 and not p.merged and p.joints[0] in limits:
+                        low, high = sorted(self._sign(p) * end for end in limits[p.joints[0]])
+                        found[name] = f"{low:.12g}..{high:.12g}{'' if p.kind == 'P' else ' rad'}"
+        if len({*found.values()}) == 1 and len(found) > 1:
+            return f"actuators {found['q1']}" if found["q1"] else ""
+        return ", ".join(f"{name} {reach}" for name, reach in found.items() if reach)
+
+    def lines(
+        self,
+        title: str,
+        note: str,
+        mobility: int,
+        platform: Sequence[Known],
+        limits: Mapping[str, tuple[float, float]],
+    ) -> Iterator[str]:
         yield f"title: {_quoted(title)}"
         yield f"note: {_quoted(note)}"
         if self.naming.plane:
@@ -149,6 +172,8 @@ class _Writing:
             names = dict.fromkeys(d.text(self._label(d.limb)) for d in platform if d.limb < 0 or d.limb in self.written)
             yield f"platform: {' '.join(names)}"
         yield f"mobility: {mobility}"
+        if reach := self._limits(limits):
+            yield f"limits: {reach}"
         home = [d for d in self.naming.known if d.parameters]
         if home:
             yield "home:"
@@ -163,7 +188,7 @@ class _Writing:
 
 def robot_text(
     limbs: Sequence[Drawn], naming: Naming, coupled: Ratios, ends: tuple[str, str],
-    *, title: str, note: str, mobility: int,
+    *, title: str, note: str, mobility: int, limits: Mapping[str, tuple[float, float]],
 ) -> tuple[str, tuple[int, ...]]:  # fmt: skip
     """The text of the file, and the limbs in the sequence in which it has them."""
     writing = _Writing(limbs, naming, coupled, ends)
@@ -173,7 +198,7 @@ def robot_text(
             last = [s for s in parts[-1].slots if s.sort == "point"]
             if chain.end == ends[1] and last and parts[-1].kind != "4S":
                 platform += [naming.slots[s][0] for s in last]
-    lines = writing.lines(title, note, mobility, list(dict.fromkeys(platform)))
+    lines = writing.lines(title, note, mobility, list(dict.fromkeys(platform)), limits)
     return "\n".join(lines) + "\n", tuple(writing.order)
 
 

@@ -52,7 +52,8 @@ def box_map(
     `source`, `at` (one pose, for the other coordinates) and `about` are those of `pose`. `over` lists coordinates with
     start:stop, ["x -100:100", "roll -20:20 deg"]: x, y, z, roll, pitch, yaw, of a robot of joints from home, in home's
     working mode. Each range is cut into so many `tiles`, each tile into so many `boxes` at most. `limits` is text such
-    as "leg lengths 1..3" or "q1 -30..30 deg": boxes that are reached nowhere within them are outside. With a `margin`
+    as "leg lengths 1..3" or "q1 -30..30 deg", by default that of the file ("none" leaves it out): boxes that are
+    reached nowhere within them are outside. With a `margin`
     above 0 the margin of all free poses is at least that. `work`, `restart`, `workers`, `part` and `scheduler` are
     those of `singular_map`.
 

@@ -69,13 +69,14 @@ def singular_map(
 
     `source`, `at` (one pose, for the other coordinates) and `about` are those of `pose`. `over` lists coordinates with
     start:stop:number, as for `gcrules map --over`: ["x -2:2:201", "rz -90:90:181 deg"]; for a robot of joints
-    coordinates of its pose or actuators, from home. `limits` is text such as "leg lengths 1..3" or "q1 -30..30 deg";
-    `threshold` is an angle. `measure` is "margin", for platforms "value" for the superbracket alone, which is quick, or
-    "isotropy" or another one of the `INDICES` of the actuators, which comes on top of the margin. `work` names a
-    Zarr store for the tiles of a large map: a run that was interrupted goes on from there, unless `restart` throws them
-    away; `.store.remove()` removes it. With `work` tiles may be computed in so many `workers`, processes of this
-    machine, or on a Dask cluster, `scheduler` being its address or "local"; with `part`, as "3/100", only this part of
-    a job array's is computed, and the answer is how many tiles there are (a `MapStatus`).
+    coordinates of its pose or actuators, from home. `limits` is text such as "leg lengths 1..3" or "q1 -30..30 deg", by
+    default that of the file; "none" leaves it out. `threshold` is an angle. `measure` is "margin", for platforms
+    "value" for the superbracket alone, which is quick, or "isotropy" or another one of the `INDICES` of the actuators,
+    which comes on top of the margin. `work` names a Zarr store for the tiles of a large map: a run that was interrupted
+    goes on from there, unless `restart` throws them away; `.store.remove()` removes it. With `work` tiles may be
+    computed in so many `workers`, processes of this machine, or on a Dask cluster, `scheduler` being its address or
+    "local"; with `part`, as "3/100", only this part of a job array's is computed, and the answer is how many tiles
+    there are (a `MapStatus`).
 
     Raises InputError for what makes no sense and for degenerate robots, LimitReached for maps that are too large.
     """

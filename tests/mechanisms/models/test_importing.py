@@ -114,7 +114,7 @@ def test_a_delta_by_hand() -> None:
     assert found.robot.mobility == 3
     assert found.limits == tuple((f"motor{k}", -1.0, 0.5) for k in range(3))
     assert "copies: 3" in found.yaml
-    assert "motor0 from -1 to 0.5" in found.robot.note
+    assert found.robot.limits == "actuators -1..0.5 rad"
 
 
 def chain_of(joints: list[tuple[str, str, object, object]], ends: tuple[str, str], name: str) -> list[ModelJoint]:
