@@ -74,7 +74,7 @@ def test_the_platform_is_asked_for(tmp_path: Path) -> None:
     found = invoke("robot", "import", str(file), "--platform", "hand")
     assert found.exit_code == 0, found.stderr
     assert "S(C2)" in found.stdout  # what connects two bodies is a ball joint
-    assert "a from -1 to 1, d from -1 to 1" in found.stdout
+    assert "limits: actuators -1..1 rad" in found.stdout
     assert "driven" in found.stderr
     wrong = invoke("robot", "import", str(file), "--platform", "hand", "--actuators", "a,c")
     assert (wrong.exit_code, "there is no joint 'c'" in wrong.stderr) == (2, True)

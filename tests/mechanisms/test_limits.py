@@ -21,6 +21,7 @@ from gcrules.mechanisms.mechanism import limits_of, mechanism
 from gcrules.mechanisms.models.importing import import_file
 from gcrules.mechanisms.models.of_robot import model_of
 from gcrules.mechanisms.robot import Robot
+from gcrules.poses.methods import legs_within
 from gcrules.poses.modes.choose import in_mode
 from gcrules.screws import JOINTS
 
@@ -169,6 +170,26 @@ def test_amounts_of_six_legs_are_lengths() -> None:
     assert np.allclose(reach.low, np.where(np.arange(6) == 1, 0, home - 0.1))
     driven = gc.pose(source, actuators="q1=0.2", nearest=False)
     assert math.isclose(math.dist(driven.points["A1"], driven.points["B1"]), reach.high[0])
+
+
+def test_slides_that_go_back() -> None:
+    """Written from the platform to the base, a slide shortens its leg, as the robot shows that is driven."""
+    text = six("").text.replace("P*(A% B%)", "P*(B% A%)")
+    source = parse_robot(f"{text}\nlimits: actuators -0.1..0.2\n")
+    reach = limits_of(mechanism(source).six_legs(), None)
+    assert reach is not None
+    driven = gc.pose(source, actuators="q1=0.2", nearest=False)
+    assert math.isclose(math.dist(driven.points["A1"], driven.points["B1"]), reach.low[0])
+
+
+def test_slides_beside_their_legs() -> None:
+    """Lengths of legs do not say their limits: the joints are moved."""
+    text = six("").text.replace("P*(A% B%)", "P*(d%)").replace("limbs:", "  d%: free\nlimbs:", 1)
+    home = "".join(f"  d{k}: [{k}, 1, 9]\n" for k in range(1, 7))
+    found = mechanism(parse_robot(f"{text.rstrip()}\n{home}limits: actuators -0.1..0.2\n"))
+    assert found.six_legs().limits == ""
+    assert legs_within(found, None) is None
+    assert legs_within(found, "A1B1 1..3") == legs_within(found, "none") == found.six_legs()
 
 
 # --- modes -----------------------------------------------------------------------------------------------------------
