@@ -269,7 +269,7 @@ def texts() -> Sequence[tuple[str, str]]:
     folder = shipped_folder()
     assert folder is not None
     return [*((n, (folder / n / "robot.yaml").read_text("utf-8")) for n in IDS), ("new", skeleton("new")),
-            ("lines", GIVEN_BY_LINES)]  # fmt: skip
+            ("lines", GIVEN_BY_LINES), ("limits", f"{skeleton('new')}limits: q1 -30..30 deg, q2 0..\n")]  # fmt: skip
 
 
 @pytest.mark.parametrize(("name", "text"), texts(), ids=[name for name, _ in texts()])
@@ -277,6 +277,12 @@ def test_files_fit_the_schema(name: str, text: str) -> None:
     import yaml
 
     assert fits(yaml.safe_load(text), SCHEMA)
+
+
+def test_the_schema_knows_ranges() -> None:
+    limits = SCHEMA["properties"]["limits"]
+    assert fits("legs 1..2, q1 ..3 deg", limits)
+    assert not fits("q1 1..2, q2 3", limits)
 
 
 @pytest.mark.parametrize(
