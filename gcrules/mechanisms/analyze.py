@@ -9,6 +9,7 @@ r"""When and why any mechanism is singular: the analysis of whatever `load` read
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from dataclasses import replace
 from functools import lru_cache
 from os import PathLike
 from typing import Any
@@ -29,6 +30,7 @@ from gcrules.rules.strategy import Strategy
 __all__ = ["analyze", "analyze_legs", "analyze_robot"]
 
 _of_joints = deferred("gcrules.mechanisms.conditions.analyze_robot:analyze_robot")
+_dimensions = deferred("gcrules.mechanisms.dimensions.robot_dimensions:dimensions_of_robot")
 
 
 def analyze(
@@ -57,10 +59,11 @@ def analyze(
     `catalogs` adds files of the user's own, `plugins` folders whose rules and catalogs take part; `strategy` says which
     rules run, then those of `plugins` too where it names them. With `recheck` readings that are instances of catalog
     identities are proved from scratch. Where no rule finds a condition, a factorization is sought for `search` seconds.
-    Of a platform with coordinates the `facts` of its dimensions are told, those too that are missed by up to the
-    `tolerance` as a part of its size; `given` must hold of them. Raises InputError for the wrong number of lines, for
-    what is no line, for assumptions that are not resolved or that coordinates contradict, and for options that the
-    source does not take: robots of joints take `search`, `plugins` and `facts` only.
+    Of a platform with coordinates, and of a robot with a home, the `facts` of the dimensions are told, those too that
+    are missed by up to the `tolerance` as a part of its size; `given` must hold of the coordinates. Raises InputError
+    for the wrong number of lines, for what is no line, for assumptions that are not resolved or that coordinates
+    contradict, and for options that the source does not take: robots of joints take `search`, `plugins`, `facts` and
+    `tolerance` only.
     """
     loaded = load(source, plugins=plugins, points=points, ideal=ideal, given=given, rank=rank)
     options: dict[str, Any] = {
@@ -83,13 +86,17 @@ def analyze(
     if isinstance(loaded, (Analysis, RobotAnalysis)):
         return loaded
     if isinstance(loaded, Robot):
-        return analyze_robot(loaded, search=search)
+        return analyze_robot(loaded, search=search, facts=facts, tolerance=tolerance)
     return analyze_legs(loaded, search=search, plugins=plugins, facts=facts, tolerance=tolerance, **chosen)
 
 
-def analyze_robot(robot: Robot, *, search: float = SECONDS) -> RobotAnalysis:
-    """The analysis of a robot of joints, made once. Raises InputError for six lines that are no legs."""
-    return _analyzed(robot, search)
+def analyze_robot(
+    robot: Robot, *, search: float = SECONDS, facts: bool = False, tolerance: float = TOLERANCE
+) -> RobotAnalysis:
+    """The analysis of a robot of joints, made once, with the `facts` of its dimensions at home if they are asked for.
+    Raises InputError for six lines that are no legs, and for a tolerance that is none.
+    """
+    return _with_facts(robot, search, tolerance) if facts else _analyzed(robot, search)
 
 
 # Poses, paths and maps that are asked for one after the other are of the same few robots.
@@ -97,3 +104,9 @@ def analyze_robot(robot: Robot, *, search: float = SECONDS) -> RobotAnalysis:
 def _analyzed(robot: Robot, search: float) -> RobotAnalysis:
     found: RobotAnalysis = _of_joints(robot, search=search)
     return found
+
+
+@lru_cache(maxsize=64)
+def _with_facts(robot: Robot, search: float, tolerance: float) -> RobotAnalysis:
+    found = _analyzed(robot, search)
+    return replace(found, dimensions=_dimensions(robot, found.parts, tolerance))

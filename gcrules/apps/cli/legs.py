@@ -266,9 +266,12 @@ def _analyzed(
     """
     if isinstance(loaded, Robot):
         if others or choice.words or choice.without:
-            raise click.UsageError("A robot of joints takes --search, --plugins, --figure and options of output only.")
+            raise click.UsageError(
+                "A robot of joints takes --search, --plugins, --no-facts, --tolerance, --figure and options of output"
+                " only."
+            )
         with working("analysing"):
-            found = analyzed(loaded, search=search)
+            found = analyzed(loaded, search=search, facts=facts, tolerance=tolerance)
             remark = home_remark(found)
         if remark:
             click.echo(f"warning: {remark}", err=True)

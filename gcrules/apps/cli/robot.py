@@ -19,6 +19,7 @@ from gcrules.apps.cli.base import (
     search_option,
     seeded,
 )
+from gcrules.apps.cli.facts_options import facts_options
 from gcrules.apps.cli.files import OutputCommand, OutputFile, figure_option, working
 from gcrules.apps.cli.limits import time_limit
 from gcrules.apps.cli.robot_docs import docs
@@ -176,11 +177,19 @@ def check_command(ctx: click.Context, names: tuple[str, ...], folders: tuple[str
 @mode_option
 @_plugins
 @search_option(SECONDS)
+@facts_options
 @figure_option
 @time_limit(plus="search")
 @output_options()
 def analyze_command(
-    name: str, mode: str | None, folders: tuple[str, ...], search: float, figure: str | None, out: Output
+    name: str,
+    mode: str | None,
+    folders: tuple[str, ...],
+    search: float,
+    facts: bool,
+    tolerance: float,
+    figure: str | None,
+    out: Output,
 ) -> None:
     """Tell when and why a robot is singular: wrenches of its limbs, equivalent lines, condition, sentence.
 
@@ -190,7 +199,7 @@ def analyze_command(
     gcrules robot analyze delta --figure delta.svg
     """
     with working("analysing"):
-        found = analyze_robot(_read(name, folders, mode), search=search)
+        found = analyze_robot(_read(name, folders, mode), search=search, facts=facts, tolerance=tolerance)
         remark = _home_remark(found)
     if remark:
         click.echo(f"warning: {remark}", err=True)

@@ -24,6 +24,7 @@ from gcrules.views.report.dimension_items import dimension_items
 from gcrules.views.report.items import Formula, KeyValue
 from gcrules.views.report.stage_ids import TITLES
 from gcrules.views.report.stages import Recognised, leading_sentences, recognised, structure_items
+from gcrules.views.results.robot import leading_sentences as of_robot
 
 __all__ = ["stage_views"]
 
@@ -61,12 +62,14 @@ def _stages(a: Analysis, robot: RobotAnalysis | None) -> Iterator[tuple[str, lis
     parts = part_items(robot) if robot is not None else ()
     yield "condition", [formula(left, c.right_side), *_condition_words(a), *parts]
     others = [r.sentence for r in a.readings if r.statement not in ("", c.statement)]
+    found_of = a.dimensions if robot is None else robot.dimensions
+    dimensions = map(_plain, dimension_items(found_of) if found_of else ())
     if robot is None:
-        dimensions = map(_plain, dimension_items(a.dimensions) if a.dimensions else ())
         always = map(sentence, leading_sentences(a))
         yield "statement", [*always, *(sentence(f"Also: {words}") for words in others), *dimensions]
     else:
-        yield "statement", [sentence(robot.statement), sentence(f"Of its lines: {c.sentence}")]
+        always = map(sentence, of_robot(robot))
+        yield "statement", [*always, sentence(f"Of its lines: {c.sentence}"), *dimensions]
     certified = [fact(c.certificate.method, c.certificate.detail)]
     if robot is not None:
         certified.append(fact("the robot", robot.certificate))

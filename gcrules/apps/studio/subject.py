@@ -241,7 +241,7 @@ def _of_legs_alone(source: SourceJson, structure: Structure, title: str, note: s
 
 def _of_limbs(source: SourceJson, robot: Robot) -> Subject:
     """A robot; one whose limbs are six legs between joints that stay and joints of the platform moves as a platform."""
-    found = Limbs.of(analyze_robot(robot, search=SEARCH))
+    found = Limbs.of(analyze_robot(robot, search=SEARCH, facts=True))
     told = (robot.note, robot.source and f"Source: {robot.source}")
     note = " ".join(f"{words.rstrip('.')}." for words in told if words)
     try:

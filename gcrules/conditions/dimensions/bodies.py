@@ -17,7 +17,7 @@ from fractions import Fraction
 from itertools import combinations
 from typing import Any
 
-from gcrules.conditions.dimensions.facts import TOLERANCE, Fact
+from gcrules.conditions.dimensions.facts import LEAST, TOLERANCE, Fact
 from gcrules.core.budget import checkpoint
 from gcrules.core.linear_algebra import cross, rank
 
@@ -78,12 +78,12 @@ def _all(names: Sequence[str], family: Mapping[str, tuple[str, ...]]) -> tuple[s
 
 def _relative(off: float | Fraction, size: float) -> float:
     """A deviation as a part of the size; never 0 for one that is not."""
-    return max(float(off) / size, 1e-300) if off else 0.0
+    return max(float(off) / size, LEAST) if off else 0.0
 
 
 def _spread(places: Sequence[Place]) -> float:
     """The largest distance from the first, 0 exactly where they are equal."""
-    return max(distance(places[0], p) or (1e-300 if tuple(p) != tuple(places[0]) else 0.0) for p in places)
+    return max(distance(places[0], p) or (LEAST if tuple(p) != tuple(places[0]) else 0.0) for p in places)
 
 
 # --- lines and planes ---
@@ -139,7 +139,7 @@ def deviation(places: Sequence[Place], span: int, size: float) -> float:
         return 0.0
     best = max(combinations(places, span), key=_extent)
     off = _distance_from_flat(best, 0.0)
-    return _relative(max(map(off, places)) or 1e-300, size) if off else 1e-300
+    return _relative(max(map(off, places)) or LEAST, size) if off else LEAST
 
 
 def _extent(places: Sequence[Place]) -> float:
@@ -157,7 +157,7 @@ def _curves(
     at = [places[n] for n in names]
     if len(names) > 3:
         exact = not flat and rank([(1, *p, sum(c * c for c in p)) for p in at]) == 3
-        off = 0.0 if exact else max(_off_circle(at) / size, flat, 1e-300)
+        off = 0.0 if exact else max(_off_circle(at) / size, flat, LEAST)
         if off <= tolerance:
             yield Fact("circle", names, body, off)
             return

@@ -9,10 +9,13 @@ from gcrules.core.dataclass import dataclass
 from gcrules.core.english import listed
 from gcrules.rules.condition import Condition
 
-__all__ = ["KINDS", "TOLERANCE", "Architecture", "Dimensions", "Fact", "OwnCondition"]
+__all__ = ["KINDS", "LEAST", "TOLERANCE", "Architecture", "Dimensions", "Fact", "OwnCondition"]
 
 TOLERANCE = 1e-5
 """How far a fact may be from exact, as a part of the size of the body of which it is said."""
+
+LEAST = 1e-300
+"""The deviation of what does not hold exactly, where floats cannot tell it from 0."""
 
 KINDS: Mapping[str, str] = {
     "coincident": "{members} of the {body} coincide",
@@ -27,15 +30,26 @@ KINDS: Mapping[str, str] = {
     "rotation": "a turn of order {order} takes the base to itself, and one the platform, with the legs in the cycles "
     "{members}",
     "mirror": "a mirror takes the base to itself, and one the platform, with the legs in the cycles {members}",
+    "parallel": "the directions {members} of the {body} are parallel",
+    "perpendicular": "the directions {members} of the {body} are perpendicular to each other",
+    "level": "the directions {members} of the {body} are parallel to one plane",
+    "same axis": "the axes {members} of the {body} coincide",
+    "meet": "the axes {members} of the {body} meet in one point",
+    "flat axes": "the axes {members} of the {body} are in one plane",
+    "lengths": "within {body} the lengths {members} are equal",
 }
 """The kinds of facts, each as a sentence."""
+
+_ANGLES = ("parallel", "perpendicular", "level")
+"""Kinds whose deviation is the sine of an angle."""
 
 
 @dataclass(frozen=True)
 class Fact:
-    """Something that holds of the bodies and so in every pose. `body` is base, platform, or "" where it is of both;
-    `members` are joints, pairs of them (Aa), or cycles of legs. `deviation` is the largest distance by which the
-    numbers miss it, as a part of the size of the bodies, and 0 exactly where it holds exactly; `order` that of a turn.
+    """Something that holds of the bodies and so in every pose. `body` is base, platform, links, or "" where it is of
+    base and platform; `members` are joints, directions or axes, pairs of joints (Aa), or cycles of legs. `deviation`
+    is the largest distance by which the numbers miss it, as a part of the size of the bodies, or the sine of an angle
+    between directions, and 0 exactly where it holds exactly; `order` that of a turn.
     """
 
     kind: str
@@ -54,7 +68,8 @@ class Fact:
         """The fact in words, and how exact it is."""
         between = listed if self.body else ", ".join
         said = KINDS[self.kind].format(members=between(self.members), body=self.body, order=self.order)
-        return f"{said} ({'exactly' if self.exact else f'nearly: up to {self.deviation:.2g} of the size'})"
+        unit = "rad" if self.kind in _ANGLES else "of the size"
+        return f"{said} ({'exactly' if self.exact else f'nearly: up to {self.deviation:.2g} {unit}'})"
 
     def to_json(self) -> dict[str, Any]:
         return {
@@ -70,9 +85,10 @@ class Fact:
 
 @dataclass(frozen=True)
 class Architecture:
-    """Whether a robot is singular in every pose: `verdict` is singular (proved), regular (a regular pose is known), or
-    nearly singular (the margin is within the tolerance in each of some random poses). `reason` says why, `sure` how
-    that is known; `stress` are the forces in the legs that balance in every pose, where they are the same in all.
+    """Whether a robot is singular in every pose: `verdict` is singular (proved), regular (a regular pose is known),
+    nearly singular (the margin is within the tolerance in each of some random poses), seems singular (it is 0 up to
+    rounding there, and exactly so in one), or open (too few poses were reached). `reason` says why, `sure` how that is
+    known; `stress` are the forces in the legs that balance in every pose, where they are the same in all.
     """
 
     verdict: str
@@ -86,12 +102,14 @@ class Architecture:
 
     @property
     def sentence(self) -> str:
-        """The verdict as a sentence; "" for a regular architecture."""
-        if self.verdict == "regular":
+        """The verdict as a sentence; "" for a regular architecture, and where it is open."""
+        if self.verdict in ("regular", "open"):
             return ""
         why = f": {self.reason}" if self.reason else ""
         if self.singular:
             return f"Architecturally singular: this robot is singular in every pose{why}."
+        if self.verdict == "seems singular":
+            return f"It seems to be architecturally singular: {self.sure}."
         return f"Nearly architecturally singular: {self.sure}{why}."
 
     def to_json(self) -> dict[str, Any]:

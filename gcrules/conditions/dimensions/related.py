@@ -17,14 +17,13 @@ from itertools import combinations
 from typing import Any
 
 from gcrules.conditions.dimensions.bodies import Place, size_of
-from gcrules.conditions.dimensions.facts import Fact
+from gcrules.conditions.dimensions.facts import LEAST, Fact
 from gcrules.core.budget import checkpoint
 from gcrules.core.linear_algebra import cross, kernel, rank
 
-__all__ = ["relations", "symmetries"]
+__all__ = ["cycles", "hand_of", "matching", "relations", "symmetries"]
 
 Places = Sequence[Place]
-_LEAST = 1e-300  # a deviation that is not exactly 0
 
 
 def relations(base: Places, platform: Places, words: tuple[str, ...], tolerance: float) -> tuple[Fact, ...]:
@@ -71,7 +70,7 @@ def _unlike(first: Places, second: Places) -> float:
         return 0.0
     ratio = math.sqrt(other / whole)
     size = size_of(second)
-    return max(max(abs(math.sqrt(b) - ratio * math.sqrt(a)) for a, b in squares) / size, _LEAST)
+    return max(max(abs(math.sqrt(b) - ratio * math.sqrt(a)) for a, b in squares) / size, LEAST)
 
 
 def _handed(places: Places) -> int:
@@ -99,8 +98,8 @@ def _not_affine(first: Places, second: Places, height: int) -> float:
             sum(w * c for w, c in zip(weights, column, strict=True))
             for column in zip(*[second[k] for k in some], strict=True)
         ]
-        off = max(off, math.hypot(*(float(c / weights[-1]) for c in made)) or (_LEAST if any(made) else 0.0))
-    return max(off / size, _LEAST) if off else 0.0
+        off = max(off, math.hypot(*(float(c / weights[-1]) for c in made)) or (LEAST if any(made) else 0.0))
+    return max(off / size, LEAST) if off else 0.0
 
 
 def _volume(places: Places) -> float:
@@ -160,13 +159,12 @@ def symmetries(base: Places, platform: Places, words: tuple[str, ...], tolerance
     roots = [[[math.sqrt(c) for c in row] for row in table] for table in tables]
     turn: tuple[int, tuple[int, ...]] | None = None
     mirrors = []
-    for images in _matching(roots, near, number):
+    for images in matching(roots, near, number):
         checkpoint()
         if images == tuple(range(number)):
             continue
-        cycles = _cycles(images)
-        order = math.lcm(*map(len, cycles))
-        hands = {_hand_of(body, images) for body in (base, platform)} - {0}
+        order = math.lcm(*map(len, cycles(images)))
+        hands = {hand_of(body, images) for body in (base, platform)} - {0}
         if hands == {1} and (turn is None or order > turn[0]):
             turn = order, images
         elif hands == {-1} and order == 2:
@@ -177,7 +175,7 @@ def symmetries(base: Places, platform: Places, words: tuple[str, ...], tolerance
     return (*found, *(_symmetry("mirror", images, words, tables, roots, 2) for images in mirrors))
 
 
-def _matching(roots: Sequence[Any], near: Sequence[float], number: int) -> Iterator[tuple[int, ...]]:
+def matching(roots: Sequence[Any], near: Sequence[float], number: int) -> Iterator[tuple[int, ...]]:
     """The permutations of the legs that keep all distances within both bodies."""
 
     def grown(images: tuple[int, ...]) -> Iterator[tuple[int, ...]]:
@@ -196,7 +194,7 @@ def _matching(roots: Sequence[Any], near: Sequence[float], number: int) -> Itera
     yield from grown(())
 
 
-def _cycles(images: Sequence[int]) -> list[tuple[int, ...]]:
+def cycles(images: Sequence[int]) -> list[tuple[int, ...]]:
     left, found = list(range(len(images))), []
     while left:
         cycle = [left[0]]
@@ -207,7 +205,7 @@ def _cycles(images: Sequence[int]) -> list[tuple[int, ...]]:
     return found
 
 
-def _hand_of(body: Places, images: Sequence[int]) -> int:
+def hand_of(body: Places, images: Sequence[int]) -> int:
     """1 where a body comes back by a motion (of a plane within itself), −1 where by a mirror, 0 where by both."""
     height = _dimension(list(body))
     for some in combinations(range(len(body)), height + 1):
@@ -238,5 +236,5 @@ def _symmetry(
         off = max(
             abs(table[i][j] - table[images[i]][images[j]]) / max(map(max, table)) for table in roots for i, j in pairs
         )
-    members = tuple("→".join(words[i] for i in cycle) for cycle in _cycles(images) if len(cycle) > 1)
-    return Fact(kind, members, deviation=0.0 if exact else max(off, _LEAST), order=order)
+    members = tuple("→".join(words[i] for i in cycle) for cycle in cycles(images) if len(cycle) > 1)
+    return Fact(kind, members, deviation=0.0 if exact else max(off, LEAST), order=order)

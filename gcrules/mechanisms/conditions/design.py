@@ -10,9 +10,9 @@ from __future__ import annotations
 from collections.abc import Collection
 
 from gcrules.algebra.expr import Bracket, Expr, Point, points_of
+from gcrules.mechanisms.description.limb_file import BASE, PLATFORM
 from gcrules.mechanisms.description.relations import AXES
-from gcrules.mechanisms.kinematics.attachments import attachments
-from gcrules.mechanisms.kinematics.chains import shape_of
+from gcrules.mechanisms.kinematics.attachments import attachments, carrier
 from gcrules.mechanisms.robot import Robot
 
 __all__ = ["is_of_design", "rigid_bodies"]
@@ -21,10 +21,11 @@ __all__ = ["is_of_design", "rigid_bodies"]
 def rigid_bodies(robot: Robot) -> tuple[frozenset[str], frozenset[str]]:
     """The names that ride on the base, and those that ride on the platform; a hinge of both may be in both."""
     own = attachments(robot)
-    last = [sum(len(shape_of(j.kind).motions) for j in limb.joints) for limb in robot.limbs]
-    base = {name for name, on in own.items() if any(a.link == 0 for a in on)}
-    platform = {name for name, on in own.items() if any(a.link == last[a.limb] for a in on)}
-    return frozenset(base | AXES.keys()), frozenset(platform)
+    base, platform = (
+        frozenset(name for name, on in own.items() if any(carrier(robot, a) == f"the {body}" for a in on))
+        for body in (BASE, PLATFORM)
+    )
+    return base | AXES.keys(), platform
 
 
 def is_of_design(bodies: Collection[frozenset[str]], ideal: Collection[str], e: Expr) -> bool:

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 from gcrules.algebra.expr import Expr
 from gcrules.algebra.language.text import text
 from gcrules.conditions.analysis import Analysis
+from gcrules.conditions.dimensions.facts import Dimensions
 from gcrules.core.dataclass import dataclass
 from gcrules.core.shown import Shown
 from gcrules.mechanisms.robot import Robot
@@ -32,7 +33,7 @@ class RobotAnalysis(Shown):
     the robot's points; `condition` that of its readings that is used, an identity for these lines; `parts` its factors
     told apart, `limbs` the singularities of limbs by themselves. `members` exact random members were checked. `common`
     is what the six-subsets of an over-constrained robot's lines have in common, `wrenches` are those at home of limbs
-    that have no lines.
+    that have no lines, `dimensions` what the numbers at home say beyond the relations, if that was asked.
     """
 
     robot: Robot
@@ -49,6 +50,7 @@ class RobotAnalysis(Shown):
     published: Published | None = None
     common: CommonFactor | None = None
     wrenches: tuple[HomeWrench, ...] = ()
+    dimensions: Dimensions | None = None
 
     @property
     def statement(self) -> str:
@@ -89,6 +91,7 @@ class RobotAnalysis(Shown):
             "common_factor": None if self.common is None else self.common.to_json(names),
             "home_wrenches": [one.to_json() for one in self.wrenches],
             "statement": self.statement,
+            "dimensions": None if self.dimensions is None else self.dimensions.to_json(names),
             "robot_certificate": {"detail": self.certificate, "members": self.members, "singular_members": self.met},
             "published": None if self.published is None else vars(self.published).copy(),
         }

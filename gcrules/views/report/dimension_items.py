@@ -10,8 +10,9 @@ from gcrules.conditions.dimensions.facts import Dimensions, OwnCondition
 from gcrules.core.english import listed
 from gcrules.views.report.items import Formula, Item, KeyValue
 
-__all__ = ["DIMENSIONS", "dimension_items"]
+__all__ = ["DIMENSIONS", "DIMENSIONS_OF_ROBOT", "dimension_items", "dimension_lines"]
 
+DIMENSIONS_OF_ROBOT = "What home says of the bodies beyond the relations of the family; it holds in every pose."
 DIMENSIONS = "What the coordinates say beyond the names of the joints; it holds in every pose."
 
 _MANY = 12  # facts that are shown, of a body with many joints on planes
@@ -20,6 +21,12 @@ _MANY = 12  # facts that are shown, of a body with many joints on planes
 def dimension_items(d: Dimensions) -> list[Item]:
     """All of it, the architecture first where there is something to say of it."""
     return list(_items(d))
+
+
+def dimension_lines(d: Dimensions) -> list[str]:
+    """All of it as lines of text, of a robot of joints."""
+    words = (f"{item.key}: {item.value}" if isinstance(item, KeyValue) else str(item) for item in _items(d))
+    return [DIMENSIONS_OF_ROBOT, *words]
 
 
 def _items(d: Dimensions) -> Iterator[Item]:
@@ -39,7 +46,7 @@ def _items(d: Dimensions) -> Iterator[Item]:
     if len(facts) > _MANY:
         yield f"and {len(facts) - _MANY} more, which --json lists"
     if not facts:
-        yield "No joints of a body are in special position."
+        yield "Nothing on one body is in special position."
     if any(not fact.exact for fact in d.facts):
         yield KeyValue("tolerance", f"{d.tolerance:g} of the size; no proof rests on what holds nearly")
     if d.note:

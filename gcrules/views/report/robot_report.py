@@ -24,7 +24,7 @@ from gcrules.views.report.items import Formula
 from gcrules.views.report.report_page import footer, page, robot_figure_html
 from gcrules.views.report.robot_numbers import numbers_html
 from gcrules.views.report.scene_json import scene
-from gcrules.views.results.robot import CONDITION, FACTORS, factor_kind, sections
+from gcrules.views.results.robot import CONDITION, FACTORS, factor_kind, leading_sentences, sections
 from gcrules.views.robots.entities import DrawnFlat, entities
 from gcrules.views.robots.joint_chain import unit_vector
 from gcrules.views.robots.limb_views import limb_views
@@ -46,7 +46,7 @@ def robot_report(a: RobotAnalysis, *, live: bool = True, more: Sequence[str] = (
     """
     parts = [
         _header(a),
-        f'<section class="answer"><p>{escape(a.statement)}</p><p class="sure">{escape(a.certificate)}</p></section>',
+        f'<section class="answer">{_answer(a)}<p class="sure">{escape(a.certificate)}</p></section>',
         _figures(a, home=a.robot.home is not None and bool(a.robot.limbs), live=live),
         numbers_html(report_of_limbs(Limbs.of(a))) if a.robot.home is not None and a.robot.limbs else "",
         *more,
@@ -57,6 +57,10 @@ def robot_report(a: RobotAnalysis, *, live: bool = True, more: Sequence[str] = (
         footer(),
     ]
     return page(a.robot.title, parts, robot_scene(a) if live else None)
+
+
+def _answer(a: RobotAnalysis) -> str:
+    return "".join(f"<p>{escape(sentence)}</p>" for sentence in leading_sentences(a))
 
 
 def robot_scene(a: RobotAnalysis) -> SceneData:

@@ -17,8 +17,21 @@ from gcrules.mechanisms.lines.wrenches import LimbWrenches, WrenchLine
 from gcrules.views.formulas.latex import latex_lines
 from gcrules.views.formulas.latex_text import latex_document
 from gcrules.views.formulas.latex_text import latex_words as words
+from gcrules.views.report.dimension_items import dimension_lines
+from gcrules.views.report.stage_ids import TITLES
 
-__all__ = ["CONDITION", "FACTORS", "LIMBS", "LINES", "as_latex", "as_text", "factor_kind", "formula", "sections"]
+__all__ = [
+    "CONDITION",
+    "FACTORS",
+    "LIMBS",
+    "LINES",
+    "as_latex",
+    "as_text",
+    "factor_kind",
+    "formula",
+    "leading_sentences",
+    "sections",
+]
 
 LIMBS = "Limbs: wrenches with the actuators locked"
 LINES = "Equivalent structure"
@@ -31,12 +44,18 @@ _WIDTH = 100
 
 def as_text(a: RobotAnalysis, *, unicode: bool = False) -> str:
     """Limbs, equivalent lines, condition, factors, singularities of limbs, certificate."""
-    out = [*_wrapped(a.statement), "", *_head(a)]
+    out = [*(line for sentence in leading_sentences(a) for line in _wrapped(sentence)), "", *_head(a)]
     for number, (title, lines) in enumerate(sections(a, unicode), 1):
         out += ["", f"{number}. {title}"]
         for line in lines:
             out += _wrapped(line, 3)
     return "\n".join(out)
+
+
+def leading_sentences(a: RobotAnalysis) -> tuple[str, ...]:
+    """What stands first: that the robot is singular in every pose, if it is or nearly so, then the condition."""
+    always = a.dimensions.architecture.sentence if a.dimensions else ""
+    return (*filter(None, [always]), a.statement)
 
 
 def sections(a: RobotAnalysis, unicode: bool) -> Iterator[tuple[str, list[str]]]:
@@ -63,6 +82,8 @@ def sections(a: RobotAnalysis, unicode: bool) -> Iterator[tuple[str, list[str]]]
         yield title, _common(a, a.common, unicode) if a.common else too_high
     if a.structure.limbs:
         yield "Singularities of the limbs by themselves (of codimension one)", [_serial(one) for one in a.limbs]
+    if a.dimensions is not None:
+        yield TITLES["dimensions"], dimension_lines(a.dimensions)
     sure = [a.certificate]
     if a.published is not None:
         sure.append(f"published condition {a.published.condition}: {a.published.verdict}, {a.published.detail}")
@@ -189,7 +210,7 @@ def _wrapped(words: str, indent: int = 0) -> list[str]:
 
 def as_latex(a: RobotAnalysis) -> str:
     """A document with the limbs, the identity of the lines, the factors and the statement."""
-    out = [rf"\section*{{{words(a.robot.title)}}}", words(a.statement)]
+    out = [rf"\section*{{{words(a.robot.title)}}}", *(rf"{words(said)}\par" for said in leading_sentences(a))]
     if a.structure.limbs:
         out += [r"\subsection*{Limbs}", *(rf"{words(_limb(limb))}\par" for limb in a.structure.limbs)]
     if a.wrenches:
@@ -203,6 +224,9 @@ def as_latex(a: RobotAnalysis) -> str:
     if a.common is not None and a.lines is not None:
         out += [rf"\subsection*{{All {_NUMBERS[a.robot.family.plane]}-subsets of the limbs' lines}}"]
         out += [rf"{words(line)}\par" for line in _common(a, a.common, True)]
+    if a.dimensions is not None:
+        out += [rf"\subsection*{{{TITLES['dimensions']}}}"]
+        out += [rf"{words(line)}\par" for line in dimension_lines(a.dimensions)]
     return latex_document([*out, r"\subsection*{Certificate}", words(a.certificate)])
 
 
