@@ -16,6 +16,7 @@ import gcrules as gc
 from gcrules.conditions.dimensions.architecture import balance, lines_at, singular_everywhere, whole
 from gcrules.conditions.dimensions.bodies import body_facts
 from gcrules.conditions.dimensions.dimensions import dimensions_of
+from gcrules.conditions.dimensions.related import hand_of, relations
 from gcrules.core.errors import InputError
 from gcrules.core.linear_algebra import rank
 from gcrules.mechanisms.description.platform_file import load_platform
@@ -190,3 +191,44 @@ def test_on_the_command_line() -> None:
     assert json.loads(invoke("analyze", file, "--no-facts", "--json").stdout)["dimensions"] is None
     assert invoke("analyze", file, "--given", "collinear(A, B, C)").exit_code == 2
     assert invoke("analyze", file, "--tolerance", "0.5").exit_code == 2
+
+
+def test_a_body_that_is_nearly_plane_has_no_hand() -> None:
+    """Bodies that miss a plane by less than the tolerance, to one side or the other, are similar and not mirrored."""
+    base = [(0, 0, 0), (4, 0, 0), (5, 3, 0), (0, 3, 0), (1, 7, 0), (2, 2, 0)]
+    up, down = ([(x, y, sign * Fraction(1, 10**7) * (i == 3)) for i, (x, y, _) in enumerate(base)] for sign in (1, -1))
+    assert [f.kind for f in relations(up, down, ("Aa",) * 6, 1e-5)] == ["similar"]
+
+
+def test_bodies_in_space_have_one() -> None:
+    base = [(0, 0, 0), (4, 0, 0), (5, 3, 0), (0, 3, 2), (1, 7, 0), (2, 2, 5)]
+    mirrored = [(x, y, -z) for x, y, z in base]
+    assert [f.kind for f in relations(base, mirrored, ("Aa",) * 6, 1e-5)] == ["mirrored"]
+
+
+def test_a_mirror_of_a_body_that_is_nearly_plane() -> None:
+    """The mirror of a kite in its own plane is none of space, though one corner is off the plane by a little."""
+    kite = [(0, 3, Fraction(1, 10**8)), (-1, 0, 0), (1, 0, 0), (0, -1, 0)]
+    assert hand_of(kite, (0, 2, 1, 3), 1e-5) == -1
+    assert hand_of([(1, 0, Fraction(1, 10**8)), (0, 1, 0), (-1, 0, 0), (0, -1, 0)], (1, 2, 3, 0), 1e-5) == 1
+
+
+def test_a_regular_pose_asks_for_no_facts(monkeypatch: pytest.MonkeyPatch) -> None:
+    def refused(*_: object) -> None:
+        raise AssertionError("facts were computed")
+
+    monkeypatch.setattr("gcrules.poses.pose_report.architecture_at", refused)
+    assert gc.pose(load_platform(EXAMPLES / "octahedral.yaml"), "z=1").verdict == "regular"
+
+
+@pytest.mark.parametrize("body", ["base", "platform"])
+def test_a_plane_body_is_not_searched_for_long(body: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    def refused(*_: object) -> None:
+        raise AssertionError("a condition was sought")
+
+    monkeypatch.setattr("gcrules.conditions.dimensions.own._analysed", refused)
+    rounded = [(0, 0, 0), (4, 0, 0), (5, 3, 1), (0, 3, 2), (1, 7, 0), (2, 2, 5)]
+    flat = [(0, 0, 1), (4, 0, 1), (5, 4, 1), (0, 3, 1), (1, 6, 1), (-2, 2, 1)]
+    found = gc.analyze(_platform(*((flat, rounded) if body == "base" else (rounded, flat)))).dimensions
+    assert found is not None
+    assert "no class of the catalog" in found.note

@@ -26,6 +26,10 @@ SECONDS = 5.0
 """So long the condition under the facts is sought."""
 
 _POSES = 3
+_PLANE = (
+    "with bodies that are plane the condition of these legs was found to be the same: a plane base or platform changes"
+    " that of no class of the catalog"
+)
 
 Vector = tuple[Fraction, Fraction, Fraction]
 
@@ -46,10 +50,12 @@ def own_condition(
     if len(set(legs)) < len(legs):
         return None, ""
     lines, planes = (tuple(dict.fromkeys(_assumptions(exact, names, kind))) for kind in ("collinear", "coplanar"))
-    tried = ""
+    tried, like = "", general
     for given in dict.fromkeys((lines, (*lines, *planes))):
         if not names and not given:
             continue
+        if given and not lines and like.match is not None and _whole(exact, names, like.structure):
+            return _with_fixed_factors(general, points), _PLANE
         try:
             with within(SECONDS):
                 found = _analysed(legs, general.structure, given)
@@ -57,6 +63,7 @@ def own_condition(
             return None, f"what the facts make of the condition was not found: {limit.message}"
         if _other(found, general) and _applies(found, points):
             return _told(found, points, names, given), ""
+        like = found
         told = [*(["joints that coincide taken as one"] if names else []), *given]
         tried = f"with {listed(told)} no other condition was found than that of the legs in general"
     return _with_fixed_factors(general, points), tried
@@ -67,6 +74,13 @@ def _assumptions(facts: Sequence[Fact], names: Mapping[str, str], kind: str) -> 
         members = tuple(dict.fromkeys(names.get(n, n) for n in fact.members))
         if fact.kind == kind and len(members) > (2 if kind == "collinear" else 3):
             yield f"{kind}({', '.join(members)})"
+
+
+def _whole(facts: Sequence[Fact], names: Mapping[str, str], structure: Structure) -> bool:
+    """Whether all joints of a body are in each plane."""
+    planes = [{names.get(n, n) for n in fact.members} for fact in facts if fact.kind == "coplanar"]
+    bodies = [{n for n in structure.names if structure.sides.get(n) == body} for body in ("base", "platform")]
+    return all(plane in bodies for plane in planes)
 
 
 def _analysed(legs: Sequence[tuple[str, str]], structure: Structure, given: Sequence[str]) -> Analysis:

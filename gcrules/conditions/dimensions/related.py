@@ -16,7 +16,7 @@ from fractions import Fraction
 from itertools import combinations
 from typing import Any
 
-from gcrules.conditions.dimensions.bodies import Place, size_of
+from gcrules.conditions.dimensions.bodies import Place, deviation, size_of
 from gcrules.conditions.dimensions.facts import LEAST, Fact
 from gcrules.core.budget import checkpoint
 from gcrules.core.linear_algebra import cross, kernel, rank
@@ -38,8 +38,8 @@ def relations(base: Places, platform: Places, words: tuple[str, ...], tolerance:
         return ()
     off = _unlike(first, second)
     if off <= tolerance:
-        flat = height == 2 or _dimension(second) == 2
-        kind = "similar" if flat or _handed(first) * _handed(second) > 0 else "mirrored"
+        flat = any(_flat_within(body, tolerance) for body in (first, second))
+        kind = "similar" if flat or _same_hand(first, second) > 0 else "mirrored"
         return (Fact(kind, words, deviation=off),)
     off = _not_affine(first, second, height)
     if len(pairs) > height + 1 and off <= tolerance:
@@ -71,15 +71,6 @@ def _unlike(first: Places, second: Places) -> float:
     ratio = math.sqrt(other / whole)
     size = size_of(second)
     return max(max(abs(math.sqrt(b) - ratio * math.sqrt(a)) for a, b in squares) / size, LEAST)
-
-
-def _handed(places: Places) -> int:
-    """The sign of the first four places that are in no plane; 0 where all are in one."""
-    for p, q, r, s in combinations(places, 4):
-        volume = sum(a * b for a, b in zip(cross(_minus(q, p), _minus(r, p)), _minus(s, p), strict=True))
-        if volume:
-            return 1 if volume > 0 else -1
-    return 0
 
 
 def _not_affine(first: Places, second: Places, height: int) -> float:
@@ -164,7 +155,7 @@ def symmetries(base: Places, platform: Places, words: tuple[str, ...], tolerance
         if images == tuple(range(number)):
             continue
         order = math.lcm(*map(len, cycles(images)))
-        hands = {hand_of(body, images) for body in (base, platform)} - {0}
+        hands = {hand_of(body, images, tolerance) for body in (base, platform)} - {0}
         if hands == {1} and (turn is None or order > turn[0]):
             turn = order, images
         elif hands == {-1} and order == 2:
@@ -205,24 +196,38 @@ def cycles(images: Sequence[int]) -> list[tuple[int, ...]]:
     return found
 
 
-def hand_of(body: Places, images: Sequence[int]) -> int:
-    """1 where a body comes back by a motion (of a plane within itself), −1 where by a mirror, 0 where by both."""
-    height = _dimension(list(body))
-    for some in combinations(range(len(body)), height + 1):
-        here, there = ([body[i] for i in chosen] for chosen in (some, [images[i] for i in some]))
-        if height == 3:
-            one, other = _handed(here), _handed(there)
-        else:
-            first, second = (cross(_minus(q, p), _minus(r, p)) for p, q, r in (here, there))
-            one, other = (1 if any(first) else 0), _same_side(first, second)
-        if one and other:
-            return one * other
-    return 0
+def hand_of(body: Places, images: Sequence[int], tolerance: float = 0.0) -> int:
+    """1 where a body comes back by a motion (of a plane within itself), −1 where by a mirror, 0 where by both. A body
+    that is plane within the tolerance counts as plane.
+    """
+    there = [body[i] for i in images]
+    if _flat_within(body, tolerance):
+        p, q, r = max(combinations(range(len(body)), 3), key=lambda some: _volume([body[i] for i in some]))
+        first, second = (cross(_minus(at[q], at[p]), _minus(at[r], at[p])) for at in (body, there))
+        return _sign(sum(a * b for a, b in zip(first, second, strict=True)))
+    return _same_hand(body, there)
 
 
-def _same_side(first: Place, second: Place) -> int:
-    inner = float(sum(a * b for a, b in zip(first, second, strict=True)))
-    return 1 if inner > 0 else -1 if inner < 0 else 0
+def _flat_within(places: Places, tolerance: float) -> bool:
+    """Whether the places are in one plane, and no other: exactly, or nearly."""
+    return _dimension(list(places)) == 2 or deviation(places, 3, size_of(places)) <= tolerance
+
+
+def _same_hand(first: Places, second: Places) -> int:
+    """1 where corresponding joints of two bodies in space are of one hand, −1 of the other: by those that are farthest
+    from being in one plane.
+    """
+    chosen = max(combinations(range(len(first)), 4), key=lambda some: _volume([first[i] for i in some]))
+    return _sign(_signed_volume([first[i] for i in chosen]) * _signed_volume([second[i] for i in chosen]))
+
+
+def _signed_volume(places: Places) -> Any:
+    u, v, w = (_minus(p, places[0]) for p in places[1:])
+    return sum(a * b for a, b in zip(cross(u, v), w, strict=True))
+
+
+def _sign(value: Any) -> int:
+    return int(value > 0) - int(value < 0)
 
 
 def _symmetry(

@@ -53,7 +53,7 @@ def limb_symmetries(
         checkpoint()
         if images == tuple(range(number)) or any(sorts[i] != sorts[j] for i, j in enumerate(images)):
             continue
-        hands = {hand_of(body, images) for body in first} - {0}
+        hands = {hand_of(body, images, tolerance) for body in first} - {0}
         order = math.lcm(*map(len, cycles(images)))
         if len(hands) != 1 or (hands == {-1} and order != 2):
             continue
