@@ -74,16 +74,18 @@ def _of_joints(
             return Architecture("regular", sure)
     if held and len(seen) < _ENOUGH:
         return Architecture("regular", _AT_HOME)
+    worst = max(seen, default=0.0)
     near = f" and in {len(seen) - 1} random poses near by" if len(seen) > 1 else ""
-    where = f"at home{near} the margin is at most {max(seen, default=0.0):.2g}"
+    size = "0 but for rounding" if worst <= _ROUNDING else f"at most {worst:.2g}"
+    where = f"at home{near} the margin is {size}" if seen else "no margin was measured"
     zero = next((p for p in parts if p.of_design and _vanishes(robot, p, values)), None) if closed else None
     if zero is not None and not held:
         factor = text(zero.expression, names=tuple(robot.family.sorts))
         sure = f"the factor {factor} of the condition of its lines rides on one body, and is exactly 0; {where}"
         return Architecture("singular", sure, zero.statement)
     if len(seen) < _ENOUGH:
-        return Architecture("open", "home is singular, and too few poses near by were reached to tell more")
-    if closed and not held and max(seen) <= _ROUNDING:
+        return Architecture("open", f"{where}; too few other poses were reached to tell more")
+    if closed and not held and worst <= _ROUNDING:
         return Architecture("seems singular", f"{where}, and at home it is singular in exact numbers; that is no proof")
     return Architecture("nearly singular", where)
 

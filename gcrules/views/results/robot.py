@@ -19,6 +19,7 @@ from gcrules.views.formulas.latex_text import latex_document
 from gcrules.views.formulas.latex_text import latex_words as words
 from gcrules.views.report.dimension_items import dimension_lines
 from gcrules.views.report.stage_ids import TITLES
+from gcrules.views.results.derivation import ascii_words
 
 __all__ = [
     "CONDITION",
@@ -83,7 +84,8 @@ def sections(a: RobotAnalysis, unicode: bool) -> Iterator[tuple[str, list[str]]]
     if a.structure.limbs:
         yield "Singularities of the limbs by themselves (of codimension one)", [_serial(one) for one in a.limbs]
     if a.dimensions is not None:
-        yield TITLES["dimensions"], dimension_lines(a.dimensions)
+        lines = dimension_lines(a.dimensions)
+        yield TITLES["dimensions"], lines if unicode else [ascii_words(line) for line in lines]
     sure = [a.certificate]
     if a.published is not None:
         sure.append(f"published condition {a.published.condition}: {a.published.verdict}, {a.published.detail}")
