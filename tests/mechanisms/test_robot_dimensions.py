@@ -60,7 +60,7 @@ def test_one_number_away_is_no_fact() -> None:
 
 
 def test_nearly_so_is_told_with_its_deviation() -> None:
-    found = [f for f in facts_of_design(with_home("3-rps", r2=(2, 1, Fraction(1, 10**6)))) if f.kind == "level"]
+    found = [f for f in facts_of_design(with_home("3-rps", r2=(2, 1, Fraction(1, 10**6)))) if f.kind == "flat axes"]
     assert [f.exact for f in found] == [False]
     assert found[0].deviation == pytest.approx(1e-6 / math.sqrt(5), rel=1e-3)
 
@@ -191,6 +191,14 @@ def test_every_kind_makes_a_sentence() -> None:
 def test_axes_that_meet_far_from_their_points() -> None:
     lines = {"Aa": ((0, 0, 0), (1, 0, 0)), "Bb": ((9, 9, 0), (0, 1, 0)), "Cc": ((9, 0, 7), (0, 0, 1))}
     assert [(f.kind, f.members) for f in axis_facts(lines, "base")] == [("meet", ("Aa", "Bb", "Cc"))]
+
+
+def test_axes_nearly_in_one_plane_are_told_so() -> None:
+    off = Fraction(1, 10**7)
+    lines = {"Aa": ((0, 0, 0), (1, 0, 0)), "Bb": ((0, 9, 0), (1, 1, 0)), "Cc": ((5, 2, off), (0, 1, 0))}
+    (found,) = axis_facts(lines, "base", 1e-5, 10.0)
+    assert (found.kind, found.exact) == ("flat axes", False)
+    assert found.deviation == pytest.approx(1e-8)
 
 
 def test_parallel_directions_need_no_unit_length() -> None:

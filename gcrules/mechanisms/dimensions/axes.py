@@ -40,7 +40,7 @@ def axis_facts(lines: Lines, body: str, tolerance: float = TOLERANCE, size: floa
         if len(names) > 1
     ]
     first = {names[0]: names for names in together}
-    flats = list(_flats(lines, [*first]))
+    flats = list(_flats(lines, [*first], size, tolerance))
     meets = [
         (some, off)
         for some, off in _meets(lines, [*first], size, tolerance)
@@ -93,18 +93,28 @@ def _nearest(m: Line, n: Line) -> tuple[Fraction, ...]:
     return tuple((a + s * u + b + t * v) / 2 for a, u, b, v in zip(p, d, q, e, strict=True))
 
 
-def _flats(lines: Lines, names: Sequence[str]) -> Iterator[tuple[tuple[str, ...], float]]:
-    """The largest sets of three or more axes in one plane, exactly: each of two that span it determines it."""
+def _flats(
+    lines: Lines, names: Sequence[str], size: float, tolerance: float
+) -> Iterator[tuple[tuple[str, ...], float]]:
+    """The largest sets of three or more axes in one plane, that of two of them."""
     known: list[frozenset[str]] = []
     for m, n in combinations(names, 2):
+        if any({m, n} <= some for some in known):
+            continue
         (p, d), (q, e) = lines[m], lines[n]
-        normal = cross(d, e)
-        normal = normal if any(normal) else cross(d, _minus(q, p))
-        some = frozenset(o for o in names if _within(lines[o], p, normal))
-        if len(some) > 2 and {m, n} <= some and some not in known:
-            known.append(some)
-            yield tuple(o for o in names if o in some), 0.0
+        normal = cross(d, e) if off_parallel(d, e) > tolerance else cross(d, _minus(q, p))
+        offs = {o: _from_plane(lines[o], p, normal, size) for o in names}
+        some = tuple(o for o in names if offs[o] <= tolerance)
+        if len(some) > 2 and {m, n} <= set(some):
+            known.append(frozenset(some))
+            yield some, max(offs[o] for o in some)
 
 
-def _within(line: Line, p: Vector, normal: Vector) -> bool:
-    return not inner(line[1], normal) and not inner(_minus(line[0], p), normal)
+def _from_plane(line: Line, p: Vector, normal: Vector, size: float) -> float:
+    """How far a line is from a plane: by its angle, and by the distance of its point; 0 exactly where it lies in it."""
+    steep, far = inner(line[1], normal), inner(_minus(line[0], p), normal)
+    if not steep and not far:
+        return 0.0
+    length = math.hypot(*map(float, normal))
+    angle = abs(float(steep)) / (length * math.hypot(*map(float, line[1])))
+    return max(angle, abs(float(far)) / (length * size), LEAST)
