@@ -289,6 +289,12 @@ class TestQuestions:
         with pytest.raises(InputError):
             box_task(mechanism("3-rpr"), ["x 0:1"], **given)
 
+    @pytest.mark.parametrize("limits", ["actuators 300..400 deg", "q1 -800..0 deg"])
+    def test_limits_more_than_a_turn_away(self, limits: str) -> None:
+        """No pose tells how often a drive has turned round."""
+        with pytest.raises(InputError, match="of q1 are more than a turn from home"):
+            box_task(mechanism("6-rus"), ["yaw -5:5 deg"], limits=limits)
+
     def test_tiles_have_exact_ends(self) -> None:
         task: BoxTask = box_task(mechanism("3-rpr"), ["x 0:1"], tiles=3)
         assert [a.nodes.tolist() for a in task.question.axes] == [[0, float(Fraction(1, 3)), float(Fraction(2, 3)), 1]]

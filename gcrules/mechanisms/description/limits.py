@@ -167,8 +167,9 @@ def _part(
     own = known.get("".join(who.split()).lower())
     if own is None and who and who.lower() not in every:
         one = noun if kinds else "leg"
+        general = form if who.lower() in (*_ALL, "actuators", "actuator") else None
         raise InputError(
-            f"{who[:40]!r} is no {one}", hint=near(who, tuple(names)) or f"the {one}s are {', '.join(names)}"
+            f"{who[:40]!r} is no {one}", hint=general or near(who, tuple(names)) or f"the {one}s are {', '.join(names)}"
         )
     if not (first or last):
         raise InputError("a range without bounds", hint=form)

@@ -106,7 +106,20 @@ def _of_limbs(m: Limbs, axes: tuple[GridAxis, ...], at: Any, limits: str | None)
     k: Linkage = m.linkage
     names, values = coordinates_of(k, axes, at, driven=False)
     check_target(k, Target(names, np.zeros(len(names)), text="home"))
-    return Question(axes, names, values, limits_of(m, limits), k.size, True, m.analysis.statement)
+    reach = limits_of(m, limits)
+    if reach is not None:
+        _check_turns(reach)
+    return Question(axes, names, values, reach, k.size, True, m.analysis.statement)
+
+
+def _check_turns(reach: LengthLimits) -> None:
+    """Raises InputError for limits more than a turn away: a pose does not tell how often a drive has turned round."""
+    for name, low, high, angle in zip(reach.names, reach.low, reach.high, reach.angles, strict=True):
+        if angle and max((abs(c) for c in (low, high) if math.isfinite(c)), default=0.0) > math.tau + 1e-9:
+            raise InputError(
+                f"the limits of {name} are more than a turn from home",
+                hint="whole turns are not told apart here: write them between -360 and 360 deg",
+            )
 
 
 _QUESTION: Methods[Question] = {SixLegs: _of_legs, Limbs: _of_limbs}
