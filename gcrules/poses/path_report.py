@@ -105,9 +105,15 @@ def _no_path(given: Any) -> InputError:
 
 
 def path_of_legs(
-    m: SixLegs, poses: str | PathLike[str] | Sequence[Any], samples: int = SAMPLES, threshold: str | Threshold = DEFAULT
+    m: SixLegs,
+    poses: str | PathLike[str] | Sequence[Any],
+    samples: int = SAMPLES,
+    threshold: str | Threshold = DEFAULT,
+    asked: float = 0.0,
 ) -> PathReport:
-    """The path of a platform on six legs: all zeros of the exact polynomial."""
+    """The path of a platform on six legs: all zeros of the exact polynomial. The bound of the margin is driven up to
+    what is `asked` for, where that is near the least one.
+    """
     moving = m.rig
     limit = angle_threshold(threshold, "along a path")
     found, notes = _poses(poses, moving.unit)
@@ -119,7 +125,7 @@ def path_of_legs(
     zeros = tuple(_zero(m, way, p, limit) for p in places(parts))
     still = tuple(_explained(m, way, s, limit) for s in stretches(parts))
     report_progress("sampling")
-    lowest = _least(way, each, zeros, still)
+    lowest = _least(way, each, zeros, still, asked)
     verdict, reason = _verdict(zeros, still, lowest, limit)
     return PathReport(
         rig=moving,
@@ -196,10 +202,10 @@ def _ends(moving: MovingPlatform, translations: Any, rotations: Any) -> Any:
     return np.einsum("nij,kj->nki", rotations, moving.arms) + (moving.centre_of_turns + translations)[:, None, :]
 
 
-def _least(way: Segments, per_segment: int, zeros: Sequence[Zero], still: Sequence[Stretch]) -> Least:
+def _least(way: Segments, per_segment: int, zeros: Sequence[Zero], still: Sequence[Stretch], asked: float) -> Least:
     if zeros or still:
         return Least(0.0, min([z.parameter for z in zeros[:1]] + [float(s.start) for s in still[:1]]), 0.0)
-    return least(way, per_segment)
+    return least(way, per_segment, asked=asked)
 
 
 def _verdict(zeros: Sequence[Zero], still: Sequence[Stretch], lowest: Least, limit: Threshold) -> tuple[str, str]:

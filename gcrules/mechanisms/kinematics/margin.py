@@ -46,6 +46,7 @@ __all__ = [
     "limb_twists",
     "margin",
     "margins",
+    "on_bodies",
     "on_platform",
     "platform_ends",
     "span_twists",
@@ -157,7 +158,7 @@ def _of_all_bodies(
     """The least singular value for the twists of all bodies, (N,), and the platform's part (N, k) of those that take
     it.
     """
-    bodies, number, width = m.bodies, len(here), len(keep)
+    number, width = len(here), m.bodies * len(keep)
     rows = []
     for span in m.spans:
         arm, chain = arms[:, span.limb], here.chains[span.limb]
@@ -165,16 +166,21 @@ def _of_all_bodies(
         wrenches = balanced(twists[:, list(span.free)], span.passive_rank)[..., [3, 4, 5, 0, 1, 2]]
         f, moment = wrenches[..., :3], wrenches[..., 3:]
         own = np.concatenate([f, moment + crossed(arm[:, None], f)], axis=2)[..., keep]
-        row = np.zeros((number, own.shape[1], bodies * width))
-        for b, s in span.signs:
-            at = slice(b * width, (b + 1) * width)
-            row[..., at] += s * own
-        rows.append(row)
+        rows.append(on_bodies(m, span, own))
     scale = all_bodies_balance(m, arms, keep)
     _, sizes, right = np.linalg.svd(np.concatenate(rows, axis=1) @ scale)
-    motion = (scale @ right[:, bodies * width - 1, :, None])[:, :width, 0]
-    least = sizes[:, bodies * width - 1] if sizes.shape[1] >= bodies * width else np.zeros(number)
+    motion = (scale @ right[:, width - 1, :, None])[:, : len(keep), 0]
+    least = sizes[:, width - 1] if sizes.shape[1] >= width else np.zeros(number)
     return least, motion
+
+
+def on_bodies(m: Linkage, span: Span, wrenches: Floats) -> Floats:
+    """What wrenches (N, w, k) of a chain between two bodies do to the twists of all bodies, (N, w, bodies × k)."""
+    width = wrenches.shape[2]
+    found = np.zeros((*wrenches.shape[:2], m.bodies * width))
+    for b, s in span.signs:
+        found[..., b * width : (b + 1) * width] += s * wrenches
+    return found
 
 
 def all_bodies_balance(m: Linkage, arms: Floats, keep: Sequence[int]) -> Floats:

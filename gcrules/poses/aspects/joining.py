@@ -31,6 +31,7 @@ class Joiner:
         self.rows = np.stack([p.row for p in places])
         self.joins: list[Join] = []
         self.states = len(places)
+        self._doubted: list[Join] = []
         self._proved: nx.Graph[int] = nx.Graph()
         self._proved.add_nodes_from(range(len(places)))
 
@@ -39,14 +40,23 @@ class Joiner:
         return sorted(map(sorted, nx.connected_components(self._proved)))
 
     def join(self, random: Any, states: int) -> None:
-        """Search and prove, until no two sets are left with equal signs or there are so many states."""
+        """Search and prove, until no two sets are left with equal signs or there are so many states. Ways of which all
+        but the margin is proved join what nothing else does.
+        """
         road = Roadmap(self.domain.space, self.rows)
         for _ in range(_ROUNDS):
             self._grow(road, random, states)
             self.states = len(road.rows)
             self._prove(road)
             if not self._left(self.sets()) or len(road.rows) >= states:
-                return
+                break
+        for j in self._doubted:
+            if not nx.has_path(self._proved, j.one, j.other):
+                self._add(j)
+
+    def _add(self, join: Join) -> None:
+        self.joins.append(join)
+        self._proved.add_edge(join.one, join.other)
 
     def _left(self, parts: Sequence[Sequence[int]]) -> list[list[int]]:
         """The parts that are not alone with their signs."""
@@ -95,9 +105,10 @@ class Joiner:
             way = as_waypoints(self.domain, first.pose, last.pose, road.rows[nodes], rounded=rounded)
             proved = self.domain.prove(way, _SAMPLES)
             if not proved.failures and self.domain.ends_at(proved.path, last):
-                self.joins.append(Join(one, other, tuple(way), proved.least, proved.margin_proved))
-                self._proved.add_edge(one, other)
-                return
+                join = Join(one, other, tuple(way), proved.least, proved.margin_proved)
+                if not proved.doubts:
+                    return self._add(join)
+                self._doubted.append(join)
             if len(nodes) == 2:
                 break
-        road.forget((nodes[k], nodes[k + 1]) for k in proved.failures or range(len(nodes) - 1))
+        road.forget((nodes[k], nodes[k + 1]) for k in {*proved.failures, *proved.doubts} or range(len(nodes) - 1))

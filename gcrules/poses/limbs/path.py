@@ -94,7 +94,7 @@ def path_of_limbs(
     crossed = [c for part in parts for c in part.crossed]
     nodes = driven.nodes[sampled]
     sure = doubt is None and len(parameters) <= _MOST_BOUNDED and not any(p.crossed or p.undecided for p in parts)
-    bounds = way_bounds(way, driven.nodes, asked) if sure else no_bounds(m)
+    bounds = way_bounds(way, driven.nodes, asked) if sure else no_bounds(way)
     if crossed:
         nodes = Nodes.together([nodes, Nodes.of(*zip(*crossed, strict=True))])
     return _report(found, threshold, targets, parts, nodes, doubt, bounds)
@@ -254,6 +254,7 @@ def _report(
         threshold=limit,
         redundant=m.robot.redundant > 0,
         least=least,
+        segment_bounds=bounds.segments,
         actuator_ranges=bounds.ranges,
         parameters=parameters,
         coordinates=coordinates(names, nodes.here.platform, m.centre),

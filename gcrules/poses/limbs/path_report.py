@@ -62,7 +62,8 @@ class RobotPath(HoldsArrays, Shown):
     each crossing one is. `branch_doubt` is the parameter from which on it is not proved that the configurations follow
     one branch of solutions from home (None: it is proved throughout).
 
-    Nowhere on the path is the margin below the bound of `least`, which is proved; 0 where nothing is. `actuator_ranges`
+    Nowhere on the path is the margin below the bound of `least`, which is proved; 0 where nothing is. Those between two
+    poses each are `segment_bounds` (segments,). `actuator_ranges`
     (actuators, 2) are those between which it is proved that the actuators stay, infinite where it is not.
 
     A `redundant` robot has more actuators than freedoms: there are no crossings.
@@ -87,6 +88,7 @@ class RobotPath(HoldsArrays, Shown):
     threshold: Threshold
     redundant: bool
     least: Least
+    segment_bounds: Floats
     actuator_ranges: Floats
     parameters: Floats
     coordinates: Floats
@@ -117,6 +119,7 @@ class RobotPath(HoldsArrays, Shown):
                 "parameter": self.least.parameter,
                 "bound": self.least.bound,
             },
+            "segment_bounds": self.segment_bounds.tolist(),
             "actuator_ranges": {
                 a.name: [_finite(c) for c in self.actuator_ranges[k].tolist()] for k, a in enumerate(self.actuators)
             },

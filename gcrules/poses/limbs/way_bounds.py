@@ -15,32 +15,36 @@ from gcrules.core.dataclass import dataclass
 from gcrules.mechanisms.kinematics.branch import Steps
 from gcrules.mechanisms.kinematics.configurations import Configurations
 from gcrules.mechanisms.kinematics.itinerary import Itinerary
-from gcrules.mechanisms.kinematics.linkage import Linkage
 from gcrules.mechanisms.kinematics.loops import close_loops
 from gcrules.mechanisms.kinematics.margin import margins
 from gcrules.mechanisms.kinematics.margin_bounds import StepBounds, bounds_of
 from gcrules.mechanisms.kinematics.rigid_motions import Floats
 from gcrules.poses.limbs.lattice import blocks
 from gcrules.poses.limbs.nodes import Nodes
+from gcrules.poses.paths.least import CLOSEST
 
 __all__ = ["WayBounds", "no_bounds", "way_bounds"]
 
 _NEAR = 0.98  # the bound is driven up to this times the least margin that was met
-_CLOSEST = 1e-4  # of the margin that is asked for to what was met
 _MOST = 6_000  # steps that are halved at most
 _HALVINGS = 14
 
 
 @dataclass(frozen=True, eq=False)
 class WayBounds:
-    """Everywhere on the way σ is at least `least`, proved, 0 where nothing is; a margin of `met` was met, at
-    `parameter`. The amounts of the actuators stay in `ranges` (A, 2), infinite where that is not proved.
+    """Everywhere on the way σ is at least `least`, proved, 0 where nothing is, and on each of its segments what
+    `segments` says at least; a margin of `met` was met, at `parameter`. The amounts of the actuators stay in `ranges`
+    (A, 2), infinite where that is not proved.
     """
 
-    least: float
+    segments: Floats
     met: float
     parameter: float
     ranges: Floats
+
+    @property
+    def least(self) -> float:
+        return min(float(self.segments.min()), self.met)
 
 
 @dataclass(frozen=True, eq=False)
@@ -51,9 +55,9 @@ class _Pieces:
     ends: Floats
 
 
-def no_bounds(m: Linkage) -> WayBounds:
+def no_bounds(way: Itinerary) -> WayBounds:
     """Nothing is proved."""
-    return WayBounds(0.0, np.inf, 0.0, np.array([[-np.inf, np.inf]] * len(m.actuators)))
+    return WayBounds(np.zeros(len(way.courses)), np.inf, 0.0, np.array([[-np.inf, np.inf]] * len(way.m.actuators)))
 
 
 def way_bounds(way: Itinerary, nodes: Nodes, asked: float = 0.0) -> WayBounds:
@@ -64,7 +68,7 @@ def way_bounds(way: Itinerary, nodes: Nodes, asked: float = 0.0) -> WayBounds:
     sigma = np.concatenate([margins(m, some.here).sigma for some in nodes.blocks()])
     met, at = float(sigma.min()), float(nodes.parameters[int(sigma.argmin())])
     places = np.array([sum(len(c.turns) for c in m.home.chains[: a.place]) + a.coordinate for a in m.actuators], int)
-    least, low, high = np.inf, np.full(len(places), np.inf), np.full(len(places), -np.inf)
+    least, low, high = np.full(len(way.courses), np.inf), np.full(len(places), np.inf), np.full(len(places), -np.inf)
     pieces = _Pieces(nodes.here[:-1], np.stack([nodes.parameters[:-1], nodes.parameters[1:]]))
     left = _MOST
     for halving in range(_HALVINGS + 1):
@@ -73,12 +77,12 @@ def way_bounds(way: Itinerary, nodes: Nodes, asked: float = 0.0) -> WayBounds:
             checkpoint()
             here, ends = pieces.here[some], pieces.ends[:, some]
             found = _bounds(way, here, ends)
-            wanted = 0.0 if m.looped else max(_NEAR * met, min(asked, met * (1 - _CLOSEST)))
+            wanted = max(_NEAR * met, asked if asked <= met * (1 - CLOSEST) else 0.0)
             done = found.followed & (found.least >= wanted)
             if halving == _HALVINGS or left <= 0:
                 done[:] = True
             if done.any():
-                least = min(least, float(found.least[done].min()))
+                np.minimum.at(least, way.segments(ends[0, done]), found.least[done])
                 low = np.minimum(low, found.low[done][:, places].min(axis=0))
                 high = np.maximum(high, found.high[done][:, places].max(axis=0))
             left -= int((~done).sum())
@@ -88,12 +92,12 @@ def way_bounds(way: Itinerary, nodes: Nodes, asked: float = 0.0) -> WayBounds:
             break
         more = [a for a in again if a is not None]
         if len(more) < len(again):  # a middle is not reached
-            return no_bounds(m)
+            return no_bounds(way)
         pieces = _Pieces(Configurations.together([p.here for p in more]), np.concatenate([p.ends for p in more], 1))
         sigma = np.concatenate([margins(m, pieces.here[some]).sigma for some in blocks(len(pieces.here))])
         if sigma.min() < met:
             met, at = float(sigma.min()), float(pieces.ends[0, int(sigma.argmin())])
-    return WayBounds(min(least, met), met, at, np.stack([low, high], axis=1))
+    return WayBounds(least, met, at, np.stack([low, high], axis=1))
 
 
 def _bounds(way: Itinerary, here: Configurations, ends: Floats) -> StepBounds:

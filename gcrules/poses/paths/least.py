@@ -21,12 +21,15 @@ from gcrules.poses.paths.segments import Segments
 from gcrules.screws.guarantees import ROUNDING, noise
 from gcrules.screws.margin import jacobian
 
-__all__ = ["MOST", "Least", "least"]
+__all__ = ["CLOSEST", "MOST", "Least", "least"]
 
 Floats = NDArray[np.float64]
 
 MOST = 40_000
 """Poses that are looked at, at most, to prove the bound."""
+
+CLOSEST = 1e-4
+"""How close the margin that is asked for may be to the least one that was met, in parts of it, to be proved."""
 
 _NEAR = 0.99  # the bound is driven up to this times the least margin that was met
 _ROUNDING = 1e-12
@@ -45,8 +48,10 @@ class Least:
     rounding: float = 0.0
 
 
-def least(path: Segments, samples: int, most: int = MOST) -> Least:
-    """Of the whole path, `samples` pieces of each segment to begin with."""
+def least(path: Segments, samples: int, most: int = MOST, asked: float = 0.0) -> Least:
+    """Of the whole path, `samples` pieces of each segment to begin with. The margin `asked` for is proved where that is
+    possible.
+    """
     rig, motions = path.rig, path.motions
     edges = np.linspace(0, 1, samples + 1)
     numbers = np.repeat(np.arange(len(path)), samples)
@@ -60,7 +65,8 @@ def least(path: Segments, samples: int, most: int = MOST) -> Least:
         if sigma[n] < best.margin:
             best = Least(float(sigma[n]), float(cells[n, 0] + cells[n, 1:].mean()), 0.0, float(wrong[n]))
         seen += len(cells)
-        done = (low >= _NEAR * best.margin) | (best.margin <= best.rounding)
+        wanted = max(_NEAR * best.margin, asked if asked <= best.margin * (1 - CLOSEST) else 0.0)
+        done = (low >= wanted) | (best.margin <= best.rounding)
         if seen + 2 * int((~done).sum()) > most:
             done[:] = True
         proved = min(proved, float(low[done].min(initial=np.inf)))

@@ -25,22 +25,41 @@ _LOOKS = 17  # places on a piece
 @dataclass(frozen=True)
 class Proved:
     """What is proved of a path: its `least` margin, everywhere (`margin_proved`) or only at samples of the path, that
-    it keeps to the limits everywhere (`limits_proved`) or at these, and the places of the segments that do not keep to
-    what is asked for.
+    it keeps to the limits everywhere (`limits_proved`) or at these; the places of the segments that do not keep to what
+    is asked for (`failures`), and of those of which it is proved that they are free of singular poses, but not that the
+    margin is as large as is asked for between samples too (`doubts`).
     """
 
     path: PathReport | RobotPath
     least: float
     failures: tuple[int, ...]
+    doubts: tuple[int, ...] = ()
     margin_proved: bool = True
     limits_proved: bool = True
 
     @classmethod
     def of(
-        cls, path: PathReport | RobotPath, least: float, places: Iterable[float], pieces: int, **sure: bool
+        cls,
+        path: PathReport | RobotPath,
+        asked: float,
+        pieces: int,
+        places: Iterable[float],
+        doubts: Iterable[float],
+        *,
+        limits_proved: bool = True,
     ) -> Proved:
-        """With failures at these parameters of a path of so many segments."""
-        return cls(path, least, tuple(sorted({min(int(p), pieces - 1) for p in places})), **sure)
+        """Of a path of so many segments with failures at these parameters, and at that of a margin less than is asked
+        for; where the margin is not proved doubts are at the others.
+        """
+        lowest = path.least
+        proved = lowest.bound >= asked
+        low = [lowest.parameter] if lowest.margin < asked else []
+        failures, doubtful = (_segments(pieces, own) for own in ((*places, *low), () if proved else doubts))
+        return cls(path, lowest.bound if proved else lowest.margin, failures, doubtful, proved, limits_proved)
+
+
+def _segments(pieces: int, places: Iterable[float]) -> tuple[int, ...]:
+    return tuple(sorted({min(int(p), pieces - 1) for p in places}))
 
 
 @dataclass(frozen=True, eq=False)

@@ -44,14 +44,12 @@ class LegDomain:
 
     def prove(self, way: Sequence[Waypoint], samples: int | None = None) -> Proved:
         poses = [p for p in way if isinstance(p, Pose)]
-        path = path_of_legs(self.m, poses, samples=samples_of(_SAMPLES, samples, len(poses) - 1))
+        path = path_of_legs(self.m, poses, samples=samples_of(_SAMPLES, samples, len(poses) - 1), asked=self.asked)
         failures = [float(z.lower) for z in path.zeros] + [float(stretch.start) for stretch in path.stretches]
-        if path.least.bound < self.asked:
-            failures.append(path.least.parameter)
         if (limits := self.space.limits) is not None:
             failures += [k for k, s in enumerate(segments(self.m.rig, poses)) if not keeps_to(limits, s)]
         failures += outside(self.space, np.stack([row_of(p) for p in poses]))
-        return Proved.of(path, path.least.bound, failures, len(poses) - 1)
+        return Proved.of(path, self.asked, len(poses) - 1, failures, [path.least.parameter])
 
     def waypoint(self, state: Floats, *, rounded: bool) -> Pose:
         return self.space.waypoint(state, rounded=rounded)

@@ -63,8 +63,6 @@ class LimbDomain:
         )
         failures = [c.first for c in path.crossings] + [a for a, _ in path.undecided]
         failures += path.parameters[path.verdicts == "singular"].tolist()
-        if path.least.margin < self.asked:
-            failures.append(path.least.parameter)
         if path.branch_doubt is not None:
             failures.append(path.branch_doubt)
         kept, limits = True, self.space.limits
@@ -72,9 +70,8 @@ class LimbDomain:
             failures += path.parameters[~limits.allow(path.actuator_values)].tolist()
             kept = bool(limits.allow(path.actuator_ranges.T).all())
         failures += outside(self.space, np.stack([self.unsolved(p) for p in way]))
-        proved = path.least.bound >= self.asked
-        least = path.least.bound if proved else path.least.margin
-        return Proved.of(path, least, failures, len(way) - 1, margin_proved=proved, limits_proved=kept)
+        doubts = np.flatnonzero(path.segment_bounds < self.asked).tolist()
+        return Proved.of(path, self.asked, len(way) - 1, failures, doubts, limits_proved=kept)
 
     def waypoint(self, state: Floats, *, rounded: bool) -> Waypoint:
         return self.space.waypoint(state, rounded=rounded)

@@ -1,8 +1,10 @@
 r"""Where a robot can go without a singularity: a search for a way, and its proof; or the proof that there is none.
 
 The search draws poses at random and looks at ways between them at samples (`roadmap`); the way that is found is made
-shorter and smoother, and then proved by `gcrules.poses.path_report`. Ways that are not proved are left out, and the
-search goes on.
+shorter and smoother, and then proved by `gcrules.poses.path_report`. Pieces that are not proved to be free of singular
+poses, or to have the margin asked for everywhere, are left out, and the search goes on. Where in the end only the
+margin of a way is not proved, that way is told, with its margin at samples: as the answer, or if the margin was named
+as the best that was found.
 
 >>> found = plan("3-rpr", "home", "x=0.1, y=0, yaw=10deg")
 >>> found.outcome, len(found.poses), found.path.verdict
@@ -29,6 +31,7 @@ from gcrules.mechanisms.load import Folders, Source
 from gcrules.mechanisms.mechanism import Mechanism, mechanism
 from gcrules.mechanisms.six_legs import SixLegs
 from gcrules.poses.methods import Methods, method
+from gcrules.poses.paths.least import CLOSEST
 from gcrules.poses.plans.domain import Proved, search_in
 from gcrules.poses.plans.drafts import drafts
 from gcrules.poses.plans.leg_problem import leg_problem
@@ -72,10 +75,11 @@ def plan(
     a goal the way out: the shortest one that is found to a pose with the `margin`.
 
     `source` and `about` are those of `pose`; `start` and `goal` are poses as for `path`, "home" among them. Everywhere
-    on the way the margin σ is at least `margin`, by default that from which on a pose counts as regular. `limits` are
-    ranges of the legs' lengths or the actuators' amounts as for `map`, `within` ranges of the platform's coordinates
-    from home: x, y, z and turn of a platform on six legs ("z -100..50, turn ..40 deg"), else those that name its poses.
-    The search ends at so many `states`; it is the same one for the same `seed`.
+    on the way the margin σ is at least `margin`, by default that from which on a pose counts as regular: where that is
+    not proved of any way, the plan is undecided if `margin` is given, else a way with its margin at samples. `limits`
+    are ranges of the legs' lengths or the actuators' amounts as for `map`, `within` ranges of the platform's
+    coordinates from home: x, y, z and turn of a platform on six legs ("z -100..50, turn ..40 deg"), else those that
+    name its poses. The search ends at so many `states`; it is the same one for the same `seed`.
 
     On a way out the margin is never less than nine tenths of that at the start.
 
@@ -105,7 +109,7 @@ def plan_of(
 
     if goal is None:
         return _way_out(problem, start, asked, states, seed)
-    return _solved(problem(goal, asked), asked, states, seed)
+    return _solved(problem(goal, asked), asked, states, seed, named=margin is not None)
 
 
 def _way_out(problem: Callable[[Any, float], Problem], start: Any, asked: float, states: int, seed: int) -> Plan:
@@ -129,7 +133,7 @@ def _way_out(problem: Callable[[Any, float], Problem], start: Any, asked: float,
         there = problem(p.domain.waypoint(end, rounded=rounded), kept)
         margin = float(there.domain.space.margins(there.roots[-1:])[0])
         if len(there.roots) > 1 and margin >= asked:
-            found = replace(_solved(there, kept, states, seed), asked=asked, end_margin=margin)
+            found = replace(_solved(there, kept, states, seed, named=False), asked=asked, end_margin=margin)
             if found.outcome == "way":
                 reason = f"{found.reason} It ends at a margin of {margin:.4g}, and is the shortest that was found."
                 return replace(found, reason=reason)
@@ -152,7 +156,8 @@ def check_search(states: int, seed: int) -> None:
         raise InputError(f"the seed {seed} is negative")
 
 
-def _solved(p: Problem, asked: float, states: int, seed: int) -> Plan:
+def _solved(p: Problem, asked: float, states: int, seed: int, *, named: bool) -> Plan:
+    """The answer. A margin that is `named` is proved, or nothing is decided."""
     if pairs := p.opposed():
         opposed = _named(pairs)
         found = _plan(p, asked, "none", _no_way(p, opposed), opposed=opposed)
@@ -160,19 +165,30 @@ def _solved(p: Problem, asked: float, states: int, seed: int) -> Plan:
     road = Roadmap(p.domain.space, p.roots)
     random = np.random.default_rng(seed)
     first: Proved | None = None
+    best: tuple[Proved, list[Waypoint]] | None = None  # but for the proof of its margin
+    close = float(p.domain.space.margins(p.roots).min()) * (1 - CLOSEST) < asked  # no proof up to there
     for _ in range(_ATTEMPTS):
-        reached = _grown(p, road, random, states)
-        search = search_in(p.domain, len(road.rows), seed)
+        reached = None if close and best else _grown(p, road, random, states)
         if reached is None:
             break
         nodes = road.way(0, reached)
         for way in drafts(p.domain, p.start, p.goal, road.rows[nodes]):
             proved = p.domain.prove(way)
-            if not proved.failures:
+            if not proved.failures and not proved.doubts:
+                search = search_in(p.domain, len(road.rows), seed)
                 return _plan(p, asked, "way", _found(proved, way), way=way, proved=proved, search=search)
+            if not proved.failures and (best is None or proved.least > best[0].least):
+                best = proved, way
             first = first or proved
-        road.forget((nodes[k], nodes[k + 1]) for k in proved.failures)
-    return _plan(p, asked, "undecided", _undecided(road, first), search=search)
+        road.forget((nodes[k], nodes[k + 1]) for k in {*proved.failures, *proved.doubts})
+    search = search_in(p.domain, len(road.rows), seed)
+    if best is None:
+        return _plan(p, asked, "undecided", _undecided(road, first), search=search)
+    proved, way = best
+    outcome, reason = (
+        ("undecided", _doubted(proved, way, asked, close=close)) if named else ("way", _found(proved, way))
+    )
+    return _plan(p, asked, outcome, reason, way=way, proved=proved, search=search)
 
 
 def _named(pairs: Sequence[tuple[ConditionSign, ConditionSign]]) -> tuple[OpposedSign, ...]:
@@ -245,6 +261,14 @@ def _found(proved: Proved, way: Sequence[Waypoint]) -> str:
     words = "The straight way is free" if pieces == 1 else f"A way of {pieces} straight pieces is free"
     sure = "everywhere on it" if proved.margin_proved else "at all samples of it"
     return f"{words} of singular poses, proved; the margin σ is at least {rounded_down(proved.least)} {sure}."
+
+
+def _doubted(proved: Proved, way: Sequence[Waypoint], asked: float, *, close: bool) -> str:
+    why = ", as start or goal have hardly more" if close else ""
+    return (
+        f"Not decided: of no way that was found a margin of {asked:.4g} is proved everywhere{why}. The best one:"
+        f" {_found(proved, way)}"
+    )
 
 
 def _no_way(p: Problem, opposed: Sequence[OpposedSign]) -> str:

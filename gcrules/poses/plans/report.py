@@ -59,7 +59,8 @@ class Plan(Shown):
 
     `outcome` is way | none | undecided, `reason` says it in a sentence. A way goes straight through the `poses`, and
     `path` is its proof: nothing on it is singular. Its margin is `asked` at least, and `least`: everywhere (`proved`),
-    or at the samples of the path, and so are its limits (`limits_proved`).
+    or at the samples of the path, and so are its limits (`limits_proved`). Where a margin was named and is proved of no
+    way, the outcome is undecided, and `poses` and `path` are those of the best one that was found.
     A way out, with an `end_margin`, has `asked` at its end only; where none is found there is no `goal`. That there is
     none between two poses is proved by what is `opposed`. `length` is how long the way is, lengths in parts of the
     robot's `size`, angles in rad, and `straight` that from start to goal.
