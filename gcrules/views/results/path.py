@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 
+from gcrules.core.floats import rounded_down
 from gcrules.poses.numbers.motion import Dependence
 from gcrules.poses.paths.report import PathReport, Zero
 from gcrules.poses.paths.zeros import Stretch
@@ -82,7 +83,10 @@ def _least(r: PathReport) -> Iterator[tuple[str, str]]:
     at = f"σ = {r.least.margin:.4g} at parameter {r.least.parameter:.4g} (0 singular, at most 1)"
     turn = degrees(turn_of(r.least.bound))
     yield "closest", at
-    yield "free of", f"singular poses, proved: σ ≥ {r.least.bound:.4g} on the whole path, any leg's turn by {turn}"
+    yield (
+        "free of",
+        f"singular poses, proved: σ ≥ {rounded_down(r.least.bound)} on the whole path, any leg's turn by {turn}",
+    )
 
 
 def _proof(r: PathReport) -> str:
@@ -127,5 +131,5 @@ def as_latex(r: PathReport) -> str:
         rows.append(("singular at parameter", f"{latex_quantity(z.parameter)} ({z.kind}{times})"))
     rows += [("singular from, to", f"{latex_quantity(s.start)}, {latex_quantity(s.end)}") for s in r.stretches]
     if not r.zeros and not r.stretches:
-        rows.append(("least margin $\\sigma$, proved", latex_quantity(r.least.bound)))
+        rows.append(("least margin $\\sigma$, proved", latex_quantity(float(rounded_down(r.least.bound)))))
     return latex_table(rows)

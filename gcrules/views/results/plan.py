@@ -77,8 +77,9 @@ def _facts(p: Plan) -> Iterator[tuple[str, str]]:
 
 
 def _proof(p: Plan) -> str:
-    if p.outcome == "way":
-        return "that of `gcrules path` through these poses"
+    if p.poses:
+        but = "" if p.outcome == "way" else ", but for the margin between its samples"
+        return f"that of `gcrules path` through these poses{but}"
     if p.outcome == "none":
         return "a continuous number that is 0 in singular poses only has opposite signs at start and goal"
     return "none; more states, another seed or a smaller margin may decide it"
@@ -102,7 +103,8 @@ def as_latex(p: Plan) -> str:
     """A tabular: the outcome, and the way or what excludes one; needs no package."""
     rows = [("outcome", p.outcome)]
     if p.poses:
-        rows.append(("least margin $\\sigma$", latex_quantity(p.least)))
+        sure = "proved" if p.proved else "of the samples"
+        rows.append((f"least margin $\\sigma$, {sure}", latex_quantity(float(rounded_down(p.least)))))
         rows += [(f"pose {k}", latex_words(waypoint_text(pose))) for k, pose in enumerate(p.poses)]
     rows += [("impossible without", latex_words(o.statement)) for o in p.opposed]
     return latex_table(rows)

@@ -98,5 +98,5 @@ def as_latex(r: RobotPath) -> str:
     if not r.crossings:
         rows.append(("least margin $\\sigma$ of the samples", latex_quantity(r.least.margin)))
         if r.least.bound > 0:
-            rows.append(("least margin $\\sigma$, proved", latex_quantity(r.least.bound)))
+            rows.append(("least margin $\\sigma$, proved", latex_quantity(float(rounded_down(r.least.bound)))))
     return latex_table(rows)
