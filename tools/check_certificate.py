@@ -1,60 +1,57 @@
 #!/usr/bin/env python3
-r"""Check a certificate of `gcrules certify` again: python tools/check_certificate.py FILE.json[.gz]
+r"""Check a certificate of `gcrules certify` again: python tools/check_certificate.py FILE.json[.gz] [--jobs N]
 
 It needs Python alone and shares no code with gcrules. From the file it takes the geometry, the range, the limits, the
 claim, and the tree of boxes as a hint how to cut; of every box it proves anew that no pose in it is reached within the
 limits, or that the margin in it is at least the one claimed, cutting it further where its own bounds need that.
 
-Numbers are intervals, rounded outwards by `math.nextafter`; sin, cos, asin and atan2 are taken to be right to 2^-48,
-and dimensions that follow from those of the file (rods' lengths, axes of length 1) are floats. A value f of the
-coordinates x in a box has its interval in the middle m, an interval over the box, and one for each derivative there;
-f(x) lies in f(m) + sum f'_j(box) (x_j - m_j), which narrows the second one after each operation.
+In a box with middle m and half widths h a value is c + sum a_j t_j + r with t_j = (x_j - m_j) / h_j in -1..1, |r| <= e;
+e takes in what products, roots and quotients have of second order, and U times all sizes, which is more than rounding.
+sin, cos, asin and atan2 are taken to be right to U, and dimensions that follow from those of the file (rods' lengths,
+axes of length 1) are floats.
 
 The wrench of rod i on the platform is the unit force f_i along it through its end p_i: W_i = (f_i; p_i x f_i), moments
 about the mean of the ends. The margin is the s with s^2 = the least value over twists t of |W t|^2 / sum |v_i(t)|^2,
 v_i the velocity of p_i; with the columns of K orthonormal in the second form it is the least singular value of W K.
-Let B be near the inverse of W K in the middle, |1 - B W K| <= A in all entries, l the lengths of B's rows, v > 0 with
-v >= A v + l. If (W K + D) x = 0 with |x| = 1, |D| = d, then |x| <= A |x| + d l, so that |x| <= d v: all margins in the
-box are at least 1/|v|. They are also at least (1 - |A|) / |B|, in spectral norms, and the least singular value in the
-middle less the size of what W K changes.
+In a box W K = M + D. Let B be near the inverse of M, |1 - B M| <= A_0, |1 - B (M + D)| <= A and |D| <= F in all
+entries, alpha_0, alpha and phi the norms of these bounds. If alpha < 1, then W K is regular, and its margin is at least
+(1 - alpha) / |B|, and at least (1 - alpha_0) / |B| - phi. |B| <= b is proved by b^2 - B^T B being positive definite.
 
 Exit codes: 0 what is claimed is proved, 1 it is not, 2 the file is no certificate of a robot that is known here.
 """
 
 from __future__ import annotations
 
+import argparse
 import gzip
 import json
 import math
+import multiprocessing
 import sys
+import time
 from fractions import Fraction
 
-from certificate_intervals import (
-    EPS,
+from certificate_bounds import (
     INF,
+    SIX,
     Beyond,
     Box,
+    Refused,
+    U,
     Undefined,
     Value,
-    check,
+    balance,
     cross,
     dot,
-    down,
-    flat,
-    least_margin,
-    point,
-    span,
-    up,
-    wave,
+    holds,
+    minus,
+    mix,
+    turns,
 )
 
-CUTS = 14  # of a box of the certificate, so often further
+CUTS = 16  # of a box of the certificate, so often further
 SHARES = {"f": "free", "g": "free with the other sign", "o": "outside", "x": "crossed", "u": "undecided"}
 NAMES = ("x", "y", "z", "roll", "pitch", "yaw")
-
-
-class Refused(Exception):
-    """The certificate does not hold, or is none."""
 
 
 class Robot:
@@ -76,240 +73,213 @@ class Robot:
             if rod["drive"] not in ("leg", "turn", "slide"):
                 raise Refused(f"no independent checker yet for a drive that is a {rod['drive']}")
         names = [rod.get("actuator") for rod in self.rods]
-        order = range(6) if names[0] is None else [names.index(n) for n in q["limits"] or () if n in names]
+        order = SIX if names[0] is None else [names.index(n) for n in q["limits"] or () if n in names]
         self.limits = [(-INF, INF)] * 6
         if q["limits"]:
             if len(q["limits"]) != 6 or (names[0] and set(names) != set(q["limits"])):
                 raise Refused("the limits are not those of six drives")
             for k, (low, high) in zip(order, q["limits"].values()):
                 self.limits[k] = (-INF if low is None else low, INF if high is None else high)
-        self.cones = []
+        self.cones = [[] for _ in SIX]
         for c in q["cones"]:
             k = next((k for k, rod in enumerate(self.rods) if rod["names"] == c["rod"]), None)
             if k is None or c["end"] not in ("base", "platform"):
                 raise Refused("a cone of an unknown rod")
-            self.cones.append((k, c["end"], math.cos(c["angle"])))
+            self.cones[k].append((c["end"], math.cos(c["angle"])))
         self.tilt = None if q["tilt"] is None else math.cos(q["tilt"])
+        self.parts = [self._parts(rod) for rod in self.rods]
         ends = [rod["ends"][1] for rod in self.rods]
-        self.mean = [sum(e[j] for e in ends) / 6 for j in range(3)]
-        self.arms = [[e[j] - self.mean[j] for j in range(3)] for e in ends]
-        self.scale = self._scale()
-
-    def _scale(self):
-        """K: columns orthonormal in sum |v_i|^2, v_i = v + w x arm, by Cholesky, and then compared exactly."""
-        rows = []
-        for x, y, z in self.arms:
-            rows += [[1, 0, 0, 0, z, -y], [0, 1, 0, -z, 0, x], [0, 0, 1, y, -x, 0]]
-        exact = [[sum(Fraction(r[i]) * Fraction(r[j]) for r in rows) for j in range(6)] for i in range(6)]
-        low = [[0.0] * 6 for _ in range(6)]
-        for i in range(6):
-            for j in range(i + 1):
-                rest = float(exact[i][j]) - sum(low[i][k] * low[j][k] for k in range(j))
-                if i == j and rest <= 0:
-                    raise Refused("the ends of the rods lie on one line")
-                low[i][j] = math.sqrt(rest) if i == j else rest / low[j][j]
-        scale = [[0.0] * 6 for _ in range(6)]  # the transposed inverse of low
-        for c in range(6):
-            for i in range(c, 6):
-                scale[c][i] = ((i == c) - sum(low[i][k] * scale[c][k] for k in range(c, i))) / low[i][i]
-        k = [[Fraction(x) for x in row] for row in scale]
-        for i in range(6):
-            for j in range(6):
-                value = sum(k[a][i] * exact[a][b] * k[b][j] for a in range(6) for b in range(6))
-                if abs(value - (i == j)) > Fraction(1, 10**10):
-                    raise Refused("the balance of the margin is not computed well enough")
-        return scale
-
-    def poses(self, box):
-        """The shift of the centre and the rotation."""
-        at = {k: n for n, k in enumerate(self.free)}
-        none = (0.0, 0.0)
-
-        def coordinate(k):
-            n = at.get(k)
-            if n is None:
-                return Value(point(self.rest[k]), point(self.rest[k]), None, box.half)
-            m, h = box.middle[n], box.half[n]
-            g = [(1.0, 1.0) if j == n else none for j in range(len(box.half))]
-            return Value(point(m), (down(m - h), up(m + h)), g, box.half)
-
-        angles = [box.middle[at[k]] if k in at else self.rest[k] for k in (3, 4, 5)]
-        (sr, cr), (sp, cp), (sy, cy) = (
-            (wave(box, at.get(k), a, 0), wave(box, at.get(k), a, 1)) for k, a in zip((3, 4, 5), angles)
-        )
-        turn = [
-            [cy * cp, cy * sp * sr - sy * cr, cy * sp * cr + sy * sr],
-            [sy * cp, sy * sp * sr + cy * cr, sy * sp * cr - cy * sr],
-            [-sp, cp * sr, cp * cr],
+        mean = [sum(e[j] for e in ends) / 6 for j in range(3)]
+        arms = [minus(e, mean) for e in ends]
+        k = balance(arms)
+        moments = [[[0, -z, y], [z, 0, -x], [-y, x, 0]] for x, y, z in arms]
+        # a row of W K is that of the force times such three rows
+        self.wrenches = [
+            [[k[j][c] + sum(m[i][j] * k[3 + i][c] for i in range(3)) for c in SIX] for j in range(3)] for m in moments
         ]
-        return [coordinate(k) for k in range(3)], turn
 
-    def rod(self, k, shift, turn):
-        """The rod's vector in the base, what it is divided by to have length 1, cosine and sine of its drive's turn or
-        its amount. Raises Undefined where it may not exist; `Beyond` where it does not.
-        """
-        rod = self.rods[k]
+    @staticmethod
+    def _parts(rod):
+        """Numbers for a drive: the rod at home and its length, the axis, what else `look` needs of it."""
         start, end = rod["ends"]
-        arm = [e - c for e, c in zip(end, self.centre)]
-        tip = [
-            flat(turn[j], arm) + shift[j] + self.centre[j] if any(arm) else shift[j] + self.centre[j] for j in range(3)
-        ]
+        home = minus(end, start)
+        size = math.sqrt(dot(home, home))
         if rod["drive"] == "leg":
-            v = [tip[j] + (-start[j]) for j in range(3)]
-            length = dot(v, v).root()
-            return v, length.inverse(), length
-        home = [e - s for e, s in zip(end, start)]
-        square = sum(c * c for c in home)
-        size = sum(c * c for c in rod["axis"]) ** 0.5
-        axis = [c / size for c in rod["axis"]]
-        by = 1 / math.sqrt(square)
-        if rod["drive"] == "slide":  # |D - q d| = L, D from the start at home
-            far = [tip[j] + (-start[j]) for j in range(3)]
-            along = flat(far, axis)
-            under = along * along - dot(far, far) + square
-            check(under)
-            sign = -branch(sum(h * a for h, a in zip(home, axis)), square)
-            amount = along + under.root() * sign
-            return [far[j] - amount * axis[j] for j in range(3)], by, amount
-        off = [s - t for s, t in zip(start, rod["through"])]
-        height = sum(o * a for o, a in zip(off, axis))
+            return home, size, None, None
+        along = math.sqrt(dot(rod["axis"], rod["axis"]))
+        axis = [c / along for c in rod["axis"]]
+        if rod["drive"] == "slide":
+            return home, size, axis, branch(dot(home, axis), size)
+        height = dot(minus(start, rod["through"]), axis)
         foot = [t + height * a for t, a in zip(rod["through"], axis)]
-        radius = [s - f for s, f in zip(start, foot)]
-        h = math.sqrt(sum(c * c for c in radius))
+        radius = minus(start, foot)
+        h = math.sqrt(dot(radius, radius))
         one = [c / h for c in radius]
         other = cross(axis, one)
-        far = [tip[j] + (-foot[j]) for j in range(3)]
-        u, w = flat(far, one), flat(far, other)
-        reach = (dot(far, far) + (h * h - square)) * (0.5 / h)
-        both = u * u + w * w
-        under = both - reach * reach
-        check(under)
-        at_home = sum((e - f) * o for e, f, o in zip(end, foot, other))
-        s, over = under.root() * -branch(at_home, square), both.inverse()
-        cosine, sine = (u * reach - w * s) * over, (w * reach + u * s) * over
-        v = [far[j] - (cosine * (h * one[j]) + sine * (h * other[j])) for j in range(3)]
-        return v, by, (cosine, sine)
+        return home, size, axis, (foot, h, one, other, branch(dot(minus(end, foot), other), size))
+
+    def pose(self, box):
+        """The shift of the centre, a number where it does not change, and the rotation."""
+        at, none = {k: n for n, k in enumerate(self.free)}, [0.0] * len(self.free)
+
+        def slope(n, by):
+            return [by * box.half[j] if j == n else 0.0 for j in range(len(none))]
+
+        shift = [Value(box.middle[at[k]], slope(at[k], 1.0), 0.0) if k in at else self.rest[k] for k in range(3)]
+        waves = []
+        for k in (3, 4, 5):
+            n = at.get(k)
+            angle, h = (self.rest[k], 0.0) if n is None else (box.middle[n], box.half[n])
+            s, c = math.sin(angle), math.cos(angle)
+            waves.append(Value(s, slope(n, c), h * h / 2 * min(1.0, abs(s) + h) + U))
+            waves.append(Value(c, slope(n, -s), h * h / 2 * min(1.0, abs(c) + h) + U))
+        sr, cr, sp, cp, sy, cy = waves
+        a, b = sp * sr, sp * cr
+        turn = [
+            [cy * cp, cy * a + sy * cr * -1.0, cy * b + sy * sr],
+            [sy * cp, sy * a + cy * cr, sy * b + cy * sr * -1.0],
+            [sp * -1.0, cp * sr, cp * cr],
+        ]
+        return shift, turn
 
     def look(self, box):
-        """(outside, inside, rows): that no pose of the box is reached within the limits, that all are, and W."""
-        shift, turn = self.poses(box)
-        inside, rows, rods = True, [], []
+        """Whether all poses of a box are outside, whether all are inside, and the rods' forces, None where unknown."""
+        shift, turn = self.pose(box)
+        inside, forces = True, []
         if self.tilt is not None:
-            value = turn[2][2] + (-self.tilt)
-            if value.r[1] < -EPS:
+            low, high = (turn[2][2] + -self.tilt).ends()
+            if high < -U:
                 return True, False, None
-            inside &= value.r[0] > EPS
-        unknown = False
-        for k in range(6):
+            inside = low > U
+        for k in SIX:
             try:
-                v, by, amount = self.rod(k, shift, turn)
+                force, leans, amount = self.rod(k, shift, turn)
             except Beyond:
                 return True, False, None
             except Undefined:
-                unknown = True
-                rods.append(None)
+                forces.append(None)
                 continue
-            low, high = span(amount)
             least, most = self.limits[k]
             away, within = True, False
-            for round_ in (-1, 0, 1) if isinstance(amount, tuple) else (0,):
-                a, b = (c + round_ * 2 * math.pi for c in (low, high))
-                away &= b < least - EPS * 8 or a > most + EPS * 8
-                within |= a > least + EPS * 8 and b < most - EPS * 8
+            for low, high in amount:
+                away &= high < least - U * 8 or low > most + U * 8
+                within |= low > least + U * 8 and high < most - U * 8
+            inside &= within
+            for value in leans:
+                low, high = value.ends()
+                away |= high < -U * 8
+                inside &= low > U * 8
             if away:
                 return True, False, None
-            inside &= within
-            rods.append((v, by, amount))
-            seen = [turn[0][j] * v[0] + turn[1][j] * v[1] + turn[2][j] * v[2] for j in range(3)]
-            force = [c * by for c in seen]
-            x, y, z = self.arms[k]
-            rows.append([*force, force[2] * y - force[1] * z, force[0] * z - force[2] * x, force[1] * x - force[0] * y])
-        for k, end, cosine in self.cones:
-            if rods[k] is None:
-                continue
-            v, by, amount = rods[k]
-            value = self.lean(k, end, v, by, amount, turn) + (-cosine)
-            if value.r[1] < -EPS * 8:
-                return True, False, None
-            inside &= value.r[0] > EPS * 8
-        return False, inside and not unknown, None if unknown else rows
+            forces.append(force)
+        known = None not in forces
+        return False, inside and known, forces if known else None
 
-    def lean(self, k, end, v, by, amount, turn):
-        """The cosine of the angle between a rod and its direction at home on the body at its end."""
-        rod = self.rods[k]
-        home = [e - s for e, s in zip(*reversed(rod["ends"]))]
-        size = math.sqrt(sum(c * c for c in home))
-        home = [c / size for c in home]
-        if end == "platform":
-            carried = [flat(turn[j], home) for j in range(3)]
-        elif rod["drive"] == "turn":
-            size = math.sqrt(sum(c * c for c in rod["axis"]))
-            a = [c / size for c in rod["axis"]]
-            along = sum(x * y for x, y in zip(home, a))
-            across = [home[j] - along * a[j] for j in range(3)]
-            more = cross(a, across)
-            carried = [amount[0] * across[j] + amount[1] * more[j] + along * a[j] for j in range(3)]
+    def rod(self, k, shift, turn):
+        """The unit force in the platform's frame, the cosines of the cones' angles less those allowed, what the
+        amount of the drive is between. Raises Undefined where it may not exist; `Beyond` where it does not.
+        """
+        rod, (home, size, axis, more) = self.rods[k], self.parts[k]
+        arm = minus(rod["ends"][1], self.centre)
+        carried = [mix(turn[j], arm) for j in range(3)]
+        from_ = more[0] if rod["drive"] == "turn" else rod["ends"][0]
+        way = [shift[j] + (self.centre[j] - from_[j]) for j in range(3)]  # the end is at way + carried, from there
+        square = dot(way, way) + dot(arm, arm) + 2.0 * dot(way, carried)
+        free = [c if isinstance(c, Value) else mix(turn[0], (0, 0, 0), c) for c in way]
+        far = [carried[j] + way[j] for j in range(3)]
+        if rod["drive"] == "leg":
+            length = square.root()
+            by, rest, amount = length.inverse(), way, [length.ends()]
+        elif rod["drive"] == "slide":  # |D - q d| = L, D from the start at home
+            along = mix(far, axis)
+            under = along * along + square * -1.0 + size * size
+            q = along + under.root() * more
+            by, amount = 1 / size, [q.ends()]
+            rest = [free[j] + q * -axis[j] for j in range(3)]
         else:
-            return flat(v, home) * by
-        return dot(carried, v) * by
+            _, h, one, other, sign = more
+            u, w = mix(far, one), mix(far, other)
+            reach = (square + (h * h - size * size)) * (0.5 / h)
+            both = u * u + w * w
+            s, over = (both + reach * reach * -1.0).root() * sign, both.inverse()
+            cosine, sine = (u * reach + w * s * -1.0) * over, (w * reach + u * s) * over
+            by, amount = 1 / size, turns(cosine, sine)
+            rest = [mix((free[j], cosine, sine), (1.0, -h * one[j], -h * other[j])) for j in range(3)]
+        force = [(turn[0][i] * rest[0] + turn[1][i] * rest[1] + turn[2][i] * rest[2] + arm[i]) * by for i in range(3)]
+        leans, unit = [], [c / size for c in home]
+        for end, least in self.cones[k]:
+            if end == "platform":
+                value = mix(force, unit)
+            elif rod["drive"] == "turn":  # the direction at home turns with the horn
+                a = dot(unit, axis)
+                across = [c - a * d for c, d in zip(unit, axis)]
+                value = mix(far, across) * cosine + mix(far, cross(axis, across)) * sine
+                value = (value + mix(far, [a * c for c in axis], -h * dot(one, unit))) * by
+            else:
+                value = mix([far[j] + q * -axis[j] for j in range(3)] if axis else far, unit) * by
+            leans.append(value + -least)
+        return force, leans, amount
 
 
-def branch(at_home, square):
+def branch(at_home, size):
     """Of two solutions of a drive the one at home. Raises Refused where they are not apart there."""
-    if abs(at_home) < 1e-6 * math.sqrt(square):
+    if abs(at_home) < 1e-6 * size:
         raise Refused("home is a dead point of a drive")
-    return 1.0 if at_home > 0 else -1.0
+    return -1.0 if at_home > 0 else 1.0
 
 
-def proved(robot, box, margin, only_outside, cuts, count):
-    """Whether every pose of a box is not reached within the limits, or (not `only_outside`) has the margin."""
-    count[0] += 1
-    outside, _, rows = robot.look(box)
+def proved(robot, box, margin, only_outside, cuts, whole):
+    """How many boxes it takes to prove of a box that none of its poses is reached within the limits, or that all (not
+    `only_outside`) have the margin; 0 where it is not proved.
+    """
+    outside, _, forces = robot.look(box)
     if outside:
-        return True
-    wide = [h / w for h, w in zip(box.half, count[1])]
-    k = wide.index(max(wide))
-    if rows is not None and not only_outside:
-        found, parts = least_margin(robot.scale, rows, box.half)
-        if found >= margin and found > 0:
-            return True
-        k = parts.index(max(parts))
+        return 1
+    wide = [h / w for h, w in zip(box.half, whole)]
+    if forces is not None and not only_outside:
+        fine, parts, _ = holds(robot.wrenches, forces, margin)
+        if fine:
+            return 1
+        wide = parts or wide
     if not cuts:
-        return False
-    return all(proved(robot, part, margin, only_outside, cuts - 1, count) for part in box.cut(k))
+        return 0
+    count = 1
+    for part in box.cut(wide.index(max(wide))):
+        found = proved(robot, part, margin, only_outside, cuts - 1, whole)
+        if not found:
+            return 0
+        count += found
+    return count
 
 
 def all_inside(robot, box, cuts):
-    _, inside, rows = robot.look(box)
-    if inside and rows is not None:
+    _, inside, forces = robot.look(box)
+    if inside and forces is not None:
         return True
-    k = box.half.index(max(box.half))
-    return cuts > 0 and all(all_inside(robot, part, cuts - 1) for part in box.cut(k))
+    return cuts > 0 and all(all_inside(robot, part, cuts - 1) for part in box.cut(box.half.index(max(box.half))))
 
 
 def sign(robot, place):
     """The sign of the determinant of W at a place, proved; 0 where it is not."""
-    box = Box(list(place), list(place))
-    outside, _, rows = robot.look(box)
-    if outside or rows is None or not least_margin(robot.scale, rows, box.half)[0]:
+    outside, _, forces = robot.look(Box(list(place), list(place)))
+    if outside or forces is None:
         return 0
-    rows = [[Fraction((c.m[0] + c.m[1]) / 2) for c in row] for row in rows]
-    value = Fraction(1)
-    for i in range(6):
-        p = next((k for k in range(i, 6) if rows[k][i]), None)
-        if p is None:
-            return 0
-        if p != i:
-            rows[i], rows[p], value = rows[p], rows[i], -value
-        value *= rows[i][i]
+    fine, _, rows = holds(robot.wrenches, forces, 0.0)
+    if not fine:
+        return 0
+    rows, value = [[Fraction(c) for c in row] for row in rows], 1
+    for i in SIX:
+        p = next(k for k in range(i, 6) if rows[k][i])
+        value *= (1 if rows[p][i] > 0 else -1) * (1 if p == i else -1)
+        rows[i], rows[p] = rows[p], rows[i]
         for k in range(i + 1, 6):
             c = rows[k][i] / rows[i][i]
             rows[k] = [a - c * b for a, b in zip(rows[k], rows[i])]
-    return 1 if value > 0 else -1
+    return value
 
 
-def checked(data):
-    """What is proved, in words; raises Refused."""
+def checked(data, jobs=1, say=None):
+    """What is proved, in words, by so many processes; `say` takes words on the way. Raises Refused."""
     if data.get("format") != "gcrules certificate 1":
         raise Refused("no certificate of a known format")
     robot, claim, over = Robot(data), data["claim"], data["question"]["over"]
@@ -323,7 +293,7 @@ def checked(data):
     if claim["verdict"] == "singular":
         bad = data["singular pose"]
         box = Box(*([float(e[k]) for e in bad["box"]] for k in (0, 1)))
-        near = [EPS * 16 * max(abs(a), abs(b), 1) for a, b in zip(low, high)]
+        near = [U * 4 * max(abs(a), abs(b), 1) for a, b in zip(low, high)]
         if len(box.low) != len(low) or any(
             a < x - n or b > y + n for a, b, x, y, n in zip(box.low, box.high, low, high, near)
         ):
@@ -338,15 +308,13 @@ def checked(data):
         return "proved: there is a singular pose in range"
     if claim["verdict"] not in ("free", "outside", "undecided"):
         raise Refused(f"no independent checker yet for {claim['verdict']!r}")
-    return _tree(data, robot, whole, claim)
+    return _tree(data, robot, whole, claim, jobs, say)
 
 
-def _tree(data, robot, whole, claim):
-    margin, asked = claim["margin at least"] or 0.0, data["question"]["margin"]
-    waiting, share, count = [(whole, Fraction(1))], dict.fromkeys("fgoxu", Fraction(0)), [0, whole.half]
-    if any(b < margin for b in data["bounds"]) or (claim["verdict"] == "free" and margin < max(asked, 1e-300)):
-        raise Refused("the margin claimed is above that of a box, or below the one asked for")
-    for place, letter in enumerate(data["tree"]):
+def _leaves(tree, whole, share):
+    """The boxes of the tree that are to be proved, with the parts that all fill in `share`."""
+    waiting = [(whole, Fraction(1))]
+    for place, letter in enumerate(tree):
         if not waiting:
             raise Refused("the tree goes on after its end")
         box, part = waiting.pop()
@@ -357,33 +325,66 @@ def _tree(data, robot, whole, claim):
         if letter not in share:
             raise Refused(f"{letter!r} in the tree")
         share[letter] += part
-        if letter in "fgo" and not proved(robot, box, max(margin, 1e-300), letter == "o", CUTS, count):
-            ranges = ", ".join(f"{NAMES[k]} {a:.6g}..{b:.6g}" for k, a, b in zip(robot.free, box.low, box.high))
-            raise Refused(f"not proved: box {place} of the tree, {ranges} (rad, or the file's unit)")
+        if letter in "fgo":
+            yield place, letter == "o", box.low, box.high
     if waiting:
         raise Refused("the tree ends too soon: boxes are missing")
+
+
+_FOR = {}  # what a process knows: the robot, the margin, the half widths of the range
+
+
+def _start(data, margin, whole):
+    _FOR.update(robot=Robot(data), margin=margin, whole=whole)
+
+
+def _look(leaf):
+    _, outside, low, high = leaf
+    return leaf, proved(_FOR["robot"], Box(low, high), _FOR["margin"], outside, CUTS, _FOR["whole"])
+
+
+def _tree(data, robot, whole, claim, jobs, say):
+    margin, asked = claim["margin at least"] or 0.0, data["question"]["margin"]
+    share = dict.fromkeys("fgoxu", Fraction(0))
+    if any(b < margin for b in data["bounds"]) or (claim["verdict"] == "free" and margin < max(asked, 1e-300)):
+        raise Refused("the margin claimed is above that of a box, or below the one asked for")
+    leaves = list(_leaves(data["tree"], whole, share))
     if any(abs(float(share[k]) - claim["shares"][name]) > 1e-9 for k, name in SHARES.items()):
         raise Refused("the shares claimed are not those of the boxes")
     if claim["verdict"] != "undecided" and (share["x"] or share["u"]):
         raise Refused("boxes are not decided")
     if claim["verdict"] == "outside" and share["f"] + share["g"]:
         raise Refused("not all boxes are outside")
+    start, count, begun = (data, margin, whole.half), 0, time.monotonic()
+    _start(*start)
+    pool = multiprocessing.Pool(jobs, _start, start) if jobs > 1 else None
+    try:
+        for done, (leaf, boxes) in enumerate(pool.imap_unordered(_look, leaves, 16) if pool else map(_look, leaves), 1):
+            count += boxes
+            if not boxes:
+                ranges = ", ".join(f"{NAMES[k]} {a:.6g}..{b:.6g}" for k, a, b in zip(robot.free, *leaf[2:]))
+                raise Refused(f"not proved: box {leaf[0]} of the tree, {ranges} (rad, or the file's unit)")
+            if say and time.monotonic() > begun + 2:
+                begun = time.monotonic()
+                say(f"{done:,} of {len(leaves):,} boxes are proved")
+    finally:
+        if pool:
+            pool.terminate()
     done = 100 * float(share["f"] + share["g"] + share["o"])
     least = f", and the margin there is at least {margin:.6g}" if share["f"] + share["g"] else ""
-    return (
-        f"proved: no singular pose within the limits in {done:.6g} % of the range{least} ({count[0]:,} boxes looked at)"
-    )
+    return f"proved: no singular pose within the limits in {done:.6g} % of the range{least} ({count:,} boxes looked at)"
 
 
-def main(arguments):
-    if len(arguments) != 1:
-        print("usage: check_certificate.py FILE.json[.gz]", file=sys.stderr)
-        return 2
+def main():
+    parser = argparse.ArgumentParser(description="Check a certificate of gcrules certify again.")
+    parser.add_argument("file", metavar="FILE.json[.gz]")
+    parser.add_argument("--jobs", type=int, default=1, metavar="N", help="processes (default 1)")
+    arguments = parser.parse_args()
     try:
-        with open(arguments[0], "rb") as file:
+        with open(arguments.file, "rb") as file:
             data = file.read()
         data = json.loads(gzip.decompress(data) if data[:2] == b"\x1f\x8b" else data)
-        print(checked(data))
+        print(checked(data, arguments.jobs, lambda words: print(words, file=sys.stderr)))
     except Refused as fault:
         print(f"refused: {fault}")
         return 2 if "no independent checker" in str(fault) else 1
@@ -394,4 +395,4 @@ def main(arguments):
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    sys.exit(main())

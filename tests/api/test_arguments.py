@@ -119,7 +119,7 @@ RIGHT: dict[str, dict[str, Any]] = {
     "analyze": {"source": LEGS, "search": 0.0},
     "assembly_modes": {"source": PLATFORM},
     "box_map": {"source": PLATFORM, "over": ["x -1:1"], "tiles": 1, "boxes": 1},
-    "certify": {"source": PLATFORM, "over": ["x -1:1"], "time": 0.0},
+    "certify": {"source": PLATFORM, "over": ["x -1:1"], "boxes": 1},
     "compiled": {"source": PLATFORM, "engine": "numpy"},
     "evaluate": {"e": "[ab]", "points": {"a": (1, 0), "b": (0, 1)}, "rank": 2},
     "expand": {"e": "[abcd]"},

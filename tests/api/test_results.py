@@ -107,7 +107,7 @@ NUMBERS: dict[str, Callable[[], Any]] = {
     "map": lambda: gc.singular_map(PLATFORM, FLAT, limits="leg lengths 100..900"),
     "map of boxes": lambda: gc.box_map(PLATFORM, ["x -100:100", "z -400:0"], tiles=2, boxes=31),
     "map of boxes of a robot": lambda: gc.box_map("3-rpr", ["x -0.1:0.1", "yaw -5:5 deg"], tiles=1, boxes=31),
-    "certificate of a range": lambda: gc.certify(PLATFORM, ["x -100:100", "z -400:0"], time=5.0),
+    "certificate of a range": lambda: gc.certify(PLATFORM, ["x -100:100", "z -400:0"], boxes=200),
     "map that turns": lambda: gc.singular_map(PLATFORM, ["rx -90:90:4 deg", "rz -90:90:4 deg"], measure="value"),
     "map in space": lambda: gc.singular_map(PLATFORM, DEEP),
     "map status": lambda: MapStatus("map.zarr", 200, 50, 0.5, 3.0),

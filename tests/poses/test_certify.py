@@ -23,7 +23,7 @@ MOTORS = "actuators -83.898..44.102 deg, q2 -105.898..44.102 deg, q5 -105.898..4
 
 @cache
 def head() -> Certificate:
-    return gc.certify("reachy-mini-head", HEAD, limits=MOTORS, cone="40 deg", time=100)
+    return gc.certify("reachy-mini-head", HEAD, limits=MOTORS, cone="40 deg", boxes=8000)
 
 
 def test_the_head_of_the_reachy_mini_is_free_of_singular_poses() -> None:
@@ -41,14 +41,13 @@ def test_poses_within_the_limits_have_the_margin_that_is_proved() -> None:
     found, m = head(), gc.load("reachy-mini-head")
     limits = {f"q{k}": (-105.898 if k in (2, 5) else -83.898, 44.102) for k in range(1, 7)}
     rng = np.random.default_rng(5)
-    inside = 0
-    for roll, pitch, yaw in rng.uniform(-1, 1, (60, 3)) * (40, 40, 65):
+    inside, home = 0, gc.pose(m, nearest=False).points
+    for roll, pitch, yaw in rng.uniform(-1, 1, (12, 3)) * (40, 40, 65):
         try:
             here = gc.pose(m, f"roll={roll}deg, pitch={pitch}deg, yaw={yaw}deg", nearest=False)
         except gc.GcrulesError:
             continue
         p = here.points
-        home = gc.pose(m, nearest=False).points
         turn = _turn(roll, pitch, yaw)
         tilted = []
         for k in range(1, 7):
@@ -62,7 +61,7 @@ def test_poses_within_the_limits_have_the_margin_that_is_proved() -> None:
             inside += 1
             assert status in "fg"
             assert here.margin >= found.bound
-    assert inside >= 10
+    assert inside >= 2
 
 
 def _axis(k: int) -> tuple[float, float, float]:
@@ -108,7 +107,7 @@ def _status(found: Certificate, place: np.ndarray) -> str:
 
 
 def test_a_singular_pose_is_found_with_its_cause() -> None:
-    found = gc.certify("reachy-mini-head", ["yaw 0:95 deg"], time=60)
+    found = gc.certify("reachy-mini-head", ["yaw 0:95 deg"], boxes=1000)
     assert (found.verdict, found.holds) == ("singular", False)
     assert found.bad is not None
     assert 90 < found.bad.place[0] < 95
@@ -117,7 +116,7 @@ def test_a_singular_pose_is_found_with_its_cause() -> None:
 
 
 def test_of_six_legs_a_pose_is_told_as_pose_takes_it() -> None:
-    found = gc.certify(OCTAHEDRAL, ["x -100:100", "z -400:0", "roll -5:5 deg"], time=60)
+    found = gc.certify(OCTAHEDRAL, ["x -100:100", "z -400:0", "roll -5:5 deg"], boxes=1000)
     assert found.verdict == "singular"
     assert found.bad is not None
     here = gc.pose(OCTAHEDRAL, found.bad.at, nearest=False)
@@ -138,7 +137,7 @@ def test_of_six_legs_a_pose_is_told_as_pose_takes_it() -> None:
     ],
 )
 def test_small_ranges_are_free(name: str, over: list[str], more: dict[str, str]) -> None:
-    found = gc.certify(name, over, time=60, **more)
+    found = gc.certify(name, over, boxes=1000, **more)
     assert found.verdict == "free"
     assert found.bound is not None
     assert found.least is not None
@@ -146,7 +145,7 @@ def test_small_ranges_are_free(name: str, over: list[str], more: dict[str, str])
 
 
 def test_a_margin_that_is_not_kept_is_found() -> None:
-    found = gc.certify(OCTAHEDRAL, ["z -300:0"], margin=0.35, time=60)
+    found = gc.certify(OCTAHEDRAL, ["z -300:0"], margin=0.35, boxes=1000)
     assert (found.verdict, found.holds) == ("below", False)
     assert found.bad is not None
     assert found.bad.margin < 0.35
@@ -155,28 +154,30 @@ def test_a_margin_that_is_not_kept_is_found() -> None:
 
 def test_what_is_left_is_resumed(tmp_path: Path) -> None:
     path = str(tmp_path / "head.json.gz")
-    first = gc.certify("reachy-mini-head", HEAD, limits=MOTORS, cone="40 deg", time=0)
+    first = gc.certify("reachy-mini-head", HEAD, limits=MOTORS, cone="40 deg", boxes=1)
     assert (first.verdict, first.holds) == ("undecided", None)
     first.save(path)
-    again = gc.certify("reachy-mini-head", HEAD, limits=MOTORS, cone="40 deg", time=6, resume=path)
+    again = gc.certify("reachy-mini-head", HEAD, limits=MOTORS, cone="40 deg", boxes=2000, resume=path)
     assert again.decided > 0.5
     again.save(path)
-    last = gc.certify("reachy-mini-head", HEAD, limits=MOTORS, cone="40 deg", time=0, resume=path)
+    last = gc.certify("reachy-mini-head", HEAD, limits=MOTORS, cone="40 deg", boxes=2000, resume=path)
     assert last.tree[: len(again.tree)] == again.tree
     with pytest.raises(FileError, match="another question"):
-        gc.certify("reachy-mini-head", HEAD, cone="41 deg", time=0, resume=path)
+        gc.certify("reachy-mini-head", HEAD, cone="41 deg", boxes=1, resume=path)
 
 
 def test_a_target_ends_the_search() -> None:
-    found = gc.certify("reachy-mini-head", HEAD, limits=MOTORS, target="60%", time=60)
+    found = gc.certify("reachy-mini-head", HEAD, limits=MOTORS, target="60%", boxes=100_000)
     assert found.decided >= 0.6
     assert found.holds is (found.verdict in ("undecided", "free"))
 
 
 def test_a_tilt_is_a_cone_in_any_direction() -> None:
-    found = gc.certify(OCTAHEDRAL, ["roll -30:30 deg", "pitch -30:30 deg"], tilt="20 deg", time=60)
-    share = sum(found.shares[:2])
-    assert math.pi * 20**2 / 60**2 - 0.02 < share < 0.55  # boxes on the cone's border are free too
+    found = gc.certify(OCTAHEDRAL, ["roll -30:30 deg", "pitch -30:30 deg"], tilt="20 deg", boxes=2000)
+    assert math.pi * 20**2 / 60**2 - 0.02 < sum(found.shares[:2]) < 0.8  # boxes on the cone's border are free too
+    for place in np.radians(np.random.default_rng(2).uniform(-30, 30, (300, 2))):
+        if np.cos(place).prod() > math.cos(math.radians(20)):
+            assert _status(found, place) == "f"
     assert _status(found, np.radians([29.0, 29.0])) == "o"
 
 
@@ -189,12 +190,13 @@ def test_a_tilt_is_a_cone_in_any_direction() -> None:
         ({"tilt": "40"}, "no angle"),
         ({"target": "0%"}, "target"),
         ({"time": -1.0}, "time"),
+        ({"boxes": 0}, "boxes"),
         ({"limits": "q9 1..2"}, "no actuator"),
     ],
 )
 def test_what_makes_no_sense_is_refused(options: dict[str, object], words: str) -> None:
     with pytest.raises(InputError, match=words):
-        gc.certify("6-pus", ["x -0.1:0.1"], **{"time": 1.0, **options})
+        gc.certify("6-pus", ["x -0.1:0.1"], **{"boxes": 1, **options})
 
 
 def test_files_that_are_no_certificates(tmp_path: Path) -> None:
@@ -209,11 +211,11 @@ def test_files_that_are_no_certificates(tmp_path: Path) -> None:
 
 def test_the_command_tells_by_its_exit_code(tmp_path: Path) -> None:
     path = tmp_path / "c.json"
-    free = ["certify", "6-pus", "--over", "x -0.1..0.1", "--time", "30", "-o", str(path)]
+    free = ["certify", "6-pus", "--over", "x -0.1..0.1", "--boxes", "100", "-o", str(path)]
     assert invoke(*free).exit_code == 0
     assert json.loads(path.read_text())["claim"]["verdict"] == "free"
-    assert invoke("certify", "reachy-mini-head", "--over", "yaw 0..95 deg").exit_code == 1
-    left = invoke("certify", "reachy-mini-head", "--over", "roll -40..40 deg", "--time", "0", "-o", str(path))
+    assert invoke("certify", "reachy-mini-head", "--over", "yaw 0..95 deg", "--boxes", "1000").exit_code == 1
+    left = invoke("certify", "reachy-mini-head", "--over", "roll -40..40 deg", "--boxes", "1", "-o", str(path))
     assert left.exit_code == 3
     assert json.loads(path.read_text())["claim"]["verdict"] == "undecided"
     assert invoke("certify", "6-pus", "--over", "x 1..0").exit_code == 2

@@ -5,11 +5,14 @@ from __future__ import annotations
 import copy
 import importlib.util
 import json
+import math
 import random
 import sys
+from fractions import Fraction
 from functools import cache
 from typing import Any
 
+import numpy as np
 import pytest
 from places import ROOT
 
@@ -35,9 +38,14 @@ def checker() -> Any:
 
 
 @cache
+def loaded(source: str) -> Any:
+    return gc.load(source)
+
+
+@cache
 def certificate(name: str) -> str:
     source, over, more = QUESTIONS[name]
-    return json.dumps(gc.certify(source, over, time=30.0, **more).to_json())
+    return json.dumps(gc.certify(source, over, boxes=4000, **more).to_json())
 
 
 @pytest.mark.parametrize("name", QUESTIONS)
@@ -45,8 +53,53 @@ def test_what_is_claimed_is_proved_again(name: str) -> None:
     assert "proved" in checker().checked(json.loads(certificate(name)))
 
 
+@pytest.mark.parametrize("name", QUESTIONS)
+def test_boxes_hold_what_their_poses_have(name: str) -> None:
+    """Forces and margins at places of boxes that shrink, those of gcrules among them."""
+    c, data, rng = checker(), json.loads(certificate(name)), random.Random(3)
+    robot, over = c.Robot(data), data["question"]["over"]
+    units = [math.pi / 180 if r["unit"] == "deg" else 1.0 for r in over]
+    low, high = ([float(Fraction(r[end])) * u for r, u in zip(over, units, strict=True)] for end in ("low", "high"))
+    proved = 0
+    for k in range(12, 36):
+        middle = [rng.uniform(a, b) for a, b in zip(low, high, strict=True)]
+        half = [(b - a) * 0.5 ** (k / 6 - 1) for a, b in zip(low, high, strict=True)]
+        box = c.Box(*([m + s * h for m, h in zip(middle, half, strict=True)] for s in (-1, 1)))
+        _, _, forces = robot.look(box)
+        for _ in range(8):
+            place = [
+                rng.uniform(max(a, m - h), min(b, m + h)) for a, b, m, h in zip(low, high, middle, half, strict=True)
+            ]
+            outside, _, there = robot.look(c.Box(place, place))
+            assert not outside
+            assert there is not None
+            if forces is None:
+                continue
+            for wide, force in zip(forces, there, strict=True):
+                assert all(v.ends()[0] <= x.c <= v.ends()[1] for v, x in zip(wide, force, strict=True))
+            _, _, rows = c.holds(robot.wrenches, there, 1e-9)
+            margin = float(np.linalg.svd(np.array(rows), compute_uv=False)[-1])
+            if c.holds(robot.wrenches, forces, margin * 1.001)[0]:
+                pytest.fail("a box has more than one of its poses has")
+            proved += c.holds(robot.wrenches, forces, margin / 2)[0]
+        if k % 12 == 11:
+            assert margin == pytest.approx(_margin(name, data, place), abs=1e-9)
+    assert proved > 20
+
+
+def _margin(name: str, data: dict[str, Any], place: list[float]) -> float:
+    """That of `gcrules pose`."""
+    at = dict(zip([r["coordinate"] for r in data["question"]["over"]], place, strict=True))
+    turns = {n: math.degrees(at.get(n, 0.0)) for n in ("yaw", "pitch", "roll")}
+    if name == "six legs":
+        text = " ".join(str(at.get(n, 0.0)) for n in "xyz") + "; euler zyx {yaw} {pitch} {roll} deg".format(**turns)
+    else:
+        text = ", ".join(f"{n}={turns[n]}deg" if n in turns else f"{n}={v}" for n, v in at.items())
+    return float(gc.pose(loaded(QUESTIONS[name][0]), text, nearest=False).margin)
+
+
 def test_the_checker_imports_nothing_of_gcrules() -> None:
-    for name in ("check_certificate.py", "certificate_intervals.py"):
+    for name in ("check_certificate.py", "certificate_bounds.py"):
         text = (ROOT / "tools" / name).read_text()
         assert "import gcrules" not in text
         assert "from gcrules" not in text
@@ -92,6 +145,6 @@ def test_a_singular_pose_needs_both_signs_within_the_range() -> None:
 
 
 def test_robots_without_a_checker_are_told() -> None:
-    found = gc.certify("delta", ["x -0.1:0.1"], time=10.0).to_json()
+    found = gc.certify("delta", ["x -0.1:0.1"], boxes=100).to_json()
     with pytest.raises(checker().Refused, match="no independent checker yet"):
         checker().checked(found)

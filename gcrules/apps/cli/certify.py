@@ -34,7 +34,8 @@ _CODES = {True: 0, False: 1, None: 3}
 @click.option("--cone", metavar="ANGLES", help='Cones of joints of rods: "40 deg", "base 30 deg, C1 40 deg".')
 @click.option("--tilt", metavar="ANGLE", help='The platform tilts so far in any direction: "40 deg".')
 @click.option("--margin", type=float, default=0.0, metavar="M", help="Poses have this margin σ at least.")
-@click.option("--time", type=Seconds(), default=60.0, show_default=True, metavar="S", help="Seconds to search for.")
+@click.option("--time", type=Seconds(), metavar="S", help="Seconds to search for; 60 where no boxes are given.")
+@click.option("--boxes", type=int, metavar="N", help="Cut the range into so many boxes at most.")
 @click.option(
     "--target", default="100%", show_default=True, metavar="SHARE", help='End when so much is decided: "99.9%".'
 )
@@ -65,7 +66,8 @@ def certify(
     cone: str | None,
     tilt: str | None,
     margin: float,
-    time: float,
+    time: float | None,
+    boxes: int | None,
     target: str,
     resume: str | None,
     as_json: bool,
@@ -101,6 +103,7 @@ def certify(
             tilt=tilt,
             margin=margin,
             time=time,
+            boxes=boxes,
             target=target,
             resume=resume,
         )

@@ -31,9 +31,12 @@ Floats = NDArray[np.float64]
 
 _MOST = 4_000_000
 """Boxes of a tree, some hundreds of bytes each."""
+_TIME = 60.0  # s
 _HALVINGS = 48
-_AGAIN = 3.0
-"""Times what the search took, for a better bound of the margin."""
+_AGAIN = 3
+"""Times the boxes that the search looked at, for a better bound of the margin."""
+_FEW = 256
+"""Boxes that take no time."""
 
 
 def certify(
@@ -46,7 +49,8 @@ def certify(
     cone: str | None = None,
     tilt: str | None = None,
     margin: float = 0.0,
-    time: float = 60.0,
+    time: float | None = None,
+    boxes: int | None = None,
     target: str | float = 1.0,
     resume: str | PathLike[str] | None = None,
 ) -> Certificate:
@@ -55,25 +59,28 @@ def certify(
     `source`, `over`, `at`, `about`, `limits` and `margin` are those of `box_map`. Joints at the ends of rods keep to a
     `cone` around their direction at home, as the body there carries it: "40 deg" for all, "base 30 deg, platform 40
     deg", "C1 35 deg". The platform's third axis keeps to a `tilt`, "40 deg" in any direction. Boxes are cut for so much
-    `time` in seconds, or until the `target` share is decided; of what is left of the time three times what that took
-    goes to a better bound of the margin. `resume` is the file of an earlier certificate of the same question, from
-    which it goes on, for all of the time.
+    `time` in seconds (60, without end where a number of boxes is given), until there are so many `boxes`, or until the
+    `target` share is decided. Where no margin is asked for a better bound of it follows, three times the boxes that
+    were looked at. `resume` is the file of an earlier certificate of the same question, from which it goes on, for all
+    of the time.
 
     Raises InputError for what makes no sense, and where something has no closed form; FileError for another file.
     """
-    if not 0 <= time < np.inf:
+    if time is None:
+        time = _TIME if boxes is None else np.inf
+    elif not 0 <= time < np.inf:
         raise InputError(f"a time of {time} s", hint="a number of seconds, 0 or more")
+    if boxes is not None and boxes < 1:
+        raise InputError(f"{boxes} boxes", hint="a number of boxes, 1 or more")
     share = share_of(target)
     found = asked(mechanism(source, about=about), over, at, limits, cone, tilt, margin)
     search = Search(found.decider, found.task.box(0), found.task.home, found.task.margin)
     if resume is not None:
         _resumed(search, found, resume)
-    begun = monotonic()
-    search.run(begun + time, share, _MOST)
-    now = monotonic()
-    if search.crossed is None:
-        more = time if resume is not None else _AGAIN * (now - begun)
-        search.raise_bound(min(begun + time, now + more), _MOST)
+    until, most = monotonic() + time, _MOST if boxes is None else min(boxes, _MOST)
+    search.run(until, share, most)
+    if search.crossed is None and not margin:
+        search.raise_bound(until, most, np.inf if resume is not None else _AGAIN * max(search.looked, _FEW))
     return _certificate(found, search, share)
 
 

@@ -1,8 +1,8 @@
 r"""Branch and bound over one box of poses: a tree of boxes that are free, outside, or cut once more, the largest first.
 
 It ends where all is decided, or the share that was asked for, where a box certainly holds a singular pose, or with the
-time. With time left the free boxes with the lowest bounds are cut, so that the least margin is known better: a cut
-counts only where both halves are proved, so that nothing is lost by it.
+time or the number of boxes. Then the free boxes with the lowest bounds are cut, so that the least margin is known
+better: a cut counts only where both halves are proved, so that nothing is lost by it.
 """
 
 from __future__ import annotations
@@ -33,8 +33,8 @@ _SIDES = 1e-6  # of a box: what it is cut by at least
 
 class Search:
     """The tree of a box. `status` (K,), `sides` and `first` (the place of the first half) of each box, `bounds` of free
-    ones; `least` is the smallest margin that a pose in the range and within the limits has, with its place; a pose
-    below `margin` is no better than a singular one.
+    ones; `looked` is how many were looked at; `least` is the smallest margin that a pose in the range and within the
+    limits has, with its place; a pose below `margin` is no better than a singular one.
     """
 
     def __init__(self, decider: Decider, whole: Boxes, home: int, margin: float) -> None:
@@ -46,6 +46,7 @@ class Search:
         self.bounds = np.zeros(1)
         self.least, self.place = np.inf, np.full(whole.middles.shape[1], np.nan)
         self.crossed: int | None = None
+        self.looked = 0
 
     # --- what is known ---
 
@@ -111,6 +112,7 @@ class Search:
             order = np.argsort(-self.volumes[some], kind="stable")
             now, later = some[order[:_BATCH]], some[order[_BATCH:]]
             found = self.decider.decided(self.boxes(now))
+            self.looked += len(now)
             self._note(now, found)
             left = self.status[now] == UNDECIDED
             undecided = now[left]
@@ -128,19 +130,26 @@ class Search:
         rows = np.arange(len(some))
         return np.asarray(self.halves[some][rows, sides] < _SIDES * self.halves[0][sides])
 
-    def raise_bound(self, until: float, most: int) -> None:
-        """Cut the free boxes with the lowest bounds until the moment `until`, or the least margin is known well."""
+    def raise_bound(self, until: float, most: int, looks: float) -> None:
+        """Cut the free boxes with the lowest bounds until the moment `until`, there are `most` boxes, so many more are
+        looked at, or the least margin is known well.
+        """
+        last = self.looked + looks
         stuck = np.zeros(len(self.status), dtype=bool)
-        while monotonic() < until and len(self.status) < most and np.isfinite(self.least):
+        while np.isfinite(self.least):
+            room = min((most - len(self.status)) // 2, _BATCH)
+            if monotonic() >= until or self.looked >= last or room < 1:
+                return
             checkpoint()
             free = np.flatnonzero(np.isin(self.status, (FREE, OTHER)) & ~stuck)
             low = free[self.bounds[free] < _CLOSE * self.least]
             if not len(low):
                 return
-            low = low[np.argsort(self.bounds[low], kind="stable")[:_BATCH]]
+            low = low[np.argsort(self.bounds[low], kind="stable")[:room]]
             sides = np.argmax(self.halves[low] / np.asarray(self.decider.weights), axis=1)
             halves = self.boxes(low).cut(sides)
             found = self.decider.decided(halves)
+            self.looked += len(halves)
             fine = (found.free | found.outside).reshape(-1, 2).all(axis=1)
             stuck[low[~fine]] = True
             if not fine.any():

@@ -9,9 +9,19 @@ from gcrules.core.english import listed
 from gcrules.core.floats import rounded_down
 from gcrules.poses.boxes.report import BoxMap
 from gcrules.poses.boxes.task import MODES
-from gcrules.views.formulas.latex_text import latex_quantity, latex_table, latex_words
+from gcrules.views.formulas.latex_text import latex_quantity, latex_table
+from gcrules.views.results.box_shares import (
+    PROOF,
+    latex_ranges,
+    latex_shares,
+    named_rows,
+    parted,
+    percent,
+    place_words,
+    share_rows,
+)
 from gcrules.views.results.result_account import Facts, ResultAccount
-from gcrules.views.text_tables import ASCII, table, wrapped
+from gcrules.views.text_tables import ASCII, wrapped
 
 __all__ = [
     "account",
@@ -20,7 +30,6 @@ __all__ = [
     "decided",
     "leaves_nothing",
     "parts",
-    "percent",
     "picture_of",
     "seen",
     "verdict",
@@ -38,9 +47,7 @@ def as_text(m: BoxMap, *, unicode: bool = False) -> str:
 def _lines(m: BoxMap) -> Iterator[str]:
     yield from wrapped(verdict(m))
     yield ""
-    rows = _rows(m)
-    before = ["", *(name for name, _ in rows)]
-    yield from table([("" if name == last else name, value) for (name, value), last in zip(rows, before, strict=False)])
+    yield from named_rows(_rows(m))
 
 
 def account(m: BoxMap) -> ResultAccount:
@@ -54,28 +61,23 @@ def _rows(m: BoxMap) -> list[tuple[str, str]]:
 
 def verdict(m: BoxMap) -> str:
     """The answer in one sentence."""
-    free, other, outside, crossed, undecided = m.summary.shares
+    *_, outside, crossed, undecided = m.summary.shares
     q = m.task.question
     reached = "reached within the limits" if q.limits else "reached"
     pose = "pose of this range" + (f" that is {reached}" if outside or q.limits else "")
     least = f", and the margin is {m.task.margin:g} at least" if m.task.margin else ""
     beside = "" if q.always_reached else f", or poses that are not {reached}"
-    parted = (
-        f" Both signs of the determinant occur ({percent(free)} and {percent(other)}): every way from one to the "
-        f"other passes a singular pose{beside}."
-    )
-    if not (free and other):
-        parted = ""
+    apart = parted(m.summary.shares, f"passes a singular pose{beside}")
     match m.verdict:
         case "outside":
             return f"Proved: no pose of this range is {reached}."
         case "free":
-            return f"Proved: no {pose} is singular{least}.{parted}"
+            return f"Proved: no {pose} is singular{least}.{apart}"
         case "undecided":
-            return f"No singular pose was found, but {percent(undecided)} of the range is undecided.{parted}"
+            return f"No singular pose was found, but {percent(undecided)} of the range is undecided.{apart}"
     if not crossed:
-        return f"This range is not free: there is a singular pose in what is undecided.{parted}"
-    return f"This range is not free: boxes of {percent(crossed)} of it hold {_bad(m)}.{parted}"
+        return f"This range is not free: there is a singular pose in what is undecided.{apart}"
+    return f"This range is not free: boxes of {percent(crossed)} of it hold {_bad(m)}.{apart}"
 
 
 def _asked(m: BoxMap) -> Iterator[tuple[str, str]]:
@@ -93,18 +95,10 @@ def _asked(m: BoxMap) -> Iterator[tuple[str, str]]:
 
 
 def _shares(m: BoxMap) -> Iterator[tuple[str, str]]:
-    free, other, outside, crossed, undecided = m.summary.shares
-    yield "free", f"{percent(free)} of the volume" + (f", and {percent(other)} with the other sign" if other else "")
-    if outside:
-        where = "poses that are not reached" + (" within the limits" if m.task.question.limits else "")
-        yield "outside", f"{percent(outside)}: {where}"
-    if crossed:
-        yield "crossed", f"{percent(crossed)}: boxes that hold {_bad(m)}"
-    if undecided:
-        yield "undecided", percent(undecided)
     s = m.summary
+    yield from share_rows(s.shares, m.task.question.limits is not None, _bad(m))
     if s.margin is not None and s.place is not None:
-        at = ", ".join(f"{a.name} = {c:.5g}" for a, c in zip(m.axes, s.place, strict=True))
+        at = place_words(m.axes, s.place)
         yield "least", f"margin σ = {s.margin:.4g} in the middle of a free box, at {at}"
     if s.bound is not None:
         yield "", f"σ ≥ {rounded_down(s.bound)} in all free boxes, proved"
@@ -119,32 +113,14 @@ def _bad(m: BoxMap) -> str:
 def _proof(m: BoxMap) -> Iterator[tuple[str, str]]:
     tiles = " × ".join(str(n) for n in m.task.grid)
     yield "boxes", f"{m.summary.boxes:,} in {tiles} tiles, at most {m.task.boxes:,} in each"
-    words = (
-        "in a free box the wrenches hold the platform at all poses, by Taylor models of second order with bounds of "
-        "all that they leave out and of rounding"
-    )
-    yield "proof", f"{words}."
+    yield "proof", f"{PROOF}."
     if m.task.question.chosen:
         yield "check", "the closed forms of the wrenches agree with the joints at poses at random"
 
 
-def percent(share: float) -> str:
-    """A share in percent; what is not all, and not nothing, is not shown as if it were."""
-    shown = f"{100 * share:.3g}"
-    if shown == "100" and share < 1:
-        shown = f"{min(100 * share, 99.9999):.6g}"
-    return f"{shown} %"
-
-
 def as_latex(m: BoxMap) -> str:
     """A tabular of the ranges and of the shares; needs no package."""
-    rows = []
-    for a in m.axes:
-        ends = (latex_quantity(float(c), a.unit) for c in (a.start, a.stop))
-        rows.append((latex_words(a.name), " to ".join(ends)))
-    free, other, outside, crossed, undecided = m.summary.shares
-    for name, share in (("free", free + other), ("outside", outside), ("crossed", crossed), ("undecided", undecided)):
-        rows.append((name, latex_words(percent(share))))
+    rows = [*latex_ranges(m.axes), *latex_shares(m.summary.shares)]
     if m.summary.margin is not None:
         rows.append(("least margin $\\sigma$ in a middle", latex_quantity(m.summary.margin)))
     return latex_table(rows)

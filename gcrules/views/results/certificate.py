@@ -9,19 +9,25 @@ from gcrules.core.floats import rounded_down
 from gcrules.poses.boxes.task import MODES
 from gcrules.poses.certificates.certificate import Certificate
 from gcrules.views.formulas.latex_text import latex_quantity, latex_table, latex_words
-from gcrules.views.results.box_map import percent
+from gcrules.views.results.box_shares import (
+    PROOF,
+    latex_ranges,
+    latex_shares,
+    named_rows,
+    parted,
+    percent,
+    place_words,
+    share_rows,
+)
 from gcrules.views.results.result_account import Facts, ResultAccount
-from gcrules.views.text_tables import ASCII, table, wrapped
+from gcrules.views.text_tables import ASCII, wrapped
 
 __all__ = ["account", "as_latex", "as_text", "verdict"]
 
 
 def as_text(c: Certificate, *, unicode: bool = False) -> str:
     """The whole answer; without `unicode` in ASCII."""
-    rows = list(_rows(c))
-    before = ["", *(name for name, _ in rows)]
-    named = [("" if name == last else name, value) for (name, value), last in zip(rows, before, strict=False)]
-    found = "\n".join([*wrapped(verdict(c)), "", *table(named)])
+    found = "\n".join([*wrapped(verdict(c)), "", *named_rows(_rows(c))])
     return found if unicode else found.replace("≥", ">=").translate(ASCII)
 
 
@@ -53,13 +59,7 @@ def verdict(c: Certificate) -> str:
 
 
 def _parted(c: Certificate) -> str:
-    free, other, *_ = c.shares
-    if not (free and other):
-        return ""
-    return (
-        f" Both signs of the determinant occur ({percent(free)} and {percent(other)}): every way from one to the other "
-        "leaves the range, or what is reached within the limits."
-    )
+    return parted(c.shares, "leaves the range, or what is reached within the limits")
 
 
 def _between(c: Certificate) -> str:
@@ -75,17 +75,8 @@ def _at(c: Certificate) -> str:
 
 def _rows(c: Certificate) -> Iterator[tuple[str, str]]:
     yield from _question(c)
-    free, other, outside, crossed, undecided = c.shares
-    yield "free", f"{percent(free)} of the volume" + (f", and {percent(other)} with the other sign" if other else "")
-    if outside:
-        yield (
-            "outside",
-            f"{percent(outside)}: poses that are not reached" + (" within the limits" if c.asked.limited else ""),
-        )
-    if crossed:
-        yield "crossed", f"{percent(crossed)}: boxes that hold such a pose"
-    if undecided:
-        yield "undecided", percent(undecided)
+    *_, crossed, undecided = c.shares
+    yield from share_rows(c.shares, c.asked.limited, "such a pose")
     if c.bad is not None:
         yield "pose", f"{c.bad.at} (as gcrules pose --at takes it)"
         yield "", f"margin σ = {c.bad.margin:.3g} there"
@@ -95,16 +86,10 @@ def _rows(c: Certificate) -> Iterator[tuple[str, str]]:
         what = "in all boxes that are free" if undecided or crossed else "in all of it"
         yield "margin", f"σ ≥ {rounded_down(c.bound)} {what}, proved"
     if c.least is not None and c.place is not None:
-        at = ", ".join(f"{a.name} = {v:.5g}" for a, v in zip(c.asked.axes, c.place, strict=True))
+        at = place_words(c.asked.axes, c.place)
         yield "margin", f"σ = {c.least:.4g} at {at}: the smallest that was seen"
     yield "boxes", f"{c.boxes:,}"
-    yield (
-        "proof",
-        (
-            "in a free box the wrenches hold the platform at all poses, by Taylor models of second order with bounds "
-            "of all that they leave out and of rounding; free boxes, and those outside, fill what is proved."
-        ),
-    )
+    yield "proof", f"{PROOF}; free boxes, and those outside, fill what is proved."
 
 
 def _question(c: Certificate) -> Iterator[tuple[str, str]]:
@@ -127,14 +112,7 @@ def _question(c: Certificate) -> Iterator[tuple[str, str]]:
 
 def as_latex(c: Certificate) -> str:
     """A tabular of the ranges and of the answer; needs no package."""
-    rows = []
-    for a in c.asked.axes:
-        ends = (latex_quantity(float(x), a.unit) for x in (a.start, a.stop))
-        rows.append((latex_words(a.name), " to ".join(ends)))
-    free, other, outside, crossed, undecided = c.shares
-    rows.append(("answer", latex_words(c.verdict)))
-    for name, share in (("free", free + other), ("outside", outside), ("crossed", crossed), ("undecided", undecided)):
-        rows.append((name, latex_words(percent(share))))
+    rows = [*latex_ranges(c.asked.axes), ("answer", latex_words(c.verdict)), *latex_shares(c.shares)]
     if c.bound is not None:
         rows.append(("margin $\\sigma$, at least", latex_quantity(float(rounded_down(c.bound)))))
     return latex_table(rows)
