@@ -7,6 +7,7 @@ import importlib.util
 import json
 import math
 import random
+import re
 import sys
 from fractions import Fraction
 from functools import cache
@@ -96,6 +97,42 @@ def _margin(name: str, data: dict[str, Any], place: list[float]) -> float:
     else:
         text = ", ".join(f"{n}={turns[n]}deg" if n in turns else f"{n}={v}" for n, v in at.items())
     return float(gc.pose(loaded(QUESTIONS[name][0]), text, nearest=False).margin)
+
+
+def fits(value: Any, schema: dict[str, Any]) -> bool:
+    """Whether a value is as a schema says: the words of JSON schema that the one of certificates uses."""
+    kinds = {"object": dict, "array": list, "string": str, "number": (int, float), "null": type(None)}
+    match value:
+        case dict():
+            known = schema.get("properties", {})
+            more = schema.get("additionalProperties", {})
+            inner = set(schema.get("required", ())) <= set(value) and all(
+                fits(v, known[k]) if k in known else more is not False and fits(v, more) for k, v in value.items()
+            )
+        case list():
+            size = schema.get("minItems", 0) <= len(value) <= schema.get("maxItems", len(value))
+            inner = size and all(fits(v, schema.get("items", {})) for v in value)
+        case str():
+            inner = re.search(schema.get("pattern", ""), value) is not None
+        case _:
+            inner = True
+    return (
+        inner
+        and isinstance(value, kinds.get(schema.get("type", ""), object))
+        and value in schema.get("enum", [value])
+        and value == schema.get("const", value)
+        and ("anyOf" not in schema or any(fits(value, s) for s in schema["anyOf"]))
+    )
+
+
+def test_certificates_are_as_the_published_schema_says() -> None:
+    schema = json.loads((ROOT / "docs" / "assets" / "certificate.schema.json").read_text())
+    for name in QUESTIONS:
+        data = json.loads(certificate(name))
+        assert fits(data, schema)
+        for key in data:
+            assert not fits({k: v for k, v in data.items() if k != key}, schema)
+        assert not fits({**data, "tree": "f?"}, schema)
 
 
 def test_the_checker_imports_nothing_of_gcrules() -> None:
