@@ -331,7 +331,7 @@ def _leaves(tree, whole, share):
         raise Refused("the tree ends too soon: boxes are missing")
 
 
-_FOR = {}  # what a process knows: the robot, the margin, the half widths of the range
+_FOR: dict[str, object] = {}  # what a process knows: the robot, the margin, the half widths of the range
 
 
 def _start(data, margin, whole):
