@@ -229,3 +229,64 @@ def balance(arms):
             if abs(sum(k[a][i] * half[a][j] for a in SIX) - (i == j)) > Fraction(1, 10**10):
                 raise Refused("the balance of the margin is not computed well enough")
     return scale
+
+
+def cosine_of(angle):
+    """The cosine of a cone's angle. Raises Refused where this is not between 0 and half a turn."""
+    if not 0 < angle < math.pi:
+        raise Refused(f"a cone of {angle} rad")
+    return math.cos(angle)
+
+
+def branch(at_home, size):
+    """Of two solutions of a drive the one at home. Raises Refused where they are not apart there."""
+    if abs(at_home) < 1e-6 * size:
+        raise Refused("home is a dead point of a drive")
+    return -1.0 if at_home > 0 else 1.0
+
+
+def once(pairs):
+    """An object whose names all differ; NaN and Infinity, which are names of no numbers, come here as text."""
+    if isinstance(pairs, str) or len(dict(pairs)) != len(pairs):
+        raise Refused("a name twice, or a number that is none")
+    return dict(pairs)
+
+
+def sign_of(rows):
+    """The sign of the determinant of a matrix of floats that is regular, exact."""
+    rows, value = [[Fraction(c) for c in row] for row in rows], 1
+    for i in SIX:
+        p = next(k for k in range(i, 6) if rows[k][i])
+        value *= (1 if rows[p][i] > 0 else -1) * (1 if p == i else -1)
+        rows[i], rows[p] = rows[p], rows[i]
+        for k in range(i + 1, 6):
+            c = rows[k][i] / rows[i][i]
+            rows[k] = [a - c * b for a, b in zip(rows[k], rows[i])]
+    return value
+
+
+def leaves_of(tree, whole, share):
+    """The boxes of the tree that are to be proved, with the parts that all fill in `share`."""
+    waiting = [(whole, Fraction(1))]
+    for place, letter in enumerate(tree):
+        if not waiting:
+            raise Refused("the tree goes on after its end")
+        box, part = waiting.pop()
+        if letter.isdigit() and int(letter) < len(whole.low):
+            first, second = box.cut(int(letter))
+            waiting += [(second, part / 2), (first, part / 2)]
+            continue
+        if letter not in share:
+            raise Refused(f"{letter!r} in the tree")
+        share[letter] += part
+        if letter in "fgo":
+            yield place, letter == "o", box.low, box.high
+    if waiting:
+        raise Refused("the tree ends too soon: boxes are missing")
+
+
+def all_inside(robot, box, cuts):
+    _, inside, forces = robot.look(box)
+    if inside and forces is not None:
+        return True
+    return cuts > 0 and all(all_inside(robot, part, cuts - 1) for part in box.cut(box.half.index(max(box.half))))

@@ -17,7 +17,8 @@ In a box W K = M + D. Let B be near the inverse of M, |1 - B M| <= A_0, |1 - B (
 entries, alpha_0, alpha and phi the norms of these bounds. If alpha < 1, then W K is regular, and its margin is at least
 (1 - alpha) / |B|, and at least (1 - alpha_0) / |B| - phi. |B| <= b is proved by b^2 - B^T B being positive definite.
 
-Exit codes: 0 what is claimed is proved, 1 it is not, 2 the file is no certificate of a robot that is known here.
+Exit codes: 0 what is claimed is proved, 1 it is not, 2 the file is no certificate of a robot that is known here, 3 the
+file leaves a part undecided, and what it claims of the rest is proved.
 """
 
 from __future__ import annotations
@@ -40,12 +41,18 @@ from certificate_bounds import (
     U,
     Undefined,
     Value,
+    all_inside,
     balance,
+    branch,
+    cosine_of,
     cross,
     dot,
     holds,
+    leaves_of,
     minus,
     mix,
+    once,
+    sign_of,
     turns,
 )
 
@@ -69,24 +76,38 @@ class Robot:
         if missing or not all(map(math.isfinite, self.rest)):
             raise Refused("the rest of the pose is missing")
         self.centre, self.rods = geometry["centre"], geometry["rods"]
+        points = q["robot"].get("points")
+        if points and any(
+            [float(Fraction(c)) for c in points[n]] != e
+            for r in self.rods
+            for n, e in zip(*map(r.get, ("names", "ends")))
+        ):
+            raise Refused("the geometry is not that of the robot's points")
         for rod in self.rods:
             if rod["drive"] not in ("leg", "turn", "slide"):
                 raise Refused(f"no independent checker yet for a drive that is a {rod['drive']}")
-        names = [rod.get("actuator") for rod in self.rods]
-        order = SIX if names[0] is None else [names.index(n) for n in q["limits"] or () if n in names]
+        names = [rod.get("actuator") or "".join(rod["names"]) for rod in self.rods]
+        ends = {tuple(rod["ends"][1]) for rod in self.rods}
+        middle = [sum(e[j] for e in ends) / len(ends) for j in range(3)]
+        about = {"origin": [0.0] * 3, "centroid": middle}.get(str(q["about"]), self.centre)
+        if any(abs(a - b) > 1e-9 * (1 + abs(a)) for a, b in zip(about, self.centre)):
+            raise Refused("the centre of turns is another one than it is said to be")
         self.limits = [(-INF, INF)] * 6
         if q["limits"]:
-            if len(q["limits"]) != 6 or (names[0] and set(names) != set(q["limits"])):
+            if len(set(names)) != 6 or set(names) != set(q["limits"]):
                 raise Refused("the limits are not those of six drives")
-            for k, (low, high) in zip(order, q["limits"].values()):
-                self.limits[k] = (-INF if low is None else low, INF if high is None else high)
+            for name, (low, high) in q["limits"].items():
+                ends = (-INF if low is None else low, INF if high is None else high)
+                if not ends[0] < ends[1]:
+                    raise Refused(f"limits of {name} that are none")
+                self.limits[names.index(name)] = ends
         self.cones = [[] for _ in SIX]
         for c in q["cones"]:
             k = next((k for k, rod in enumerate(self.rods) if rod["names"] == c["rod"]), None)
             if k is None or c["end"] not in ("base", "platform"):
                 raise Refused("a cone of an unknown rod")
-            self.cones[k].append((c["end"], math.cos(c["angle"])))
-        self.tilt = None if q["tilt"] is None else math.cos(q["tilt"])
+            self.cones[k].append((c["end"], cosine_of(c["angle"])))
+        self.tilt = None if q["tilt"] is None else cosine_of(q["tilt"])
         self.parts = [self._parts(rod) for rod in self.rods]
         ends = [rod["ends"][1] for rod in self.rods]
         mean = [sum(e[j] for e in ends) / 6 for j in range(3)]
@@ -107,6 +128,8 @@ class Robot:
         if rod["drive"] == "leg":
             return home, size, None, None
         along = math.sqrt(dot(rod["axis"], rod["axis"]))
+        if not 1e-6 < along < 1e6:
+            raise Refused("an axis of no length, or of an endless one")
         axis = [c / along for c in rod["axis"]]
         if rod["drive"] == "slide":
             return home, size, axis, branch(dot(home, axis), size)
@@ -221,13 +244,6 @@ class Robot:
         return force, leans, amount
 
 
-def branch(at_home, size):
-    """Of two solutions of a drive the one at home. Raises Refused where they are not apart there."""
-    if abs(at_home) < 1e-6 * size:
-        raise Refused("home is a dead point of a drive")
-    return -1.0 if at_home > 0 else 1.0
-
-
 def proved(robot, box, margin, only_outside, cuts, whole):
     """How many boxes it takes to prove of a box that none of its poses is reached within the limits, or that all (not
     `only_outside`) have the margin; 0 where it is not proved.
@@ -252,13 +268,6 @@ def proved(robot, box, margin, only_outside, cuts, whole):
     return count
 
 
-def all_inside(robot, box, cuts):
-    _, inside, forces = robot.look(box)
-    if inside and forces is not None:
-        return True
-    return cuts > 0 and all(all_inside(robot, part, cuts - 1) for part in box.cut(box.half.index(max(box.half))))
-
-
 def sign(robot, place):
     """The sign of the determinant of W at a place, proved; 0 where it is not."""
     outside, _, forces = robot.look(Box(list(place), list(place)))
@@ -267,15 +276,7 @@ def sign(robot, place):
     fine, _, rows = holds(robot.wrenches, forces, 0.0)
     if not fine:
         return 0
-    rows, value = [[Fraction(c) for c in row] for row in rows], 1
-    for i in SIX:
-        p = next(k for k in range(i, 6) if rows[k][i])
-        value *= (1 if rows[p][i] > 0 else -1) * (1 if p == i else -1)
-        rows[i], rows[p] = rows[p], rows[i]
-        for k in range(i + 1, 6):
-            c = rows[k][i] / rows[i][i]
-            rows[k] = [a - c * b for a, b in zip(rows[k], rows[i])]
-    return value
+    return sign_of(rows)
 
 
 def checked(data, jobs=1, say=None):
@@ -283,11 +284,12 @@ def checked(data, jobs=1, say=None):
     if data.get("format") != "gcrules certificate 1":
         raise Refused("no certificate of a known format")
     robot, claim, over = Robot(data), data["claim"], data["question"]["over"]
+    length = data["question"]["robot"].get("units") or ""
+    if any(r["unit"] not in (("deg", "rad") if NAMES.index(r["coordinate"]) > 2 else (length, "")) for r in over):
+        raise Refused("a range in another unit")
     units = [math.pi / 180 if r["unit"] == "deg" else 1.0 for r in over]
     low, high = ([float(Fraction(r[end])) * u for r, u in zip(over, units)] for end in ("low", "high"))
-    if any(r["unit"] == "deg" and NAMES.index(r["coordinate"]) < 3 for r in over) or not all(
-        a < b for a, b in zip(low, high)
-    ):
+    if not all(a < b for a, b in zip(low, high)):
         raise Refused("a range that is none")
     whole = Box(low, high)
     if claim["verdict"] == "singular":
@@ -301,6 +303,9 @@ def checked(data, jobs=1, say=None):
         ends = bad["opposite signs at"]
         if any(not a <= c <= b for end in ends for a, b, c in zip(box.low, box.high, end)):
             raise Refused("the ends are not in the box")
+        place = [c * u for c, u in zip(bad["place"], units)]
+        if len(place) != len(low) or any(not a - n <= c <= b + n for a, b, c, n in zip(box.low, box.high, place, near)):
+            raise Refused("the pose is not in the box")
         if len(ends) != 2 or sign(robot, ends[0]) * sign(robot, ends[1]) != -1:
             raise Refused("the determinant has no opposite signs at the ends")
         if not all_inside(robot, box, 18):
@@ -309,26 +314,6 @@ def checked(data, jobs=1, say=None):
     if claim["verdict"] not in ("free", "outside", "undecided"):
         raise Refused(f"no independent checker yet for {claim['verdict']!r}")
     return _tree(data, robot, whole, claim, jobs, say)
-
-
-def _leaves(tree, whole, share):
-    """The boxes of the tree that are to be proved, with the parts that all fill in `share`."""
-    waiting = [(whole, Fraction(1))]
-    for place, letter in enumerate(tree):
-        if not waiting:
-            raise Refused("the tree goes on after its end")
-        box, part = waiting.pop()
-        if letter.isdigit() and int(letter) < len(whole.low):
-            first, second = box.cut(int(letter))
-            waiting += [(second, part / 2), (first, part / 2)]
-            continue
-        if letter not in share:
-            raise Refused(f"{letter!r} in the tree")
-        share[letter] += part
-        if letter in "fgo":
-            yield place, letter == "o", box.low, box.high
-    if waiting:
-        raise Refused("the tree ends too soon: boxes are missing")
 
 
 _FOR: dict[str, object] = {}  # what a process knows: the robot, the margin, the half widths of the range
@@ -346,13 +331,22 @@ def _look(leaf):
 def _tree(data, robot, whole, claim, jobs, say):
     margin, asked = claim["margin at least"] or 0.0, data["question"]["margin"]
     share = dict.fromkeys("fgoxu", Fraction(0))
-    if any(b < margin for b in data["bounds"]) or (claim["verdict"] == "free" and margin < max(asked, 1e-300)):
+    if any(not margin <= b <= 1 for b in data["bounds"]) or (
+        claim["verdict"] == "free" and margin < max(asked, 1e-300)
+    ):
         raise Refused("the margin claimed is above that of a box, or below the one asked for")
-    leaves = list(_leaves(data["tree"], whole, share))
+    leaves = list(leaves_of(data["tree"], whole, share))
     if any(abs(float(share[k]) - claim["shares"][name]) > 1e-9 for k, name in SHARES.items()):
         raise Refused("the shares claimed are not those of the boxes")
     if claim["verdict"] != "undecided" and (share["x"] or share["u"]):
         raise Refused("boxes are not decided")
+    if len(data["bounds"]) != sum(letter in "fg" for letter in data["tree"]):
+        raise Refused("not every free box has a bound")
+    if not 0 < claim["target"] <= 1:
+        raise Refused("a target that is none")
+    seen = claim["smallest margin seen"]
+    if seen is not None and not margin <= seen <= 1:
+        raise Refused("a margin was seen that is below what is claimed")
     if claim["verdict"] == "outside" and share["f"] + share["g"]:
         raise Refused("not all boxes are outside")
     start, count, begun = (data, margin, whole.half), 0, time.monotonic()
@@ -372,7 +366,8 @@ def _tree(data, robot, whole, claim, jobs, say):
             pool.terminate()
     done = 100 * float(share["f"] + share["g"] + share["o"])
     least = f", and the margin there is at least {margin:.6g}" if share["f"] + share["g"] else ""
-    return f"proved: no singular pose within the limits in {done:.6g} % of the range{least} ({count:,} boxes looked at)"
+    word = "undecided, but proved" if claim["verdict"] == "undecided" else "proved"
+    return f"{word}: no singular pose within the limits in {done:.6g} % of the range{least} ({count:,} boxes looked at)"
 
 
 def main():
@@ -383,15 +378,20 @@ def main():
     try:
         with open(arguments.file, "rb") as file:
             data = file.read()
-        data = json.loads(gzip.decompress(data) if data[:2] == b"\x1f\x8b" else data)
-        print(checked(data, arguments.jobs, lambda words: print(words, file=sys.stderr)))
+        data = json.loads(
+            gzip.decompress(data) if data[:2] == b"\x1f\x8b" else data,
+            object_pairs_hook=once,
+            parse_constant=once,
+        )
+        found = checked(data, arguments.jobs, lambda words: print(words, file=sys.stderr))
+        print(found)
     except Refused as fault:
         print(f"refused: {fault}")
         return 2 if "no independent checker" in str(fault) else 1
     except (OSError, ValueError, KeyError, TypeError, IndexError, AttributeError, ArithmeticError) as fault:
         print(f"refused: no certificate ({type(fault).__name__}: {fault})")
         return 1
-    return 0
+    return 3 if found.startswith("undecided") else 0
 
 
 if __name__ == "__main__":

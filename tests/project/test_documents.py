@@ -27,6 +27,9 @@ NOT_RUN = {
         "docs/boxes.md",
         'gcrules map boxes 6-rus --over "x -0.4:0.4" --over "y -0.4:0.4" --over "z -0.4:0.4" \\',
     ): ("it takes a quarter of an hour"),
+    ("docs/certify.md", "python tools/check_certificate.py head.json --jobs 2"): (
+        "tests/project/test_check_certificate.py checks certificates"
+    ),
     ("docs/map.md", 'gcrules map refine map.zarr -o wider.zarr --over "x -200:400"'): (
         "tests/poses/test_map_extended.py extends stores"
     ),

@@ -26,7 +26,7 @@ _CODES = {True: 0, False: 1, None: 3}
     multiple=True,
     required=True,
     metavar="RANGE",
-    help='A coordinate with start:stop, "x -20:20", or -40..40 deg, "roll -40..40 deg"; give one to six.',
+    help='A coordinate and its range, "x -20..20" or "roll -40..40 deg"; one to six times.',
 )
 @at_option
 @about_option
@@ -95,7 +95,7 @@ def certify(
     with working("proving"):
         found = certified(
             source,
-            [text.replace("..", ":") for text in over],
+            list(over),
             at,
             about=about,
             limits=limits,
