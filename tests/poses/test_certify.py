@@ -219,3 +219,11 @@ def test_the_command_tells_by_its_exit_code(tmp_path: Path) -> None:
     assert left.exit_code == 3
     assert json.loads(path.read_text())["claim"]["verdict"] == "undecided"
     assert invoke("certify", "6-pus", "--over", "x 1..0").exit_code == 2
+
+
+def test_the_singular_pose_is_singular_as_it_is_written() -> None:
+    """Several turns at once: their sequence is that of `gcrules pose`."""
+    over = ["yaw 20..30 deg", "pitch 10..20 deg", "roll -40..-10 deg", "z -600..0"]
+    found = gc.certify(OCTAHEDRAL, over, boxes=4000)
+    assert found.bad is not None
+    assert gc.pose(OCTAHEDRAL, found.bad.at, nearest=False).margin < 1e-9
