@@ -33,7 +33,7 @@ _MOST = 4_000_000
 """Boxes of a tree, some hundreds of bytes each."""
 _TIME = 60.0  # s
 _HALVINGS = 48
-_AGAIN = 3
+_AGAIN = 6
 """Times the boxes that the search looked at, for a better bound of the margin."""
 _FEW = 256
 """Boxes that take no time."""
