@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from commands import invoke
 from places import EXAMPLES
 
 import gcrules as gc
@@ -316,3 +317,11 @@ def test_tables_of_robots_of_joints_are_read_again(tmp_path: Path, robot: str, g
     table.write_text(found.csv(), encoding="utf-8")
     again, same = gc.path(robot, table, samples=50), gc.path(robot, list(found.poses), samples=50)
     assert again.margins.tolist() == pytest.approx(same.margins.tolist(), abs=1e-9)
+
+
+@pytest.mark.parametrize("robot", [OCTAHEDRAL, "3-rps"])
+def test_faults_of_poses_stand_where_they_were_typed(robot: str | Path) -> None:
+    for words, option in ((("home", "z=1, roll=30"), "--to"), (("z=1, roll=30", "home"), "--from")):
+        done = invoke("plan", str(robot), "--from", words[0], "--to", words[1])
+        assert done.exit_code == 2
+        assert f"{option}:1:6: " in done.stderr

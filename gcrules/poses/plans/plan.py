@@ -24,7 +24,7 @@ import numpy as np
 
 from gcrules.core.budget import checkpoint
 from gcrules.core.budget import report as report_progress
-from gcrules.core.errors import InputError
+from gcrules.core.errors import GcrulesError, InputError
 from gcrules.core.floats import rounded_down
 from gcrules.mechanisms.limbs import Limbs
 from gcrules.mechanisms.load import Folders, Source
@@ -105,7 +105,13 @@ def plan_of(
     of_kind = method(_PROBLEM, found, "a plan")
 
     def problem(goal: Any, asked: float) -> Problem:
-        return of_kind(start, goal, asked, limits, within)
+        try:
+            return of_kind(start, goal, asked, limits, within)
+        except GcrulesError as fault:  # poses are read as those of --at are
+            texts = {end: option for end, option in ((goal, "--to"), (start, "--from")) if isinstance(end, str)}
+            if fault.filename == "--at" and fault.source in texts:
+                fault.filename = texts[fault.source]
+            raise
 
     if goal is None:
         return _way_out(problem, start, asked, states, seed)
