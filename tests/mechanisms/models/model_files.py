@@ -40,7 +40,7 @@ def shape(model: Model) -> dict[str, tuple[str, str, str]]:
     return {j.name: (j.kind, j.parent, j.child) for j in model.joints}
 
 
-def joints(model: Model, digits: int = 9) -> dict[str, object]:
+def joints(model: Model, digits: int = 8) -> dict[str, object]:
     """The joints that move or close a loop, in short, to be compared."""
     return {
         j.name: (
