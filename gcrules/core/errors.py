@@ -124,6 +124,12 @@ class LimitReached(GcrulesError):
     exit_code = 3
 
 
+class SingularEverywhere(GcrulesError):
+    """A definite no to every question for a regular pose: the robot is singular in all of them, proved."""
+
+    exit_code = 1
+
+
 class _Many(FileError):
     """Several faults of one file, shown together."""
 

@@ -3,16 +3,10 @@
 from __future__ import annotations
 
 from gcrules.conditions.dimensions.dimensions import architecture_at
-from gcrules.core.errors import GcrulesError
+from gcrules.core.errors import SingularEverywhere
 from gcrules.mechanisms.six_legs import SixLegs
 
-__all__ = ["SingularEverywhere", "check_architecture"]
-
-
-class SingularEverywhere(GcrulesError):
-    """A definite no to every question for a regular pose: the robot is singular in all of them, proved."""
-
-    exit_code = 1
+__all__ = ["check_architecture"]
 
 
 def check_architecture(m: SixLegs) -> None:

@@ -5,13 +5,14 @@ Each answer is that of the function of its own, with the same arguments.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from functools import partial
 from typing import Any
 
 from gcrules.conditions.analysis import Analysis
 from gcrules.core.dataclass import dataclass
 from gcrules.core.deferred import deferred
-from gcrules.core.errors import GcrulesError, InputError
+from gcrules.core.errors import GcrulesError, InputError, SingularEverywhere
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.screws.threshold import DEFAULT
 
@@ -118,11 +119,14 @@ class Questions:
             if isinstance(a, RobotAnalysis):  # legs between two points have one working and one operation mode
                 yield from self._further_modes(a)
         if self.aspects:
-            yield aspects_of(a, about=about, limits=limits, within=self.within)
+            ask = partial(aspects_of, a, about=about, limits=limits, within=self.within)
+            yield _answer("Aspects", ask, SingularEverywhere)
         if self.plan is not None:
-            yield plan_of(a, *self.plan, about=about, limits=limits, within=self.within)
+            ask = partial(plan_of, a, *self.plan, about=about, limits=limits, within=self.within)
+            yield _answer("A way without a singularity", ask, SingularEverywhere)
         if self.free:
-            yield free_region(a, self.at, about=about, ball=self.free == "ball")
+            ask = partial(free_region, a, self.at, about=about, ball=self.free == "ball")
+            yield _answer("A free region", ask, SingularEverywhere)
 
     def _map(self, a: Analysis | RobotAnalysis) -> Any:
         """Over nodes, or of whole boxes: what the coordinates are."""
@@ -130,20 +134,22 @@ class Questions:
             return map_of(a, self.over, self.at, about=self.about, limits=self.limits, threshold=self.threshold)
         over = [self.over] if isinstance(self.over, str) else list(self.over or ())
         tiles, boxes = within_boxes(len(over), _BOXES)
-        return box_map(
-            a, over, self.at, about=self.about, limits=self.limits, margin=self.margin, tiles=tiles, boxes=boxes
-        )
+        given = {"about": self.about, "limits": self.limits, "margin": self.margin, "tiles": tiles, "boxes": boxes}
+        return _answer("Whole ranges", partial(box_map, a, over, self.at, **given), SingularEverywhere)
 
     def _further_modes(self, a: RobotAnalysis) -> Iterator[Any]:
         """Those that not every robot of joints has."""
-        try:
-            yield working_modes(a, self.at, about=self.about, threshold=self.threshold)
-        except GcrulesError as fault:
-            yield Unanswered("Working modes", fault.message)
-        try:
-            yield operation_modes(a.robot)
-        except GcrulesError as fault:
-            yield Unanswered("Operation modes", fault.message)
+        ask = partial(working_modes, a, self.at, about=self.about, threshold=self.threshold)
+        yield _answer("Working modes", ask, GcrulesError)
+        yield _answer("Operation modes", partial(operation_modes, a.robot), GcrulesError)
+
+
+def _answer(question: str, ask: Callable[[], Any], no_answer: type[GcrulesError]) -> Any:
+    """What a function answers, or that such a fault of it leaves no answer; other faults are raised."""
+    try:
+        return ask()
+    except no_answer as fault:
+        return Unanswered(question, fault.message)
 
 
 _NOT_ASKED = "none of which is asked for"

@@ -8,7 +8,7 @@ import pytest
 from commands import invoke
 
 import gcrules as gc
-from gcrules.poses.everywhere import SingularEverywhere
+from gcrules.core.errors import SingularEverywhere
 
 BASE = {"A": (2, 0, 0), "B": ("6/5", "8/5", 0), "C": ("-6/5", "8/5", 0)}
 BASE |= {"D": (-2, 0, 0), "E": ("-6/5", "-8/5", 0), "F": ("6/5", "-8/5", 0)}
@@ -46,3 +46,9 @@ def test_commands(words: tuple[str, ...], tmp_path: Path) -> None:
     done = invoke(words[0], str(path), *words[1:])
     assert done.exit_code == 1
     assert "Architecturally singular" in done.stderr
+
+
+def test_a_report_goes_without_what_has_no_answer() -> None:
+    page = gc.report(gc.load(HEXAGONS), interactive=False, aspects=True, free="box", plan=["home"], over=["z 0:1"])
+    for heading in ("Whole ranges", "Aspects", "A way without a singularity", "A free region"):
+        assert f'<h2>{heading}</h2><p class="why">Architecturally singular' in page
