@@ -17,6 +17,7 @@ from gcrules.core.budget import checkpoint, report
 from gcrules.core.errors import LimitReached
 from gcrules.mechanisms.load import Source
 from gcrules.mechanisms.mechanism import mechanism
+from gcrules.poses.boxes.deciding import LOWER
 from gcrules.poses.boxes.report import BoxMap, BoxSummary
 from gcrules.poses.boxes.task import SHARES, BoxTask, box_task
 from gcrules.poses.maps.axes import GridAxis
@@ -99,7 +100,7 @@ def _summed(task: BoxTask, store: Store) -> BoxSummary:
         shares += found["share"].ravel()
         boxes += int(np.count_nonzero(found["tree"]))
         bound = min(bound, float(found["bound"].item()))
-        if (here := float(found["margin"].item())) < margin:
+        if (here := float(found["margin"].item())) < margin * LOWER:
             margin, place = here, tuple(map(float, found["place"].ravel()))
         report(f"{tile + 1:,} of {task.number:,} tiles")
     parts = tuple((shares / task.number).tolist())

@@ -21,14 +21,16 @@ from gcrules.poses.boxes.taylor import Models, models
 from gcrules.poses.compiling.closed_forms import run
 from gcrules.poses.compiling.tape import Program
 
-__all__ = ["Boxes", "Decided", "Decider"]
+__all__ = ["LOWER", "Boxes", "Decided", "Decider", "lowest"]
 
 Floats = NDArray[np.float64]
 Truths = NDArray[np.bool_]
 Places = NDArray[np.intp]
 
+LOWER = 1 - 1e-9
+"""A margin that is lower than another one is so by this factor; nearer ones differ by rounding, as those of poses that
+a symmetry of the robot takes to each other do."""
 _BLOCK = 512
-_ABOVE = 1 - 1e-9  # of a margin that is not kept: more than rounding takes from it
 _ROUNDED = 1e-12  # of a cosine and a sine
 _WIDE = 1e12  # of amounts that have no bound
 
@@ -56,6 +58,11 @@ class Boxes:
         step[number, sides] = halves[number, sides]
         middles = np.stack([self.middles - step, self.middles + step], axis=1)
         return Boxes(middles.reshape(-1, middles.shape[-1]), np.repeat(halves, 2, axis=0))
+
+
+def lowest(margins: Floats) -> int:
+    """The place of the lowest of some margins (N,), the first one of those that are equal within rounding."""
+    return int(np.argmax(margins * LOWER <= margins.min()))
 
 
 @dataclass(frozen=True, eq=False)
@@ -128,7 +135,7 @@ class Decider:
                 found[some] = self._changes(boxes[some])
             if len(some) and self.margin > 0:
                 margins = np.nan_to_num(self.margins_at(boxes.middles[some]), nan=1.0)
-                found[some] |= margins < self.margin * _ABOVE
+                found[some] |= margins < self.margin * LOWER
         return found
 
     def sign_at(self, coordinates: Floats) -> int:

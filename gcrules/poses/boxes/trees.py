@@ -18,7 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gcrules.core.dataclass import dataclass
-from gcrules.poses.boxes.deciding import Boxes, Decider
+from gcrules.poses.boxes.deciding import LOWER, Boxes, Decider, lowest
 from gcrules.poses.maps.cells import CROSSED, FREE, OUTSIDE, UNDECIDED
 
 __all__ = ["LEAF", "NEGATIVE", "Leaves", "Tree", "grown", "leaves_of"]
@@ -72,8 +72,8 @@ def grown(decider: Decider, whole: Boxes, most: int, home: int) -> Tree:
         found = decider.decided(boxes)
         free = found.free & ~found.outside
         if free.any():
-            k = int(np.argmin(np.where(free, np.nan_to_num(found.margins, nan=np.inf), np.inf)))
-            if found.margins[k] < margin:
+            k = lowest(np.where(free, np.nan_to_num(found.margins, nan=np.inf), np.inf))
+            if found.margins[k] < margin * LOWER:
                 margin, place = float(found.margins[k]), boxes.middles[k]
             bound = min(bound, float(found.bounds[free].min()))
         codes = np.full(len(boxes), LEAF + UNDECIDED, dtype=np.uint8)

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gcrules.core.budget import checkpoint, report
-from gcrules.poses.boxes.deciding import Boxes, Decided, Decider
+from gcrules.poses.boxes.deciding import LOWER, Boxes, Decided, Decider, lowest
 from gcrules.poses.maps.cells import CROSSED, FREE, OUTSIDE, UNDECIDED
 
 __all__ = ["OTHER", "Search"]
@@ -180,8 +180,8 @@ class Search:
         if not self.decider.forms.reached:  # nothing shows that a pose is reached, but that it has a closed form
             inside = ~outside
         seen = np.where(inside, np.nan_to_num(margins, nan=np.inf), np.inf)
-        k = int(np.argmin(seen))
-        if seen[k] < self.least:
+        k = lowest(seen)
+        if seen[k] < self.least * LOWER:
             self.least, self.place = float(seen[k]), self.middles[some[k]]
 
     def _crossing(self, some: Places) -> bool:
