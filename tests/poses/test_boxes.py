@@ -295,6 +295,15 @@ class TestQuestions:
         with pytest.raises(InputError, match="of q1 are more than a turn from home"):
             box_task(mechanism("6-rus"), ["yaw -5:5 deg"], limits=limits)
 
+    def test_six_legs_that_are_limbs_are_a_platform(self) -> None:
+        """As in maps over nodes: limits are lengths of legs, which amounts from home are not."""
+        over = ["x -1:1", "yaw -20:20 deg"]
+        found = gc.box_map("gough-stewart", over, limits="leg lengths 3..9", boxes=15)
+        assert found.task.question.limits is not None
+        assert not found.task.question.limits.angles
+        with pytest.raises(InputError, match="'actuators' is no leg"):
+            gc.box_map("gough-stewart", over, limits="actuators -1..1")
+
     def test_tiles_have_exact_ends(self) -> None:
         task: BoxTask = box_task(mechanism("3-rpr"), ["x 0:1"], tiles=3)
         assert [a.nodes.tolist() for a in task.question.axes] == [[0, float(Fraction(1, 3)), float(Fraction(2, 3)), 1]]

@@ -26,6 +26,7 @@ from gcrules.poses.boxes.trees import LEAF, NEGATIVE, Leaves, grown, leaves_of
 from gcrules.poses.maps.axes import parse_axis
 from gcrules.poses.maps.cells import CROSSED, FREE, OUTSIDE, UNDECIDED
 from gcrules.poses.maps.recipe import recipe_of, robot_of
+from gcrules.poses.methods import legs_within
 from gcrules.poses.tiles.task import Coordinate, Tile, TiledArray, number_of, tile_at
 
 __all__ = ["KIND", "MODES", "SHARES", "BoxTask", "box_task", "shares_of", "task_again", "within_boxes"]
@@ -232,14 +233,17 @@ def box_task(
     tiles: int | None = None,
     boxes: int | None = None,
 ) -> BoxTask:
-    """The task of a map of whole boxes. Raises InputError for what makes no sense."""
+    """The task of a map of whole boxes; of a robot whose limbs are six legs by its platform. Raises InputError for what
+    makes no sense.
+    """
     if not 0 <= margin < 1:
         raise InputError(f"the margin {margin} is not from 0 to 1")
     if boxes is not None and not 1 <= boxes <= MOST_BOXES:
         raise InputError(f"{boxes} boxes in each tile, expected 1 to {MOST_BOXES:,}")
-    asked = question(m, over, at, limits, tiles)
+    kind = legs_within(m, limits) or m
+    asked = question(kind, over, at, limits, tiles)
     recipe = recipe_of(KIND, m, asked.axes, at, limits, margin=margin, boxes=boxes or _BOXES)
-    return BoxTask(m, asked, margin, boxes or _BOXES, FrozenMap(recipe))
+    return BoxTask(kind, asked, margin, boxes or _BOXES, FrozenMap(recipe))
 
 
 def task_again(recipe: Mapping[str, Any]) -> BoxTask:
