@@ -9,7 +9,6 @@ from gcrules.apps.cli.files import OutputFile, working
 from gcrules.apps.cli.limits import Seconds
 from gcrules.apps.cli.map_options import at_option, limits_option
 from gcrules.apps.cli.sources import mode_option, read_source, warn
-from gcrules.core.errors import InputError
 from gcrules.poses.certificates.certificate import check_suffix
 from gcrules.poses.certificates.certify import certify as certified
 
@@ -89,8 +88,6 @@ def certify(
         raise click.UsageError("--json and --latex exclude each other.")
     for path in outputs:
         check_suffix(path)
-    if not over:
-        raise InputError("no range")
     source = warn(read_source(file, mode=mode))
     with working("proving"):
         found = certified(

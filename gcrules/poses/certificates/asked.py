@@ -63,14 +63,20 @@ class Asked(HoldsArrays):
         margin = max(self.task.margin, _LEAST)
         return Decider(d.forms, d.centre, d.free, d.weights, d.limits, margin, self.kept[0])
 
-    @property
-    def beside(self) -> dict[str, Any]:
-        """The limits beside the range, as JSON; angles in rad."""
-        limits = self.task.question.limits
+    def to_json(self) -> dict[str, Any]:
+        """The question as a certificate has it; angles of cones and of the tilt in rad."""
+        q, recipe = self.task.question, self.task.recipe
         return {
-            "limits": limits.to_json() if limits else None,
+            "robot": recipe["robot"],
+            "about": recipe["about"],
+            "over": [
+                {"coordinate": a.name, "low": str(a.start), "high": str(a.stop), "unit": a.unit} for a in self.axes
+            ],
+            "rest": {n: v for n, v in zip(q.names, q.values, strict=True) if n not in {a.name for a in q.axes}},
+            "limits": q.limits.to_json() if q.limits else None,
             "cones": [{"rod": list(c.rod), "end": c.end, "angle": c.angle} for c in self.kept[1]],
             "tilt": self.tilt,
+            "margin": self.task.margin,
         }
 
     def pose_text(self, place: Sequence[float]) -> str:

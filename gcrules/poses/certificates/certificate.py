@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import gzip
 import json
-from functools import cached_property
 from os import PathLike, fspath
 from typing import Any
 
@@ -50,7 +49,8 @@ class Certificate(HoldsArrays, Shown):
     """What is proved of a whole range. `verdict` is free (no pose of it that is reached within the limits is singular,
     or has a margin below the one asked for), outside (none is reached), singular or below (one is), undecided; `shares`
     are of its volume in coordinates: free, free with the other sign of the determinant than at home, outside, crossed,
-    undecided. In free boxes the margin σ is at least `bound`, proved; `least` is the smallest that was seen at a pose
+    undecided. In free boxes the margin σ is at least `bound`, proved and rounded down to
+    four digits; `least` is the smallest that was seen at a pose
     within the limits, at `place` in the units of the axes. `bad` is a pose that is not free. `target` is the share that
     was asked for. `tree` and `bounds` are what proves it: see `to_json`.
     """
@@ -79,22 +79,6 @@ class Certificate(HoldsArrays, Shown):
             return False
         return True if self.verdict in ("free", "outside") or self.decided >= self.target < 1 else None
 
-    @cached_property
-    def question(self) -> dict[str, Any]:
-        """What was asked, as JSON."""
-        q = self.asked.task.question
-        return {
-            "robot": self.asked.task.recipe["robot"],
-            "about": self.asked.task.recipe["about"],
-            "over": [
-                {"coordinate": a.name, "low": str(a.start), "high": str(a.stop), "unit": a.unit}
-                for a in self.asked.axes
-            ],
-            "rest": {n: v for n, v in zip(q.names, q.values, strict=True) if n not in {a.name for a in q.axes}},
-            **self.asked.beside,
-            "margin": self.asked.task.margin,
-        }
-
     def to_json(self) -> dict[str, Any]:
         """The certificate as its file has it. `tree` has a sign for each box, a box that is cut before its lower half,
         that before the upper one: a digit is the coordinate of `over` across which it is cut in the middle; f free, g
@@ -106,7 +90,7 @@ class Certificate(HoldsArrays, Shown):
             "format": FORMAT,
             "made by": f"gcrules {__version__}",
             "title": self.asked.mechanism.title,
-            "question": self.question,
+            "question": self.asked.to_json(),
             "geometry": geometry(self.asked),
             "claim": {
                 "verdict": self.verdict,

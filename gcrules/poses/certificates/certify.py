@@ -23,6 +23,7 @@ from gcrules.poses.certificates.certificate import Bad, Certificate, parts_of, r
 from gcrules.poses.certificates.search import OTHER, Search
 from gcrules.poses.maps.axes import GridAxis
 from gcrules.poses.maps.cells import CROSSED, FREE, OUTSIDE, UNDECIDED
+from gcrules.poses.maps.recipe import robot_of
 from gcrules.poses.pose import pose
 
 __all__ = ["certify"]
@@ -60,8 +61,8 @@ def certify(
     `cone` around their direction at home, as the body there carries it: "40 deg" for all, "base 30 deg, platform 40
     deg", "C1 35 deg". The platform's third axis keeps to a `tilt`, "40 deg" in any direction. Boxes are cut for so much
     `time` in seconds (60, without end where a number of boxes is given), until there are so many `boxes`, or until the
-    `target` share is decided. Where no margin is asked for a better bound of it follows, three times the boxes that
-    were looked at. `resume` is the file of an earlier certificate of the same question, from which it goes on, for all
+    `target` share is decided. Where no margin is asked for the boxes with the lowest bounds are cut further, for a
+    better one. `resume` is the file of an earlier certificate of the same question, from which it goes on, for all
     of the time.
 
     Raises InputError for what makes no sense, and where something has no closed form; FileError for another file.
@@ -86,7 +87,7 @@ def certify(
 
 def _resumed(search: Search, found: Asked, path: str | PathLike[str]) -> None:
     kept = read_certificate(path)
-    restored(search, kept, _certificate(found, search, 1.0).question, fspath(path))
+    restored(search, kept, found.to_json(), fspath(path))
     free = np.flatnonzero(np.isin(search.status, (FREE, OTHER)))
     if len(free):
         search.see(free[np.argsort(search.bounds[free], kind="stable")])
@@ -124,9 +125,7 @@ def _bad(found: Asked, search: Search, k: int) -> Bad:
     box = tuple(zip((middle - half).tolist(), (middle + half).tolist(), strict=True))
 
     def sign(place: Floats) -> int:
-        every = np.array(decider.centre)
-        every[list(decider.free)] = place
-        return decider.sign_at(every)
+        return decider.sign_at(_all(found, place))
 
     steps = np.array(np.meshgrid(*[(-1.0, 1.0)] * len(middle), indexing="ij")).reshape(len(middle), -1).T
     places = [middle, *(middle + step * half for step in steps)]
@@ -146,21 +145,22 @@ def _bad(found: Asked, search: Search, k: int) -> Bad:
                 case _:
                     break
     at = found.pose_text(place.tolist())
-    margin = float(decider.forms.forms.margins("numpy", _all(found, place))[0])
+    margin = float(decider.forms.forms.margins("numpy", _all(found, place)[None])[0])
     return Bad(tuple((place / found.task.units).tolist()), at, margin, _causes(found, at), box, ends)
 
 
 def _all(found: Asked, place: Floats) -> Floats:
+    """A place of the free coordinates with the others."""
     every = np.array(found.decider.centre)
     every[list(found.decider.free)] = place
-    return every[None]
+    return every
 
 
 def _causes(found: Asked, at: str) -> tuple[str, ...]:
     """What the analysis says of the pose, as `pose` tells it."""
-    m: Any = found.mechanism
+    recipe = found.task.recipe
     try:
-        here: Any = pose(m.analysis, at, about=found.task.recipe["about"], nearest=False)
+        here: Any = pose(robot_of(recipe["robot"]), at, about=recipe["about"], nearest=False)
     except GcrulesError as fault:
         return (f"what it is geometrically is not known: {fault.message}",)
     return tuple(here.causes) or (here.reason,)

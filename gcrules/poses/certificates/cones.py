@@ -152,7 +152,7 @@ def _of_legs(
     graph = Graph(6)
     turn = by_angles(graph.inputs[3:], turned_by)
     values: list[Ring] = []
-    home = {(a, b): np.array([float(c) for c in m.rig.points[b]]) - _at(m, a) for a, b in m.rig.legs}
+    home = {(a, b): _at(m, b) - _at(m, a) for a, b in m.rig.legs}
     bars = dict(zip(m.rig.legs, leg_bars(m, graph, turned_by), strict=True)) if chosen else {}
     for cone in chosen:
         (bar, length), w = bars[cone.rod], _unit(home[cone.rod])
@@ -206,6 +206,11 @@ def _rods(m: Limbs, places: LimbPlaces) -> Iterator[tuple[tuple[str, str], tuple
             yield (p, q), (kinds[0], kinds[1]), limb
 
 
+def _link_of(m: Limbs, limb: int, point: str) -> int:
+    """The link of a limb that carries a point, 0 for the base."""
+    return next((a.link for a in m.linkage.attachments.get(point, ()) if a.limb == limb), 0)
+
+
 def _cone_value(m: Limbs, places: LimbPlaces, cone: Cone, limb: int) -> Ring:
     p, q = cone.rod
     home = m.linkage.home.values
@@ -214,7 +219,7 @@ def _cone_value(m: Limbs, places: LimbPlaces, cone: Cone, limb: int) -> Ring:
     if cone.end == "platform":
         return _leans(w, sub(places.seen(q), places.seen(p)), by, cone.angle)
     v = sub(places.at(q), places.at(p))
-    link = next((a.link for a in m.linkage.attachments.get(p, ()) if a.limb == limb), 0)
+    link = _link_of(m, limb, p)
     actuator = next((a for a in m.linkage.actuators if (a.place, a.coordinate) == (limb, 0)), None)
     if link > 1 or (link == 1 and actuator is None):
         raise NoForm(f"{p} is carried by several joints")
@@ -251,8 +256,7 @@ def _check(
         p, q = cone.rod
         rod = home[q] - home[p]
         limb = limbs[cone.rod]
-        link = next((a.link for a in m.linkage.attachments.get(p, ()) if a.limb == limb), 0)
-        body = there.links[limb][:, -1 if cone.end == "platform" else link, :3, :3]
+        body = there.links[limb][:, -1 if cone.end == "platform" else _link_of(m, limb, p), :3, :3]
         now = there.values[q] - there.values[p]
         cosine = ((body @ rod) * now).sum(axis=1) / (np.linalg.norm(rod) * np.linalg.norm(now, axis=1))
         if np.abs(value + math.cos(cone.angle) - cosine).max() > _EQUAL:

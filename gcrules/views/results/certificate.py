@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
-from gcrules.core.floats import rounded_down
 from gcrules.poses.boxes.task import MODES
 from gcrules.poses.certificates.certificate import Certificate
 from gcrules.views.formulas.latex_text import latex_quantity, latex_table, latex_words
@@ -28,7 +27,7 @@ __all__ = ["account", "as_latex", "as_text", "verdict"]
 def as_text(c: Certificate, *, unicode: bool = False) -> str:
     """The whole answer; without `unicode` in ASCII."""
     found = "\n".join([*wrapped(verdict(c)), "", *named_rows(_rows(c))])
-    return found if unicode else found.replace("≥", ">=").translate(ASCII)
+    return found if unicode else found.translate(ASCII)
 
 
 def account(c: Certificate) -> ResultAccount:
@@ -63,7 +62,7 @@ def _parted(c: Certificate) -> str:
 
 
 def _between(c: Certificate) -> str:
-    return f"smallest margin σ ≥ {rounded_down(c.bound or 0.0)}"
+    return f"smallest margin σ ≥ {c.bound or 0.0:.4g}"
 
 
 def _at(c: Certificate) -> str:
@@ -84,7 +83,7 @@ def _rows(c: Certificate) -> Iterator[tuple[str, str]]:
             yield "cause", cause
     if c.bound is not None:
         what = "in all boxes that are free" if undecided or crossed else "in all of it"
-        yield "margin", f"σ ≥ {rounded_down(c.bound)} {what}, proved"
+        yield "margin", f"σ ≥ {c.bound:.4g} {what}, proved"
     if c.least is not None and c.place is not None:
         at = place_words(c.asked.axes, c.place)
         yield "margin", f"σ = {c.least:.4g} at {at}: the smallest that was seen"
@@ -114,5 +113,5 @@ def as_latex(c: Certificate) -> str:
     """A tabular of the ranges and of the answer; needs no package."""
     rows = [*latex_ranges(c.asked.axes), ("answer", latex_words(c.verdict)), *latex_shares(c.shares)]
     if c.bound is not None:
-        rows.append(("margin $\\sigma$, at least", latex_quantity(float(rounded_down(c.bound)))))
+        rows.append(("margin $\\sigma$, at least", latex_quantity(c.bound)))
     return latex_table(rows)
