@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import random
 import subprocess
 import sys
 from fractions import Fraction
@@ -24,6 +25,7 @@ from gcrules.poses.modes.conditions import forms_of_pairs, image, motions, quadr
 from gcrules.poses.modes.curves import curve_through, values_of
 from gcrules.poses.modes.report import AssemblyModes
 from gcrules.poses.modes.zeros import rank_of, zeros_of
+from gcrules.rules.catalog.file import load as load_catalog
 from gcrules.screws.study import study
 
 DIETMAIER = str(EXAMPLES / "dietmaier.yaml")
@@ -154,6 +156,26 @@ def test_counts_of_finite_solutions(example: str, finite: int) -> None:
     assert counts.proved == (finite == 40)
     assert counts.unreal % 2 == 0
     check_lengths(found)
+
+
+CLASSES = {
+    "6-5": 40, "6-4.1": 16, "6-4.2": 32, "5-5.1": 40, "5-5.2": 24, "5-4.1": 16, "5-4.2": 8, "5-4.3": 32, "5-4.4": 24,
+    "4-4.1": 8, "4-4.2": 16, "4-4.5": 24,
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", CLASSES)
+def test_counts_of_classes(name: str) -> None:
+    """With joints shared by legs: each solution certified, and as many of two members with random joints."""
+    entry = next(e for e in load_catalog().entries if e.id == name)
+    rng = random.Random(name)
+    for _ in range(2):
+        points = {str(n): [rng.randint(-9, 9) for _ in range(3)] for leg in entry.legs for n in leg}
+        found = gc.assembly_modes({"legs": [[*map(str, leg)] for leg in entry.legs], "points": points})
+        counts = found.completeness
+        assert counts.real + counts.unreal == counts.certified == CLASSES[name]
+        assert counts.at_infinity == 40 - CLASSES[name]
+        check_lengths(found)
 
 
 # --- certificates --------------------------------------------------------------------------------------------------

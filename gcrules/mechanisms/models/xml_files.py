@@ -4,7 +4,7 @@
     >>> root.tag, root.needed("name"), [(e.tag, e.line, e.column) for e in root.children]
     ('robot', 'stand', [('link', 1, 21)])
     >>> print(root.children[0].error("too short", "name"))
-    stand.urdf:1:32: too short
+    stand.urdf:1:33: too short
 
 Document types, and with them entities of a file's own, are refused, as are files that are large, deep or not UTF-8.
 """
