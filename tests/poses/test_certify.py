@@ -173,9 +173,9 @@ def test_a_target_ends_the_search() -> None:
 
 
 def test_a_tilt_is_a_cone_in_any_direction() -> None:
-    found = gc.certify(OCTAHEDRAL, ["roll -30:30 deg", "pitch -30:30 deg"], tilt="20 deg", boxes=2000)
-    assert math.pi * 20**2 / 60**2 - 0.02 < sum(found.shares[:2]) < 0.8  # boxes on the cone's border are free too
-    for place in np.radians(np.random.default_rng(2).uniform(-30, 30, (300, 2))):
+    found = gc.certify(OCTAHEDRAL, ["roll -50:50 deg", "pitch -50:50 deg"], tilt="20 deg", boxes=2000)
+    assert math.pi * 20**2 / 100**2 < sum(found.shares[:2]) < 0.5  # boxes on the cone's border are free too
+    for place in np.radians(np.random.default_rng(2).uniform(-50, 50, (500, 2))):
         if np.cos(place).prod() > math.cos(math.radians(20)):
             assert _status(found, place) == "f"
     assert _status(found, np.radians([29.0, 29.0])) == "o"

@@ -222,11 +222,11 @@ def _metric(arm: Floats, *, ball: bool) -> Floats:
 
 
 def _unit_scale(metric: Floats) -> Floats:
-    """Columns that are orthonormal in a metric (N, k, k)."""
+    """Columns that are orthonormal in a metric M (N, k, k): M^(−1/2), unique where eigenvectors are not."""
     values, vectors = np.linalg.eigh(metric)
     # a turn about a line through all ends, ball joints each, moves none of them; no limb's wrench notices it either
     found: Floats = vectors / np.sqrt(np.where(values > _ROUNDING * values[:, -1:], values, 1.0))[:, None]
-    return found
+    return np.asarray(found @ np.swapaxes(vectors, 1, 2))
 
 
 def platform_ends(m: Linkage, here: Configurations) -> Floats:

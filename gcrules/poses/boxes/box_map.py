@@ -17,9 +17,9 @@ from gcrules.core.budget import checkpoint, report
 from gcrules.core.errors import LimitReached
 from gcrules.mechanisms.load import Source
 from gcrules.mechanisms.mechanism import mechanism
-from gcrules.poses.boxes.deciding import LOWER
 from gcrules.poses.boxes.report import BoxMap, BoxSummary
 from gcrules.poses.boxes.task import SHARES, BoxTask, box_task
+from gcrules.poses.boxes.ties import LOWER
 from gcrules.poses.maps.axes import GridAxis
 from gcrules.poses.tiles.how import HERE, Running, running
 from gcrules.poses.tiles.keeping import Store, computed_part, store_of, tile_of

@@ -18,18 +18,16 @@ from gcrules.mechanisms.description.limits import LengthLimits
 from gcrules.poses.boxes.forms import BoxForms
 from gcrules.poses.boxes.matrices import Matrices, Products, signs
 from gcrules.poses.boxes.taylor import Models, models
+from gcrules.poses.boxes.ties import LOWER, highest
 from gcrules.poses.compiling.closed_forms import run
 from gcrules.poses.compiling.tape import Program
 
-__all__ = ["LOWER", "Boxes", "Decided", "Decider", "lowest"]
+__all__ = ["Boxes", "Decided", "Decider"]
 
 Floats = NDArray[np.float64]
 Truths = NDArray[np.bool_]
 Places = NDArray[np.intp]
 
-LOWER = 1 - 1e-9
-"""A margin that is lower than another one is so by this factor; nearer ones differ by rounding, as those of poses that
-a symmetry of the robot takes to each other do."""
 _BLOCK = 512
 _ROUNDED = 1e-12  # of a cosine and a sine
 _WIDE = 1e12  # of amounts that have no bound
@@ -58,11 +56,6 @@ class Boxes:
         step[number, sides] = halves[number, sides]
         middles = np.stack([self.middles - step, self.middles + step], axis=1)
         return Boxes(middles.reshape(-1, middles.shape[-1]), np.repeat(halves, 2, axis=0))
-
-
-def lowest(margins: Floats) -> int:
-    """The place of the lowest of some margins (N,), the first one of those that are equal within rounding."""
-    return int(np.argmax(margins * LOWER <= margins.min()))
 
 
 @dataclass(frozen=True, eq=False)
@@ -117,7 +110,7 @@ class Decider:
                 influence[:, some] = np.where(enough, influence[:, some], more)
         counts = np.nan_to_num(influence)
         idle = ~(counts.max(axis=0) > 0)
-        sides = np.where(idle, np.argmax(boxes.halves / self.weights, axis=1), np.argmax(counts, axis=0))
+        sides = np.where(idle, highest((boxes.halves / self.weights).T), highest(counts))
         return Decided(free, outside, determinants, margins, bounds, sides)
 
     def crossed(self, boxes: Boxes) -> Truths:

@@ -18,7 +18,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gcrules.core.dataclass import dataclass
-from gcrules.poses.boxes.deciding import LOWER, Boxes, Decider, lowest
+from gcrules.poses.boxes.deciding import Boxes, Decider
+from gcrules.poses.boxes.ties import LOWER, lowest
 from gcrules.poses.maps.cells import CROSSED, FREE, OUTSIDE, UNDECIDED
 
 __all__ = ["LEAF", "NEGATIVE", "Leaves", "Tree", "grown", "leaves_of"]

@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 from gcrules.core.errors import GcrulesError, InputError
 from gcrules.mechanisms.load import Source
 from gcrules.mechanisms.mechanism import mechanism
+from gcrules.poses.boxes.ties import upwards
 from gcrules.poses.certificates.asked import Asked, asked, share_of
 from gcrules.poses.certificates.certificate import Bad, Certificate, parts_of, read_certificate, restored
 from gcrules.poses.certificates.search import OTHER, Search
@@ -90,7 +91,7 @@ def _resumed(search: Search, found: Asked, path: str | PathLike[str]) -> None:
     restored(search, kept, found.to_json(), fspath(path))
     free = np.flatnonzero(np.isin(search.status, (FREE, OTHER)))
     if len(free):
-        search.see(free[np.argsort(search.bounds[free], kind="stable")])
+        search.see(free[upwards(search.bounds[free])])
 
 
 def _certificate(found: Asked, search: Search, target: float) -> Certificate:

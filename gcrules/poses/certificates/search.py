@@ -15,7 +15,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gcrules.core.budget import checkpoint, report
-from gcrules.poses.boxes.deciding import LOWER, Boxes, Decided, Decider, lowest
+from gcrules.poses.boxes.deciding import Boxes, Decided, Decider
+from gcrules.poses.boxes.ties import LOWER, highest, lowest, upwards
 from gcrules.poses.maps.cells import CROSSED, FREE, OUTSIDE, UNDECIDED
 
 __all__ = ["OTHER", "Search"]
@@ -109,7 +110,7 @@ class Search:
         some = np.flatnonzero(self.status == UNDECIDED)
         while len(some):
             checkpoint()
-            order = np.argsort(-self.volumes[some], kind="stable")
+            order = upwards(-self.volumes[some])
             now, later = some[order[:_BATCH]], some[order[_BATCH:]]
             found = self.decider.decided(self.boxes(now))
             self.looked += len(now)
@@ -142,11 +143,11 @@ class Search:
                 return
             checkpoint()
             free = np.flatnonzero(np.isin(self.status, (FREE, OTHER)) & ~stuck)
-            low = free[self.bounds[free] < _CLOSE * self.least]
+            low = free[self.bounds[free] < _CLOSE * self.least * LOWER]
             if not len(low):
                 return
-            low = low[np.argsort(self.bounds[low], kind="stable")[:room]]
-            sides = np.argmax(self.halves[low] / np.asarray(self.decider.weights), axis=1)
+            low = low[upwards(self.bounds[low])[:room]]
+            sides = highest((self.halves[low] / np.asarray(self.decider.weights)).T)
             halves = self.boxes(low).cut(sides)
             found = self.decider.decided(halves)
             self.looked += len(halves)
