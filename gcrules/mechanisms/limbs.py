@@ -64,7 +64,7 @@ class Limbs:
 
     @property
     def unit(self) -> str:
-        return ""
+        return self.robot.units
 
     @property
     def bodies(self) -> Mapping[str, tuple[str, ...]]:

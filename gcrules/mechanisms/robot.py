@@ -47,8 +47,8 @@ class Robot:
     `family` holds the points and directions with the relations that make them, `limbs` the joints; `lines` are
     given in place of limbs where wrenches are known already, with the points `derived` for those that are meets of
     planes. `mobility` is that expected of the platform (checked), `home` one configuration (empty for names that
-    the relations determine), `limits` what its actuators reach from there, as written, `condition` a published one in
-    the language. `text` is that of the file.
+    the relations determine), `limits` what its actuators reach from there, as written, `units` that of lengths
+    ("" if the file names none), `condition` a published one in the language. `text` is that of the file.
     """
 
     id: str
@@ -67,6 +67,7 @@ class Robot:
     owner: str = ""
     derived: tuple[Derived, ...] = ()
     limits: str = ""
+    units: str = ""
     text: str = field(default="", compare=False)
 
     def __post_init__(self) -> None:

@@ -18,6 +18,7 @@ from gcrules.core.floats import as_float, exact, exact_float
 from gcrules.screws.rotations import IDENTITY, Matrix, Quaternion, Vector, rotation
 
 __all__ = [
+    "METRES",
     "NOT_FINITE",
     "NUMBER",
     "SILENT",
@@ -31,7 +32,11 @@ __all__ = [
     "unit_note",
 ]
 
-UNITS = ("m", "dm", "cm", "mm", "um", "in", "ft")
+METRES = {
+    "m": 1.0, "dm": 0.1, "cm": 0.01, "mm": 0.001, "um": 1e-6, "in": 0.0254, "ft": 0.3048,
+}  # fmt: skip
+"""The units of length, and what each is in metres."""
+UNITS = tuple(METRES)
 """Units of length that a file may name."""
 
 UNIT_TOLERANCE = 1e-3

@@ -57,6 +57,7 @@ def as_platform(robot: Robot) -> Platform:
         points={n: (x, y, z) for n, (x, y, z) in points.items()},
         title=robot.title,
         note=robot.note,
+        units=robot.units,
         source=robot.source,
         filename=robot.filename,
         limits="" if lines else _lengths(robot, found, points),
@@ -87,7 +88,7 @@ def _lengths(robot: Robot, legs: Sequence[tuple[str, str]], points: Mapping[str,
     """The limits of the file as those of the legs' lengths; none where a slide does not go along its leg."""
     if not robot.limits:
         return ""
-    reach, found = limits_of_limbs(robot.limits, robot.limbs), []
+    reach, found = limits_of_limbs(robot.limits, robot.limbs, robot.units), []
     for limb, leg, low, high in zip(robot.limbs, legs, reach.low, reach.high, strict=True):
         (along,) = limb.joints[1].directions
         if low == -math.inf and high == math.inf:

@@ -13,6 +13,7 @@ from gcrules.mechanisms.description.family import Definition, Family
 from gcrules.mechanisms.description.plane_meets import line_of_planes
 from gcrules.mechanisms.description.point_pairs import numbered, point_pairs
 from gcrules.mechanisms.description.relations import AXES, relation
+from gcrules.mechanisms.description.units import UNIT_ONCE
 from gcrules.mechanisms.lines.derived import Derived
 from gcrules.mechanisms.robot import Consequence
 
@@ -84,7 +85,7 @@ def read_home(node: Node, family: Family) -> dict[str, tuple[Fraction, Fraction,
     for key, value in node.entries():
         flat = family.plane and len(value.children) == 2
         given = value.sequence(2 if flat else 3)
-        numbers = [n.rational("lengths are all in one unit, which the file does not name") for n in given]
+        numbers = [n.rational(UNIT_ONCE) for n in given]
         if flat and len(numbers) == 2:
             numbers.append(Fraction(0))
         if key.text not in family.sorts or key.text in AXES:

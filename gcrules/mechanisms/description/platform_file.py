@@ -32,11 +32,10 @@ from gcrules.core.hints import near
 from gcrules.core.yaml_file import Document, Node
 from gcrules.mechanisms.description.limits import limits_of_legs
 from gcrules.mechanisms.description.point_pairs import point_pairs
-from gcrules.screws.pose import UNITS
+from gcrules.mechanisms.description.units import UNIT_ONCE, read_units
 
 __all__ = ["Platform", "load_platform", "parse_platform"]
 
-_UNIT_ONCE = "the unit stands once in the file, as  units: {}"
 
 Vector = tuple[Fraction, Fraction, Fraction]
 
@@ -101,7 +100,7 @@ def _platform(document: Document) -> Platform:
         reserved={"limbs": "a robot with limbs is analysed by `gcrules robot analyze`, it is no geometry file"},
     )
     texts = {key: top[key].string() or "" for key in ("title", "note", "source") if key in top}
-    units = top["units"].choice(UNITS) or "" if "units" in top else ""
+    units = read_units(top)
     points = _points(top["points"]) if "points" in top else {}
     legs = point_pairs(top["legs"], "leg") if "legs" in top else []
     for node, leg in legs:
@@ -133,7 +132,7 @@ def _points(node: Node) -> _Points:
             key.fault(
                 f"{key.text[:_MAX_NAME]!r} is no name of a point", "a letter, then letters, digits or primes: a, S1, A'"
             )
-        numbers = [item.rational(_UNIT_ONCE) for item in value.sequence(length=3)]
+        numbers = [item.rational(UNIT_ONCE) for item in value.sequence(length=3)]
         x, y, z = numbers if len(numbers) == 3 else (None, None, None)
         found[key.text] = key, None if x is None or y is None or z is None else (x, y, z)
     if node.kind == "mapping" and not found:

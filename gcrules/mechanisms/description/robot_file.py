@@ -17,6 +17,7 @@ platform: S1 S2 S3              # optional: the points that move with the platfo
 mobility: 3                     # expected, and checked
 facts: []                       # optional: relations that follow, checked: "u1 perpendicular to v1"
 home: {A1: [0, 0, 0]}           # optional: one configuration, checked against the relations
+units: mm                       # optional: of all lengths in the file, one of `gcrules.screws.pose.UNITS`
 limits: q1 -30..30 deg, q2 0..1 # optional: what actuators reach from home, as --limits has it; lengths as in the file
 condition: "…"                  # optional: a published condition in the language, compared
 """
@@ -49,6 +50,7 @@ from gcrules.mechanisms.description.limb_file import LimbSpec, cable_joints, rea
 from gcrules.mechanisms.description.limits import limits_of_limbs
 from gcrules.mechanisms.description.point_pairs import numbered
 from gcrules.mechanisms.description.relations import AXES, RELATIONS, relation
+from gcrules.mechanisms.description.units import read_units
 from gcrules.mechanisms.robot import Robot
 from gcrules.screws import JOINTS
 
@@ -56,7 +58,7 @@ __all__ = ["load_robot", "parse_robot"]
 
 _REQUIRED = ("title", "points", "mobility")
 _OPTIONAL = (
-    "source", "note", "copies", "space", "directions", "limbs", "lines", "platform", "facts", "home", "limits",
+    "source", "note", "copies", "space", "directions", "limbs", "lines", "platform", "facts", "home", "units", "limits",
     "condition",
 )  # fmt: skip
 _OF_CHAINS = {True: ("couplings",), False: ()}  # keys of limbs with joints
@@ -114,7 +116,8 @@ class _Reader:
         facts = tuple(read_facts(top["facts"], family, self.copies)) if "facts" in top else ()
         home = read_home(top["home"], family) if "home" in top else None
         platform = read_platform(top["platform"], family, self.copies) if "platform" in top else ()
-        limits = self._limits(top["limits"], [limb for _, limb in limbs]) if "limits" in top else ""
+        units = read_units(top)
+        limits = self._limits(top["limits"], [limb for _, limb in limbs], units) if "limits" in top else ""
         self.document.check()
         robot = Robot(
             id=self.name,
@@ -127,6 +130,7 @@ class _Reader:
             platform=platform,
             home=home,
             limits=limits,
+            units=units,
             condition=texts.get("condition", ""),
             source=texts.get("source", ""),
             note=texts.get("note", ""),
@@ -299,11 +303,11 @@ class _Reader:
             return None
         return limb if good else None
 
-    def _limits(self, node: Node, limbs: Sequence[LimbSpec]) -> str:
+    def _limits(self, node: Node, limbs: Sequence[LimbSpec], units: str) -> str:
         text = node.string() or ""
         if text and not self.document.faults:  # else limbs may be missing, and names of actuators with them
             try:
-                limits_of_limbs(text, limbs)
+                limits_of_limbs(text, limbs, units)
             except InputError as fault:
                 node.fault_inside(text, fault)
         return text

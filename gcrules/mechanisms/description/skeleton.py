@@ -42,6 +42,7 @@ platform: S% # optional: the points that move with the platform
 mobility: 3 # of the platform; checked
 
 # facts: ["S% in plane A% perpendicular to r%"] # what follows from the relations; checked
+# units: mm # of all lengths in the file: m, dm, cm, mm, um, in, ft
 # limits: actuators -0.5..0.5 # what actuators reach from home; q1, q2, ... for single ones, angles with deg or rad
 # condition: "..." # a published condition in the language of gcrules; compared
 # One configuration, checked against the relations; what they determine may be left out.

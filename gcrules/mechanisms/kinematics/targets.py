@@ -71,15 +71,15 @@ class Target:
 def read_pose(m: Linkage, text: str, option: str = "--at") -> Target:
     """Read "z=0.2, roll=5deg" or a pose "x y z; euler zyx a b c deg". Raises InputError with the place."""
     if "=" not in text:
-        return pose_target(m, parse_pose(text, option=option), text.strip())
-    found = read_named(text, {n: n in ANGLES for n in COORDINATES}, option=option)
+        return pose_target(m, parse_pose(text, m.robot.units, option), text.strip())
+    found = read_named(text, {n: n in ANGLES for n in COORDINATES}, m.robot.units, option)
     return coordinates_target(m, found, text.strip())
 
 
 def read_actuators(m: Linkage, text: str, option: str = "--actuators") -> Target:
     """Read "q1=0.1, q2=5deg". Raises InputError with the place."""
     return actuators_target(
-        m, read_named(text, {a.name: a.angle for a in m.actuators}, "", option, "actuator"), text.strip()
+        m, read_named(text, {a.name: a.angle for a in m.actuators}, m.robot.units, option, "actuator"), text.strip()
     )
 
 

@@ -35,12 +35,11 @@ from gcrules.mechanisms.kinematics.rigid_motions import Floats
 from gcrules.mechanisms.models.model import Model, ModelCoupling, ModelJoint
 from gcrules.mechanisms.models.places import vector
 from gcrules.mechanisms.robot import Robot
-from gcrules.screws.pose import UNITS
+from gcrules.screws.pose import METRES
 
 __all__ = ["model_of"]
 
 _SAME = 1e-9
-METRES = dict(zip(UNITS, (1.0, 0.1, 0.01, 0.001, 1e-6, 0.0254, 0.3048), strict=True))
 
 
 def model_of(source: Robot | Platform, unit: str = "") -> Model:
@@ -49,10 +48,9 @@ def model_of(source: Robot | Platform, unit: str = "") -> Model:
 
     Raises InputError where there are no joints or no home, for cables, which are no joints, and for unknown units.
     """
-    own = source.units if isinstance(source, Platform) else ""
-    if unit and own and unit != own:
-        raise InputError(f"the file's unit is {own}, not {unit}", hint="leave out the unit")
-    scale = float(METRES[_known(unit or own or "m")])
+    if unit and source.units and unit != source.units:
+        raise InputError(f"the file's unit is {source.units}, not {unit}", hint="leave out the unit")
+    scale = METRES[_known(unit or source.units or "m")]
     if isinstance(source, Platform):
         limbs = [
             LimbSpec(f"leg {k}", read_joints(f"S({a}) P*({a} {b}) S({b})"))
@@ -82,7 +80,7 @@ def model_of(source: Robot | Platform, unit: str = "") -> Model:
 def _amounts(source: Robot | Platform, limbs: Sequence[LimbSpec]) -> Iterator[tuple[float, float]]:
     """From home, what the limits of a file say of each actuator."""
     if isinstance(source, Robot):
-        found = limits_of_limbs(source.limits, limbs)
+        found = limits_of_limbs(source.limits, limbs, source.units)
         yield from zip(found.low, found.high, strict=True)
         return
     reach = limits_of_legs(source.limits, source.legs, source.units)

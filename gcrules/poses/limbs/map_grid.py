@@ -135,7 +135,7 @@ def _given(m: Linkage, at: Any, driven: bool) -> dict[str, float]:
     """The values of those coordinates, or of actuators, that are named: text or a mapping, angles in radians."""
     if isinstance(at, str):
         known = {a.name: a.angle for a in leading(m)} if driven else {n: n in ANGLES for n in COORDINATES}
-        return {n: float(v) for n, v in read_named(at, known).items()}
+        return {n: float(v) for n, v in read_named(at, known, m.robot.units).items()}
     if isinstance(at, Mapping):
         known = {a.name: a.angle for a in leading(m)} if driven else {n: n in ANGLES for n in COORDINATES}
         check_known(at, tuple(known), "actuator" if driven else "coordinate of a pose")

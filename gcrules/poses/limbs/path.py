@@ -252,6 +252,7 @@ def _report(
         undecided=undecided,
         branch_doubt=doubt,
         threshold=limit,
+        unit=m.robot.units,
         redundant=m.robot.redundant > 0,
         least=least,
         segment_bounds=bounds.segments,

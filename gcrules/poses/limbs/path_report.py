@@ -57,10 +57,10 @@ class Crossing:
 class RobotPath(HoldsArrays, Shown):
     """A robot of joints along a path through poses, `texts`; the parameter is 0 at the first of them, 1 at the second.
 
-    Between two poses the coordinates `names` grow evenly, lengths in the unit of the file, angles in radians, from
-    home. Outside of the `crossings` and of the `undecided` stretches it is proved that no configuration is singular; at
-    each crossing one is. `branch_doubt` is the parameter from which on it is not proved that the configurations follow
-    one branch of solutions from home (None: it is proved throughout).
+    Between two poses the coordinates `names` grow evenly, lengths in the file's `unit`, angles in radians, from home.
+    Outside of the `crossings` and of the `undecided` stretches it is proved that no configuration is singular; at each
+    crossing one is. `branch_doubt` is the parameter from which on it is not proved that the configurations follow one
+    branch of solutions from home (None: it is proved throughout).
 
     Nowhere on the path is the margin below the bound of `least`, which is proved; 0 where nothing is. Those between two
     poses each are `segment_bounds` (segments,). `actuator_ranges`
@@ -99,6 +99,7 @@ class RobotPath(HoldsArrays, Shown):
     factor_values: Floats
     verdicts: NDArray[np.str_]
     amplifications: Amplifications
+    unit: str = ""
     notes: tuple[str, ...] = ()
 
     def to_json(self) -> dict[str, Any]:
@@ -107,6 +108,7 @@ class RobotPath(HoldsArrays, Shown):
             "schema": 1,
             "robot": self.robot,
             "title": self.title,
+            "unit": self.unit,
             "statement": self.statement,
             "poses": list(self.texts),
             "verdict": self.verdict,
@@ -142,13 +144,13 @@ class RobotPath(HoldsArrays, Shown):
         return "".join(f"{','.join(row)}\n" for row in self._rows())
 
     def _rows(self) -> Iterator[list[str]]:
-        angle = {True: " [rad]", False: ""}
+        units = {True: " [rad]", False: f" [{self.unit}]" if self.unit else ""}
         yield [
             "parameter",
-            *(f"{n}{angle[n in ANGLES]}" for n in self.names),
-            *(f"{a.name}{angle[a.angle]}" for a in self.actuators),
+            *(f"{n}{units[n in ANGLES]}" for n in self.names),
+            *(f"{a.name}{units[a.angle]}" for a in self.actuators),
             *("margin", "limb margin", *self.factors),
-            *index_columns(self.amplifications, ""),
+            *index_columns(self.amplifications, self.unit),
             "verdict",
         ]
         columns = [self.parameters, self.coordinates, self.actuator_values, self.margins, self.limb_margins]

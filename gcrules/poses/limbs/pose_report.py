@@ -206,7 +206,7 @@ def report_at(m: Linkage, analysis: RobotAnalysis, solution: Solution, limit: Th
         reason=reason,
         causes=_causes(values, verdict),
         coordinates=_numbers(COORDINATES, coordinates(COORDINATES, c.platform, m.centre), m.size),
-        centre=tuple(map(float, m.centre)),
+        centre=tuple(without_noise(float(x), m.size) for x in m.centre),
         actuators=tuple(
             (a, without_noise(c.joint_values[a.place][a.coordinate], 1.0 if a.angle else m.size)) for a in m.actuators
         ),
@@ -222,6 +222,7 @@ def report_at(m: Linkage, analysis: RobotAnalysis, solution: Solution, limit: Th
         factors=values,
         statement=analysis.statement,
         limbs=limb_numbers(m, near, own),
+        unit=m.robot.units,
         softest=motions[-1],
         motions=gained,
         types=singularity_types(m, c, gained) if verdict == "singular" else (),

@@ -70,7 +70,7 @@ class NearestConfiguration:
 
 @dataclass(frozen=True, eq=False)
 class RobotPose(HoldsArrays, Shown):
-    """A robot in one configuration. Lengths are in the unit of its file, angles in radians, all from home.
+    """A robot in one configuration. Lengths are in `unit`, that of its file, angles in radians, all from home.
 
     `verdict` is regular | close | singular, `reason` the sentence with it, `causes` the factors that vanish, in words.
     `coordinates` are x, y, z of the platform's `centre`, roll, pitch, yaw and the rotation vector; `actuators` holds
@@ -107,6 +107,7 @@ class RobotPose(HoldsArrays, Shown):
     softest: Twist
     motions: tuple[Twist, ...]
     points: Mapping[str, tuple[float, ...]]
+    unit: str = ""
     types: tuple[SingularityType, ...] = ()
     notes: tuple[str, ...] = ()
     nearest: NearestConfiguration | None = None
@@ -131,6 +132,7 @@ class RobotPose(HoldsArrays, Shown):
             "schema": 1,
             "robot": self.robot,
             "title": self.title,
+            "unit": self.unit,
             "target": self.target,
             "verdict": self.verdict,
             "reason": self.reason,
@@ -143,7 +145,7 @@ class RobotPose(HoldsArrays, Shown):
                     "limb": a.limb,
                     "joint": a.joint,
                     "freedom": a.freedom,
-                    "unit": "rad" if a.angle else "length",
+                    "unit": "rad" if a.angle else self.unit or "length",
                     "value": value,
                 }
                 for a, value in self.actuators

@@ -77,7 +77,7 @@ def limb_question(
     every = [variable(n) for n in (*SHIFTS, *TURNS)]
     named = {n: (variable(n),) for n in TURNS}
     fixed = read_fixed(fix, every)
-    there = _at(at)
+    there = _at(m, at)
     base = tuple(map(variable, free_coordinates(m)))
     shifts = [n for n in base if n in SHIFTS]
     groups = {"translation": shifts, "rotation": [n for n in base if n not in SHIFTS], "all": base}
@@ -110,7 +110,7 @@ def _coordinates(m: Linkage, base: tuple[str, ...], named: Mapping[str, Any]) ->
     return tuple(variable(n) for n in (*SHIFTS, *TURNS) if n in chosen)
 
 
-def _at(at: str | Mapping[str, Any] | Pose | None) -> dict[str, Fraction]:
+def _at(m: Linkage, at: str | Mapping[str, Any] | Pose | None) -> dict[str, Fraction]:
     """The values of variables at a pose; half-tangents of angles with denominators up to a million."""
     if at is None:
         return {}
@@ -120,7 +120,7 @@ def _at(at: str | Mapping[str, Any] | Pose | None) -> dict[str, Fraction]:
             "the locus of a robot of joints takes coordinates by their names", hint='write "z=1/2, yaw=30deg"'
         )
     if isinstance(at, str):
-        given: Mapping[str, Any] = read_named(at, {n: n in TURNS for n in names})
+        given: Mapping[str, Any] = read_named(at, {n: n in TURNS for n in names}, m.robot.units)
     else:
         check_known(at, names, "coordinate of a pose")
         given = {n: Amount(exact(v, n)) for n, v in at.items()}

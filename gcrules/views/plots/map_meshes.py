@@ -14,14 +14,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gcrules.poses.maps.mesh import Mesh
+from gcrules.screws.pose import METRES
 from gcrules.views.drawing.palette import LIGHT
 
 __all__ = ["SHEETS", "glb", "ply", "sheet_colours"]
 
 SHEETS = ("entity2", "entity1", "entity3", "entity4", "entity5", "entity6")
 """The colours of sheets, in order."""
-
-_METRES = {"m": 1.0, "dm": 0.1, "cm": 0.01, "mm": 0.001, "um": 1e-6, "in": 0.0254, "ft": 0.3048}
 
 
 def sheet_colours() -> NDArray[np.uint8]:
@@ -84,8 +83,8 @@ def glb(m: Mesh) -> bytes:
     from trimesh.exchange.gltf import export_glb
 
     m = _in_order(m)
-    lengths = set(m.units) <= set(_METRES) and len(set(m.units)) == 1 and set(m.names) <= set("xyz")
-    scale = _METRES[m.units[0]] if lengths else 1.0
+    lengths = set(m.units) <= set(METRES) and len(set(m.units)) == 1 and set(m.names) <= set("xyz")
+    scale = METRES[m.units[0]] if lengths else 1.0
     middle = (m.vertices.min(axis=0) + m.vertices.max(axis=0)) / 2 if len(m.vertices) else np.zeros(3)
     place = np.zeros((4, 4))
     place[[0, 1, 2, 3], [0, 2, 1, 3]] = scale, scale, -scale, 1  # z up → y up

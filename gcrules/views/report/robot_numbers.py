@@ -29,8 +29,8 @@ def numbers_html(r: RobotPose) -> str:
 def _rows(r: RobotPose) -> Iterator[tuple[str, str, str]]:
     yield "margin σ", small(r.margin), "0 singular, at most 1; knows neither frame nor unit"
     actuators = r.jacobian.amplification
-    yield "actuators", "", conditioning(actuators, "")
-    for name, speed, turn in amplification_rows(actuators, ""):
+    yield "actuators", "", conditioning(actuators, r.unit)
+    for name, speed, turn in amplification_rows(actuators, r.unit):
         yield name, speed, f"speed of the centre at unit rate, the others locked; turn of the platform: {turn}"
     for name, first, last in transmission_rows(actuators):
         yield (
@@ -39,7 +39,7 @@ def _rows(r: RobotPose) -> Iterator[tuple[str, str, str]]:
             "from its wrench to the platform" + f"; to its wrench: {first}" * bool(first),
         )
     if actuators.transmission and actuators.transmission.clearance_shift:
-        yield "clearances", "", clearances(actuators.transmission, "")
+        yield "clearances", "", clearances(actuators.transmission, r.unit)
     for f in r.factors:
         below = f"; divided by the cofactor {signed(f.cofactor)}, {small(f.cofactor_value)} here" if f.cofactor else ""
         yield signed(f.expression), small(f.value), f"{meaning(f.kind, f.statement)}{below}"

@@ -36,7 +36,7 @@ def account(r: RobotPath) -> PathAccount:
         ("between", f"{agreeing(r.names, 'grows', 'grow')} evenly"),
         *_closest(r),
         ("values", f"at {len(r):,} samples: {listed_verdicts(r.verdicts.tolist())}"),
-        *index_ranges(r.amplifications, r.parameters, ""),
+        *index_ranges(r.amplifications, r.parameters, r.unit),
         ("branch", _branch(r)),
         ("proof", _PROOF + (_NO_SIGNS if r.redundant else _SIGNS)),
         *(("note", note) for note in r.notes),
@@ -77,7 +77,7 @@ def _crossing(r: RobotPath, c: Crossing) -> PathPlace:
         "crosses: the determinant of all wrenches changes its sign",
         _place(r, c),
         tuple(map(as_sentence, c.causes)),
-        (f"Gained motion: the platform can {c.motion.text()}.",),
+        (f"Gained motion: the platform can {c.motion.text(r.unit)}.",),
         f"proved: an odd number of singular places lies between parameter {c.first:.7g} and {c.last:.7g}",
     )
 
@@ -85,7 +85,7 @@ def _crossing(r: RobotPath, c: Crossing) -> PathPlace:
 def _place(r: RobotPath, c: Crossing) -> str:
     """Text for --at, to six digits."""
     return ", ".join(
-        f"{n}={math.degrees(v):.6g}deg" if n in ANGLES else f"{n}={v:.6g}"
+        f"{n}={math.degrees(v):.6g}deg" if n in ANGLES else f"{n}={v:.6g}{r.unit}"
         for n, v in zip(r.names, c.coordinates, strict=True)
     )
 

@@ -3,14 +3,12 @@ r"""A robot's numbers in one configuration as plain text and as LaTeX: the verdi
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 
 import numpy as np
 
 from gcrules.core.english import listed
 from gcrules.mechanisms.kinematics.closure import CableTensions
-from gcrules.mechanisms.kinematics.linkage import Actuator
-from gcrules.mechanisms.kinematics.wrenches import WrenchJacobian
 from gcrules.poses.limbs.report import NearestConfiguration, RobotPose
 from gcrules.poses.numbers.motion import twist_of
 from gcrules.screws.pose_text import ANGLES, SHIFTS, TURNS
@@ -46,9 +44,9 @@ def _lines(r: RobotPose) -> Iterator[str]:
             (
                 "Jacobian",
                 f"{len(j.labels)} wrenches, smallest singular value {small(j.smallest_singular_value)}, condition "
-                f"number {_number(j.condition_number)}; characteristic length {j.length:.4g}",
+                f"number {_number(j.condition_number)}; characteristic length {_length(j.length, r.unit)}",
             ),
-            ("actuators", conditioning(j.amplification, "")),
+            ("actuators", conditioning(j.amplification, r.unit)),
             (
                 "assembled",
                 f"loops open by {_off(r.residual)} of the robot's size, relations off by {_off(r.disagreement)}; "
@@ -61,11 +59,13 @@ def _lines(r: RobotPose) -> Iterator[str]:
     )
     yield ""
     yield "Actuators, from home"
-    yield from columns([(a.name, _amount(value, a.angle), f"{a.limb}: {a.joint}") for a, value in r.actuators], "  ")
-    yield from amplification_lines(j.amplification, "")
-    yield from transmission_lines(j.amplification, "")
+    yield from columns(
+        [(a.name, _amount(value, a.angle, r.unit), f"{a.limb}: {a.joint}") for a, value in r.actuators], "  "
+    )
+    yield from amplification_lines(j.amplification, r.unit)
+    yield from transmission_lines(j.amplification, r.unit)
     if j.amplification.cables:
-        yield from _cables(j.amplification.cables, r.actuators, r.jacobian)
+        yield from _cables(j.amplification.cables, r)
     if r.factors:
         yield ""
         yield "Factors of the condition"
@@ -93,33 +93,33 @@ def _lines(r: RobotPose) -> Iterator[str]:
             yield from wrapped(f"{t.symbol:<3} {in_words(t)}", "  ", "      ")
     if r.nearest:
         yield ""
-        yield from _nearest(r.nearest)
+        yield from _nearest(r.nearest, r.unit)
 
 
-def _cables(c: CableTensions, actuators: Sequence[tuple[Actuator, float]], j: WrenchJacobian) -> Iterator[str]:
+def _cables(c: CableTensions, r: RobotPose) -> Iterator[str]:
     yield ""
     if c.escape is None:
         yield f"Wrench closure: tensions that balance each other, for a mean of 1; the least is {small(c.least)}"
-        limbs = {a.name: a.limb for a, _ in actuators}
+        limbs = {a.name: a.limb for a, _ in r.actuators}
         yield from columns([(name, small(effort), limbs[name]) for name, effort in c.efforts], "  ")
         return
-    motion = twist_of(np.array(c.escape[:3]), np.array(c.escape[3:]), j.centre, j.length)
+    motion = twist_of(np.array(c.escape[:3]), np.array(c.escape[3:]), r.jacobian.centre, r.jacobian.length)
     words = "Wrench closure is lost: no tensions that are all positive balance each other. The platform can"
-    yield from wrapped(f"{words} {motion.text()} without any cable getting longer.")
+    yield from wrapped(f"{words} {motion.text(r.unit)} without any cable getting longer.")
 
 
-def _nearest(n: NearestConfiguration) -> Iterator[str]:
+def _nearest(n: NearestConfiguration, unit: str) -> Iterator[str]:
     if not n.directions:
         yield "Nearest singular configuration"
         words = "not sought: with more actuators than freedoms the sign of no determinant tells where it is"
         yield from wrapped(words, "  ", "    ")
-        yield from _free_box(n)
+        yield from _free_box(n, unit)
         return
     yield "Nearest singular configuration, by a search in all directions"
     stopped = f"; in {n.stopped} of them the robot cannot be followed so far" if n.stopped else ""
-    measure = f"shifts as parts of the robot's size, {n.size:.4g}, and angles in radians"
+    measure = f"shifts as parts of the robot's size, {_length(n.size, unit)}, and angles in radians"
     if n.changes:
-        where = ", ".join(f"{name} {_change(name, v)}" for name, v in n.changes.items())
+        where = ", ".join(f"{name} {_change(name, v, unit)}" for name, v in n.changes.items())
         yield from wrapped(f"{where} from here; distance {n.distance:.4g} ({measure})", "  ", "    ")
         for cause in n.causes:
             yield from wrapped(cause, "    ", "      ")
@@ -131,10 +131,10 @@ def _nearest(n: NearestConfiguration) -> Iterator[str]:
     else:
         words = f"none found up to the distance {n.reach:.4g} ({measure}) in {n.directions} directions{stopped}"
         yield from wrapped(words, "  ", "    ")
-    yield from _free_box(n)
+    yield from _free_box(n, unit)
 
 
-def _free_box(n: NearestConfiguration) -> Iterator[str]:
+def _free_box(n: NearestConfiguration, unit: str) -> Iterator[str]:
     if not any(n.free.values()):
         yield from wrapped("no box around this configuration was proved free of them", "  ", "    ")
         return
@@ -144,39 +144,41 @@ def _free_box(n: NearestConfiguration) -> Iterator[str]:
         if names:
             each = " each" if len(names) > 1 else ""
             change = "changes" if len(names) == 1 else "change"
-            bounds.append(f"{listed(names)}{each} {change} by less than {_at_most(n.free[names[0]], angle)}")
+            bounds.append(f"{listed(names)}{each} {change} by less than {_at_most(n.free[names[0]], angle, unit)}")
     yield from wrapped(
         f"proved: on this branch no configuration is singular while {' and '.join(bounds)}", "  ", "    "
     )
 
 
-def _at_most(value: float, angle: bool) -> str:
+def _at_most(value: float, angle: bool, unit: str) -> str:
     """A bound with three digits, never more than it is."""
     shown = math.degrees(value) if angle else value
     digit = 10.0 ** (math.floor(math.log10(shown)) - 2)
-    return f"{math.floor(shown * (1 - 1e-12) / digit) * digit:.3g}{'°' if angle else ''}"
+    return f"{math.floor(shown * (1 - 1e-12) / digit) * digit:.3g}{'°' if angle else f' {unit}'.rstrip()}"
 
 
-def _change(name: str, value: float) -> str:
-    shown = _amount(value, name in ANGLES)
+def _change(name: str, value: float, unit: str) -> str:
+    shown = _amount(value, name in ANGLES, unit)
     return shown if value <= 0 else f"+{shown}"
 
 
 def motions(r: RobotPose) -> tuple[str, ...]:
     """What the platform gains, or the motion that the limbs notice least, as sentences."""
     if r.motions:
-        return tuple(f"Gained motion: the platform can {m.text()}; to first order no limb resists." for m in r.motions)
+        return tuple(
+            f"Gained motion: the platform can {m.text(r.unit)}; to first order no limb resists." for m in r.motions
+        )
     return (
-        f"Softest motion: the platform can {r.softest.text()}. The limbs' wrenches notice only {r.margin:.3g} times"
-        " as much of it as the platform's joints move (root mean squares).",
+        f"Softest motion: the platform can {r.softest.text(r.unit)}. The limbs' wrenches notice only {r.margin:.3g}"
+        " times as much of it as the platform's joints move (root mean squares).",
     )
 
 
 def _pose(r: RobotPose) -> str:
     c = r.coordinates
-    parts = [f"{n} {small(c[n])}" for n in SHIFTS] + [f"{n} {_degrees(c[n])}" for n in TURNS]
+    parts = [f"{n} {_amount(c[n], False, r.unit)}" for n in SHIFTS] + [f"{n} {_degrees(c[n])}" for n in TURNS]
     about = ", ".join(f"{x:.4g}" for x in r.centre)
-    return f"{', '.join(parts)}; of the centre ({about}), from home"
+    return f"{', '.join(parts)}; of the centre ({about}){f' {r.unit}'.rstrip()}, from home"
 
 
 def _off(x: float) -> str:
@@ -192,8 +194,12 @@ def meaning(kind: str, statement: str) -> str:
     return f"{kind}: 0 where {statement}" if statement else kind
 
 
-def _amount(value: float, angle: bool) -> str:
-    return _degrees(value) if angle else small(value)
+def _amount(value: float, angle: bool, unit: str) -> str:
+    return _degrees(value) if angle else f"{small(value)} {unit}".rstrip()
+
+
+def _length(value: float, unit: str) -> str:
+    return f"{value:.4g} {unit}".rstrip()
 
 
 def _degrees(angle: float) -> str:
@@ -222,17 +228,17 @@ def as_latex(r: RobotPose) -> str:
         ("margin $\\sigma$", latex_quantity(r.margin)),
         ("smallest singular value", latex_quantity(r.jacobian.smallest_singular_value)),
         ("condition number", latex_quantity(r.jacobian.condition_number)),
-        ("characteristic length", latex_quantity(r.jacobian.length)),
-        *conditioning_rows(r.jacobian.amplification, ""),
-        *((f"${latex_name(a.name)}$", latex_quantity(v, "rad" if a.angle else "")) for a, v in r.actuators),
-        *_latex_nearest(r.nearest),
+        ("characteristic length", latex_quantity(r.jacobian.length, r.unit)),
+        *conditioning_rows(r.jacobian.amplification, r.unit),
+        *((f"${latex_name(a.name)}$", latex_quantity(v, "rad" if a.angle else r.unit)) for a, v in r.actuators),
+        *_latex_nearest(r.nearest, r.unit),
     ]
     return latex_table(rows)
 
 
-def _latex_nearest(n: NearestConfiguration | None) -> Iterator[tuple[str, str]]:
+def _latex_nearest(n: NearestConfiguration | None, length: str) -> Iterator[tuple[str, str]]:
     if n and n.changes:
         yield "nearest singular configuration found, distance", latex_quantity(n.distance)
         for name, v in n.changes.items():
-            unit = "rad" if name in ANGLES else ""
+            unit = "rad" if name in ANGLES else length
             yield f"\\quad change of ${latex_name(name)}$", latex_quantity(v, unit)
