@@ -22,6 +22,7 @@ from gcrules.mechanisms.six_legs import SixLegs
 from gcrules.poses.everywhere import check_architecture
 from gcrules.poses.limbs.map_grid import coordinates_of
 from gcrules.poses.maps.axes import ACTUATOR, TRANSLATION, TURNS, GridAxis, read_ranges
+from gcrules.poses.maps.nodes import in_words, others
 from gcrules.poses.methods import Methods, method
 from gcrules.poses.numbers.pose_arguments import one_pose
 
@@ -63,9 +64,12 @@ class Question:
     @property
     def rest(self) -> str:
         """What the other coordinates are, in words."""
-        over = {a.name for a in self.axes}
-        pairs = [(n, v) for n, v in zip(self.names, self.values, strict=True) if n not in over]
-        return ", ".join(f"{n} = {math.degrees(v):.6g}°" if n in TURNS else f"{n} = {v:.6g}" for n, v in pairs)
+        return in_words(self.others)
+
+    @property
+    def others(self) -> dict[str, float]:
+        """The other coordinates, in radians and the file's unit."""
+        return others(self.axes, self.names, self.values)
 
 
 def question(m: Mechanism, over: Sequence[str | GridAxis], at: Any, limits: str | None, tiles: int | None) -> Question:

@@ -72,7 +72,7 @@ class Asked(HoldsArrays):
             "over": [
                 {"coordinate": a.name, "low": str(a.start), "high": str(a.stop), "unit": a.unit} for a in self.axes
             ],
-            "rest": {n: v for n, v in zip(q.names, q.values, strict=True) if n not in {a.name for a in q.axes}},
+            "rest": q.others,
             "limits": q.limits.to_json() if q.limits else None,
             "cones": [{"rod": list(c.rod), "end": c.end, "angle": c.angle} for c in self.kept[1]],
             "tilt": self.tilt,

@@ -40,7 +40,7 @@ from gcrules.poses.limbs.spreading import spread
 from gcrules.poses.limbs.sweep import Sweep
 from gcrules.poses.maps.axes import ACTUATOR, read_axes
 from gcrules.poses.maps.summary import MapSummary
-from gcrules.poses.maps.task import Chunk
+from gcrules.poses.maps.task import Chunk, InLayers
 from gcrules.poses.tiles.task import Stage
 
 __all__ = ["MAX_POSES", "LimbsTask", "limbs_task"]
@@ -51,7 +51,7 @@ _ALL_ROUND = 2 * math.pi
 
 
 @dataclass(frozen=True, eq=False)
-class LimbsTask(HoldsArrays):
+class LimbsTask(InLayers, HoldsArrays):
     """A `MapTask` of a robot of joints. Its stage is home's branch over the whole grid, in short, from which each chunk
     is solved by itself.
     """
@@ -79,15 +79,6 @@ class LimbsTask(HoldsArrays):
         """Layers of a chunk: so many that the largest boxes fit."""
         inner = math.prod(self.grid.shape[1:])
         return max(LARGEST, _NODES // inner // LARGEST * LARGEST)
-
-    @property
-    def number(self) -> int:
-        """How many chunks there are."""
-        return -(-self.grid.shape[0] // self.layers)
-
-    def span(self, chunk: int) -> tuple[int, int]:
-        """The layers of a chunk, the first one and the one after the last."""
-        return chunk * self.layers, min((chunk + 1) * self.layers, self.grid.shape[0])
 
     @property
     def linkage(self) -> Linkage:
