@@ -38,7 +38,7 @@ from gcrules.poses.limbs.map_grid import LimbsGrid, coordinates_of
 from gcrules.poses.limbs.patches import Patches
 from gcrules.poses.limbs.spreading import spread
 from gcrules.poses.limbs.sweep import Sweep
-from gcrules.poses.maps.axes import ACTUATOR, read_axes
+from gcrules.poses.maps.axes import ACTUATOR, check_turns, read_axes
 from gcrules.poses.maps.summary import MapSummary
 from gcrules.poses.maps.task import Chunk, InLayers
 from gcrules.poses.tiles.task import Stage
@@ -47,7 +47,6 @@ __all__ = ["MAX_POSES", "LimbsTask", "limbs_task"]
 
 MAX_POSES = 1_000_000
 _NODES = 1_000  # in one chunk, about
-_ALL_ROUND = 2 * math.pi
 
 
 @dataclass(frozen=True, eq=False)
@@ -297,8 +296,6 @@ def limbs_task(m: Limbs, over: Any, at: Any = None, limits: str | None = None, m
         raise LimitReached(
             f"{grid.size:,} poses: more than {MAX_POSES:,} in one map of a robot of joints", hint="take a coarser grid"
         )
-    for a in axes:
-        if a.unit and (float(a.stop) - float(a.start)) * a.scale > _ALL_ROUND:
-            raise InputError(f"{a.name} goes more than once around", hint="take a range of one turn at most")
+    check_turns(axes)
     check_target(k, Target(names, np.zeros(len(names)), driven, text="home"))
     return LimbsTask(m, grid, reach, measure)
