@@ -83,8 +83,7 @@ class MapTask(Protocol):
     `measure` is margin, value, or an index of the actuators; `limits` are those of legs or actuators; `factors` are the
     exact ones of the condition on the slice, None where it is no polynomial; `everywhere` says that every pose is
     singular; `names` are the arrays of each chunk; zeros are brought nearer by so many `halvings`; `accuracy` says how
-    curves are found, `guard` what a margin guarantees; `stage` is what
-    comes before all chunks.
+    curves are found, `guard` what a margin guarantees; `stage` is what comes before all chunks, None for nothing.
     """
 
     @property
