@@ -134,7 +134,7 @@ class BoxMap(HoldsArrays, Shown):
                 {"name": a.name, "unit": a.unit, "start": float(a.start), "stop": float(a.stop), "tiles": a.number - 1}
                 for a in q.axes
             ],
-            "rest": {n: v for n, v in zip(q.names, q.values, strict=True) if n not in {a.name for a in q.axes}},
+            "rest": q.others,
             "limits": q.limits.to_json() if q.limits else None,
             "margin_asked": self.task.margin,
             "condition": q.sentence,

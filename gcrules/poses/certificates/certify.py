@@ -63,8 +63,8 @@ def certify(
     deg", "C1 35 deg". The platform's third axis keeps to a `tilt`, "40 deg" in any direction. Boxes are cut for so much
     `time` in seconds (60, without end where a number of boxes is given), until there are so many `boxes`, or until the
     `target` share is decided. Where no margin is asked for the boxes with the lowest bounds are cut further, for a
-    better one. `resume` is the file of an earlier certificate of the same question, from which it goes on, for all
-    of the time.
+    better one. `resume` is the file of an earlier certificate of the same question, from which it goes on until the
+    time is up, or the bound is known well.
 
     Raises InputError for what makes no sense, and where something has no closed form; FileError for another file.
     """
