@@ -62,8 +62,8 @@ def certify(
     `cone` around their direction at home, as the body there carries it: "40 deg" for all, "base 30 deg, platform 40
     deg", "C1 35 deg". The platform's third axis keeps to a `tilt`, "40 deg" in any direction. Boxes are cut for so much
     `time` in seconds (60, without end where a number of boxes is given), until there are so many `boxes`, or until the
-    `target` share is decided. Where no margin is asked for the boxes with the lowest bounds are cut further, for a
-    better one. `resume` is the file of an earlier certificate of the same question, from which it goes on until the
+    `target` share is decided. Where no margin is asked for, the boxes with the lowest bounds are cut further, for
+    a better one. `resume` is the file of an earlier certificate of the same question, from which it goes on until the
     time is up, or the bound is known well.
 
     Raises InputError for what makes no sense, and where something has no closed form; FileError for another file.
