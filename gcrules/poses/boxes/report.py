@@ -14,7 +14,7 @@ from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import InputError
 from gcrules.core.frozen import HoldsArrays
 from gcrules.core.shown import Shown
-from gcrules.poses.boxes.task import MODES, SHARES, BoxTask
+from gcrules.poses.boxes.task import MODES, SHARES, BoxTask, decided_part
 from gcrules.poses.boxes.trees import Leaves
 from gcrules.poses.maps.axes import GridAxis
 from gcrules.poses.maps.cells import MEANINGS
@@ -44,7 +44,7 @@ class BoxSummary:
     @property
     def decided(self) -> float:
         """The share of the volume that is proved to be free, or to be outside."""
-        return min(sum(self.shares[:3]), 1.0)
+        return decided_part(self.shares)
 
 
 @dataclass(frozen=True, eq=False)

@@ -126,7 +126,7 @@ def _bad(found: Asked, search: Search, k: int) -> Bad:
     box = tuple(zip((middle - half).tolist(), (middle + half).tolist(), strict=True))
 
     def sign(place: Floats) -> int:
-        return decider.sign_at(_all(found, place))
+        return decider.sign_at(decider.inputs(place[None])[0])
 
     steps = np.array(np.meshgrid(*[(-1.0, 1.0)] * len(middle), indexing="ij")).reshape(len(middle), -1).T
     places = [middle, *(middle + step * half for step in steps)]
@@ -146,15 +146,8 @@ def _bad(found: Asked, search: Search, k: int) -> Bad:
                 case _:
                     break
     at = found.pose_text(place.tolist())
-    margin = float(decider.forms.forms.margins("numpy", _all(found, place)[None])[0])
+    margin = float(decider.margins_at(place[None])[0])
     return Bad(tuple((place / found.task.units).tolist()), at, margin, _causes(found, at), box, ends)
-
-
-def _all(found: Asked, place: Floats) -> Floats:
-    """A place of the free coordinates with the others."""
-    every = np.array(found.decider.centre)
-    every[list(found.decider.free)] = place
-    return every
 
 
 def _causes(found: Asked, at: str) -> tuple[str, ...]:
