@@ -26,7 +26,7 @@ from gcrules.mechanisms.kinematics.targets import Target
 from gcrules.mechanisms.limbs import Limbs
 from gcrules.mechanisms.load import read_robot
 from gcrules.mechanisms.six_legs import SixLegs
-from gcrules.poses.limbs.map_task import limbs_task
+from gcrules.poses.maps.limb_task import limbs_task
 from gcrules.poses.maps.planned import planned
 from gcrules.screws.threshold import DEFAULT
 

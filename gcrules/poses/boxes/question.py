@@ -20,8 +20,8 @@ from gcrules.mechanisms.mechanism import Mechanism, limits_of
 from gcrules.mechanisms.moving_platform import FAR
 from gcrules.mechanisms.six_legs import SixLegs
 from gcrules.poses.everywhere import check_architecture
-from gcrules.poses.limbs.map_grid import coordinates_of
 from gcrules.poses.maps.axes import ACTUATOR, TRANSLATION, TURNS, GridAxis, check_turns, read_ranges
+from gcrules.poses.maps.limb_grid import coordinates_of
 from gcrules.poses.maps.nodes import in_words, others
 from gcrules.poses.methods import Methods, method
 from gcrules.poses.numbers.pose_arguments import one_pose

@@ -32,14 +32,14 @@ from gcrules.mechanisms.kinematics.solve import check_target, solve
 from gcrules.mechanisms.kinematics.targets import Target
 from gcrules.mechanisms.limbs import Limbs
 from gcrules.mechanisms.mechanism import limits_of
-from gcrules.poses.limbs.boxes import LARGEST, proved_cells
 from gcrules.poses.limbs.lattice import Lattice
-from gcrules.poses.limbs.map_grid import LimbsGrid, coordinates_of
-from gcrules.poses.limbs.patches import Patches
-from gcrules.poses.limbs.spreading import spread
-from gcrules.poses.limbs.sweep import Sweep
 from gcrules.poses.maps.axes import ACTUATOR, check_turns, read_axes
+from gcrules.poses.maps.limb_cells import LARGEST, proved_cells
+from gcrules.poses.maps.limb_grid import LimbsGrid, coordinates_of
+from gcrules.poses.maps.patches import Patches
+from gcrules.poses.maps.spreading import spread
 from gcrules.poses.maps.summary import MapSummary
+from gcrules.poses.maps.sweep import Sweep
 from gcrules.poses.maps.task import Chunk, InLayers
 from gcrules.poses.tiles.task import Stage
 
