@@ -26,7 +26,7 @@ from gcrules.mechanisms.kinematics.targets import Target
 from gcrules.mechanisms.limbs import Limbs
 from gcrules.mechanisms.load import read_robot
 from gcrules.mechanisms.six_legs import SixLegs
-from gcrules.poses.limbs.map_task import limbs_task
+from gcrules.poses.maps.limb_task import limbs_task
 from gcrules.poses.maps.planned import planned
 from gcrules.screws.threshold import DEFAULT
 
@@ -109,9 +109,11 @@ def margins_of(t: Any) -> Any:
     return np.concatenate([t.compute(k)["margin"] for k in range(t.number)])
 
 
-@pytest.mark.parametrize(("robot", "over", "share"), [("3-rpr", OF_RPR, 3), ("3-rps", OF_RPS, 3)])
-def test_the_stage_of_a_robot_of_joints(ratio: Callable[..., Any], robot: str, over: list[str], share: float) -> None:
-    """Home's branch, which comes before all tiles, beside the whole map: what cannot be shared among workers."""
+@pytest.mark.parametrize(("robot", "over", "times"), [("3-rpr", OF_RPR, 5), ("3-rps", OF_RPS, 2)])
+def test_the_stage_of_a_robot_of_joints(ratio: Callable[..., Any], robot: str, over: list[str], times: float) -> None:
+    """Home's branch, which comes before all tiles and cannot be shared among workers, beside the whole map with it:
+    the goal is how many times as long that takes, less where much of the grid is out of reach.
+    """
     found = Limbs.of(read_robot(robot))
 
     def stage() -> int:
@@ -122,7 +124,7 @@ def test_the_stage_of_a_robot_of_joints(ratio: Callable[..., Any], robot: str, o
     def whole() -> int:
         return int((~np.isnan(margins_of(limbs_task(found, over)))).sum())
 
-    ratio(stage, {"whole map": whole}, agree=int.__eq__, at_least={"whole map": share}, rounds=2, others_rounds=1)
+    ratio(stage, {"whole map": whole}, agree=int.__eq__, at_least={"whole map": times}, rounds=2, others_rounds=1)
 
 
 @pytest.mark.parametrize("robot", ["octahedral", "platform-6-6"])

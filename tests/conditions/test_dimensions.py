@@ -153,6 +153,21 @@ def test_symmetry() -> None:
     assert all({a, b} not in ({"A", "C"}, {"B", "D"}) for a, b in pairwise(legs))
 
 
+@pytest.mark.parametrize("tolerance", [0.0, 1e-5])
+def test_a_mirror_is_exact_where_the_numbers_are(tolerance: float) -> None:
+    """A joint that is off by less than floats tell ends a mirror that is to hold exactly, and no other one."""
+    base = [(2, 1, 0), (-2, 1, 0), (3, -1, 0), (-3, -1, 0), (1, 4, 0), (-1, 4, 0)]
+    for off, exact in ((Fraction(0), [True]), (Fraction(1, 10**40), [False] if tolerance else [])):
+        moved = [(x + off, y, z) if i == 3 else (x, y, z) for i, (x, y, z) in enumerate(base)]
+        facts = dimensions_of(
+            gc.analyze("Aa Bb Cc Dd Ee Ff").structure,
+            _platform(moved, [(y, x, 0) for x, y, _ in base]).points,
+            tolerance,
+        )
+        assert facts is not None
+        assert [f.exact for f in facts.facts if f.kind == "mirror"] == exact
+
+
 def test_joints_that_coincide_are_one() -> None:
     loaded = load_platform(EXAMPLES / "platform-6-3.yaml")
     names = dict(zip("abcdef", "aabbcc", strict=True))

@@ -63,6 +63,7 @@ def test_nearly_so_is_told_with_its_deviation() -> None:
     found = [f for f in facts_of_design(with_home("3-rps", r2=(2, 1, Fraction(1, 10**6)))) if f.kind == "flat axes"]
     assert [f.exact for f in found] == [False]
     assert found[0].deviation == pytest.approx(1e-6 / math.sqrt(5), rel=1e-3)
+    assert found[0].sentence.endswith("(nearly: up to 4.5e-07 of the size, or rad)")
 
 
 def test_slides_at_right_angles_are_one_fact() -> None:

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Sequence
+from dataclasses import replace
 from itertools import pairwise
 
 import numpy as np
@@ -14,6 +16,9 @@ import gcrules as gc
 from gcrules.core.errors import InputError
 from gcrules.mechanisms.mechanism import mechanism
 from gcrules.poses.aspects.report import Aspects
+from gcrules.poses.plans.domain import Proved
+from gcrules.poses.plans.limb_domain import LimbDomain
+from gcrules.poses.plans.report import Waypoint
 from gcrules.screws.pose import Pose
 
 FOUR_DOF = EXAMPLES / "four-dof.yaml"
@@ -123,6 +128,28 @@ def test_angles_go_on_beyond_half_a_turn() -> None:
     found = gc.aspects("3-rpr", within=TURN, poses=30, modes=False)
     yaws = [np.array([dict(p)["yaw"] for p in join.poses]) for join in found.joins]
     assert max(np.abs(np.diff(y)).max() for y in yaws) <= np.pi + 1e-9
+
+
+@pytest.mark.parametrize("doubted", [True, False], ids=["all", "those of one piece"])
+def test_ways_whose_margin_is_not_proved_join_what_nothing_else_does(
+    monkeypatch: pytest.MonkeyPatch, *, doubted: bool
+) -> None:
+    """All ways, or the straight ones, are taken for ways of which no margin is proved."""
+    whole = LimbDomain.prove
+
+    def doubting(self: LimbDomain, way: Sequence[Waypoint], samples: int | None = None) -> Proved:
+        found = whole(self, way, samples)
+        doubts = tuple(range(len(way) - 1)) if doubted or len(way) == 2 else ()
+        return replace(found, doubts=doubts, margin_proved=False) if doubts else found
+
+    plain = gc.aspects("3-rpr", within=TURN, poses=3, modes=False)
+    monkeypatch.setattr(LimbDomain, "prove", doubting)
+    monkeypatch.setattr("gcrules.poses.aspects.joining._ROUNDS", 2)
+    found = gc.aspects("3-rpr", within=TURN, poses=3, modes=False)
+    assert [s.poses for s in found.sets] == [s.poses for s in plain.sets]
+    assert len(found.joins) == len(found.poses) - len(found.sets)
+    assert plain.proved
+    assert {j.proved for j in found.joins} == {False} if doubted else any(j.proved for j in found.joins)
 
 
 def test_limits_leave_modes_out() -> None:

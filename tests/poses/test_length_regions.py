@@ -154,6 +154,18 @@ def test_other_dimensions(tmp_path: Path) -> None:
         assert len(gc.assembly_modes(file, actuators=list(region.actuators))) == region.modes
 
 
+def test_a_small_robot_has_as_narrow_ranges(tmp_path: Path) -> None:
+    """In other units regions, and ranges that no length goes beyond, are those of a robot a thousand times as large."""
+    data = yaml.safe_load(gc.load("3-rpr").text)
+    data["home"] = {n: [str(Fraction(str(c)) / 1000) for c in place] for n, place in data["home"].items()}
+    file = tmp_path / "robot.yaml"
+    file.write_text(yaml.safe_dump(data), "utf-8")
+    small, large = gc.length_regions(file), gc.length_regions("3-rpr")
+    assert (small.decided, small.counts) == (large.decided, large.counts)
+    for one, other in zip(small.over, large.over, strict=True):
+        assert one.high * 1000 == pytest.approx(other.high, rel=0.06)
+
+
 REFUSED = {
     "four legs": ({"source": "4-rpr"}, "it has 4 limbs"),
     "knees": ({"source": "3-rrr"}, r"leg 1 \(R\*RR\) is no leg"),

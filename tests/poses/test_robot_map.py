@@ -24,8 +24,8 @@ from gcrules.mechanisms.kinematics.targets import Target
 from gcrules.mechanisms.limbs import Limbs
 from gcrules.mechanisms.mechanism import mechanism
 from gcrules.poses.limbs.factors import factors
-from gcrules.poses.limbs.map_task import LimbsTask, limbs_task
 from gcrules.poses.maps.cells import CROSSED, FREE, OUTSIDE, UNDECIDED
+from gcrules.poses.maps.limb_task import LimbsTask, limbs_task
 from gcrules.poses.maps.maps import singular_map
 from gcrules.screws.threshold import margin_of
 

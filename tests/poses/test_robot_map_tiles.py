@@ -17,9 +17,9 @@ from poses.tile_tasks import beside, contents
 import gcrules as gc
 from gcrules.mechanisms.mechanism import mechanism
 from gcrules.poses.limbs import lattice, spreading
-from gcrules.poses.limbs.map_task import LimbsTask, limbs_task
-from gcrules.poses.limbs.patches import Patches
 from gcrules.poses.maps.cells import OUTSIDE
+from gcrules.poses.maps.limb_task import LimbsTask, limbs_task
+from gcrules.poses.maps.patches import Patches
 from gcrules.poses.maps.planned import planned
 from gcrules.poses.maps.tiled import GridTiles
 from gcrules.poses.tiles.how import HERE, Running

@@ -103,6 +103,15 @@ def test_there_is_no_circle() -> None:
     assert [sorted(c) for c in nx.strongly_connected_components(graph) if len(c) > 1] == []
 
 
+def test_the_folders_of_poses_are_in_no_circle() -> None:
+    graph: nx.DiGraph[str] = nx.DiGraph()
+    for path in (PACKAGE / "poses").rglob("*.py"):
+        own, *others = (".".join(m.split(".")[:3]) for m in (name_of(path), *imports(path), *deferred(path)))
+        graph.add_edges_from((own, m) for m in others if m != own and m.startswith("gcrules.poses."))
+    assert len(graph) > 10
+    assert [sorted(c) for c in nx.strongly_connected_components(graph) if len(c) > 1] == []
+
+
 @pytest.mark.parametrize("path", MODULES, ids=name_of)
 def test_only_large_libraries_are_imported_inside_functions(path: Path) -> None:
     for function in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):

@@ -97,6 +97,16 @@ def test_every_row_of_the_page_is_shown() -> None:
     assert set(SHOWN_BY.values()) <= set(globals())
 
 
+def test_every_table_of_methods_is_named_in_the_row_of_mechanisms() -> None:
+    page = (ROOT / "docs" / "architecture.md").read_text(encoding="utf-8")
+    row = re.search(r"^\| a kind of mechanism \|.*$", page, flags=re.MULTILINE)
+    assert row is not None
+    table = re.compile(r"^_?[A-Z_]+: Methods\[", flags=re.MULTILINE)
+    tables = [p for p in (ROOT / "gcrules").rglob("*.py") if table.search(p.read_text(encoding="utf-8"))]
+    assert tables
+    assert [p.name for p in tables if p.name not in row[0]] == []
+
+
 # --- files -----------------------------------------------------------------------------------------------------------
 
 LEGS = "Aa Ab Ac Bd Be Cf"

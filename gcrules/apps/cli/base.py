@@ -35,8 +35,11 @@ __all__ = [
     "colour_choice",
     "decorated",
     "given_option",
+    "json_option",
+    "latex_option",
     "length_option",
     "limit_option",
+    "mathematics_option",
     "nearest_option",
     "output_options",
     "search_option",
@@ -198,6 +201,17 @@ given_option = click.option(
 )
 
 
+json_option = click.option("--json", "as_json", is_flag=True, help="Print one JSON object.")
+latex_option = click.option("--latex", "as_latex", is_flag=True, help="Print LaTeX.")
+mathematics_option = click.option(
+    "--unicode/--ascii",
+    " /--plain",
+    "mathematics",
+    default=None,
+    help="Unicode mathematics or plain ASCII; by default what the output can show.",
+)
+
+
 @dataclass(frozen=True)
 class Output:
     """Where an answer goes and in which form."""
@@ -208,6 +222,10 @@ class Output:
     path: str | None = None
     texts: list[str] = field(default_factory=list, repr=False, compare=False)
     """What is written to the file when the command has ended with an answer."""
+
+    def __post_init__(self) -> None:
+        if self.json and self.latex:
+            raise click.UsageError("--json and --latex exclude each other.")
 
     @property
     def unicode(self) -> bool:
@@ -264,8 +282,6 @@ def output_options(*, latex: bool = True) -> Callable[[_Command], _Command]:
             out = Output(
                 options.pop("as_json"), options.pop("as_latex", False), options.pop("mathematics"), options.pop("path")
             )
-            if out.json and out.latex:
-                raise click.UsageError("--json and --latex exclude each other.")
             try:
                 result = command(out=out, **options)
             except click.exceptions.Exit as end:
@@ -275,15 +291,9 @@ def output_options(*, latex: bool = True) -> Callable[[_Command], _Command]:
             return result
 
         decorators = [
-            click.option("--json", "as_json", is_flag=True, help="Print one JSON object."),
-            *([click.option("--latex", "as_latex", is_flag=True, help="Print LaTeX.")] if latex else []),
-            click.option(
-                "--unicode/--ascii",
-                " /--plain",
-                "mathematics",
-                default=None,
-                help="Unicode mathematics or plain ASCII; by default what the output can show.",
-            ),
+            json_option,
+            *([latex_option] if latex else []),
+            mathematics_option,
             click.option(
                 "-o",
                 "--output",

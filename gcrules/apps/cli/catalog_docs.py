@@ -7,7 +7,7 @@ from collections.abc import Iterable
 
 import click
 
-from gcrules.apps.cli.base import Output, catalog_option
+from gcrules.apps.cli.base import Output, catalog_option, json_option
 from gcrules.apps.cli.files import working
 from gcrules.apps.cli.limits import time_limit
 from gcrules.apps.cli.only import check_known, only_option, only_words
@@ -31,7 +31,7 @@ OUT = "docs/catalog"
 @click.option("--check", is_flag=True, help="Write nothing; exit code 1 if a page is stale.")
 @only_option("class")
 @click.option("--out", default=OUT, show_default=True, metavar="DIR", help="The folder of the pages.")
-@click.option("--json", "as_json", is_flag=True, help="Print one JSON object.")
+@json_option
 @time_limit(None)
 @catalog_option
 @plugins_option

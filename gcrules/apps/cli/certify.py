@@ -4,8 +4,15 @@ from __future__ import annotations
 
 import click
 
-from gcrules.apps.cli.base import ExpressionCommand, Output, about_option
-from gcrules.apps.cli.files import OutputFile, working
+from gcrules.apps.cli.base import (
+    ExpressionCommand,
+    Output,
+    about_option,
+    json_option,
+    latex_option,
+    mathematics_option,
+)
+from gcrules.apps.cli.files import files_option, working
 from gcrules.apps.cli.limits import Seconds
 from gcrules.apps.cli.map_options import at_option, limits_option
 from gcrules.apps.cli.sources import mode_option, read_source, warn
@@ -39,20 +46,10 @@ _CODES = {True: 0, False: 1, None: 3}
     "--target", default="100%", show_default=True, metavar="SHARE", help='End when so much is decided: "99.9%".'
 )
 @click.option("--resume", metavar="FILE", help="Go on from the file of an earlier certificate of the same question.")
-@click.option("--json", "as_json", is_flag=True, help="Print the certificate as one JSON object.")
-@click.option("--latex", "as_latex", is_flag=True, help="Print LaTeX.")
-@click.option(
-    "--unicode/--ascii", " /--plain", "mathematics", default=None, help="Unicode or plain ASCII; by default what fits."
-)
-@click.option(
-    "-o",
-    "--output",
-    "outputs",
-    type=OutputFile(),
-    multiple=True,
-    metavar="FILE",
-    help="Write the certificate, whatever is decided: .json or .json.gz, which tools/check_certificate.py checks.",
-)
+@json_option
+@latex_option
+@mathematics_option
+@files_option("Write the certificate, whatever is decided: .json or .json.gz, which tools/check_certificate.py checks.")
 @click.pass_context
 def certify(
     ctx: click.Context,
@@ -84,8 +81,7 @@ def certify(
     The range is continuous: boxes of poses are proved or cut. The exit code is 0 where no pose in range is singular, 1
     where one is, 3 where it is not decided; with --target also 0 where so much is.
     """
-    if as_json and as_latex:
-        raise click.UsageError("--json and --latex exclude each other.")
+    out = Output(json=as_json, latex=as_latex, mathematics=mathematics)
     for path in outputs:
         check_suffix(path)
     source = warn(read_source(file, mode=mode))
@@ -106,5 +102,5 @@ def certify(
         )
     for path in outputs:
         found.save(path)
-    Output(json=as_json, latex=as_latex, mathematics=mathematics).show(found)
+    out.show(found)
     ctx.exit(_CODES[found.holds])

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import sys
 import threading
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager, nullcontext, suppress
 from typing import Any
 
@@ -16,7 +16,9 @@ from gcrules.core.budget import waiting, within
 from gcrules.core.errors import FileError, InputError
 from gcrules.core.files import check_name, check_target, held
 
-__all__ = ["ANSWERED", "OutputCommand", "OutputFile", "Status", "printed", "read_stdin", "working"]
+__all__ = ["ANSWERED", "OutputCommand", "OutputFile", "Status", "files_option", "printed", "read_stdin", "working"]
+
+_Command = Callable[..., Any]
 
 MAX_STDIN = 4_000_000
 _PATIENCE = 1.0  # seconds before progress is shown
@@ -105,6 +107,11 @@ class OutputFile(click.types.StringParamType):
             raise InputError(f"{value}: {found} is no figure format", hint=f"figures are written as {endings}")
         check_target(value)
         return value
+
+
+def files_option(words: str) -> Callable[[_Command], _Command]:
+    """-o FILE, as often as one likes; the command receives `outputs`."""
+    return click.option("-o", "--output", "outputs", type=OutputFile(), multiple=True, metavar="FILE", help=words)
 
 
 figure_option = click.option(

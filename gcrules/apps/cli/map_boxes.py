@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import click
 
-from gcrules.apps.cli.base import ExpressionCommand, Output, about_option
+from gcrules.apps.cli.base import ExpressionCommand, Output, about_option, json_option
 from gcrules.apps.cli.files import OutputFile, working
 from gcrules.apps.cli.limits import time_limit
 from gcrules.apps.cli.map_options import (
@@ -111,7 +111,7 @@ def boxes_(
 @time_limit(None)
 @workers_option
 @scheduler_option
-@click.option("--json", "as_json", is_flag=True, help="Print one JSON object.")
+@json_option
 def refine(
     store: str,
     refined: str,

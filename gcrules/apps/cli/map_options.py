@@ -5,12 +5,12 @@ from __future__ import annotations
 import json
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
-from typing import Any, TypeVar
+from typing import Any
 
 import click
 
-from gcrules.apps.cli.base import Output
-from gcrules.apps.cli.files import OutputFile
+from gcrules.apps.cli.base import Output, decorated, json_option, mathematics_option
+from gcrules.apps.cli.files import files_option
 from gcrules.poses.tiles.how import MAX_WORKERS
 
 __all__ = [
@@ -23,7 +23,7 @@ __all__ = [
     "workers_option",
 ]
 
-F = TypeVar("F", bound=Callable[..., Any])
+_Command = Callable[..., Any]
 
 at_option = click.option(
     "--at", metavar="POSE", help="The pose of the other coordinates, as in gcrules pose; the file's own."
@@ -49,38 +49,18 @@ scheduler_option = click.option(
 )
 
 
-def tile_options(formats: Iterable[str]) -> Callable[[F], F]:
+def tile_options(formats: Iterable[str]) -> Callable[[_Command], _Command]:
     """What becomes of tiles, and of the answer, which is written in these formats."""
     options = (
         click.option("--restart", is_flag=True, help="Throw away finished tiles of an earlier run and begin anew."),
         workers_option,
         click.option("--part", metavar="K/N", help="Compute only the K-th of N parts, as a job of an array."),
         scheduler_option,
-        click.option("--json", "as_json", is_flag=True, help="Print one JSON object."),
-        click.option(
-            "--unicode/--ascii",
-            " /--plain",
-            "mathematics",
-            default=None,
-            help="Unicode or plain ASCII; by default what fits.",
-        ),
-        click.option(
-            "-o",
-            "--output",
-            "outputs",
-            type=OutputFile(),
-            multiple=True,
-            metavar="FILE",
-            help=f"Write a file, as often as you like; its suffix says what: {' '.join(formats)}.",
-        ),
+        json_option,
+        mathematics_option,
+        files_option(f"Write a file, as often as you like; its suffix says what: {' '.join(formats)}."),
     )
-
-    def add(command: F) -> F:
-        for option in reversed(options):
-            command = option(command)
-        return command
-
-    return add
+    return lambda command: decorated(command, options)
 
 
 @contextmanager

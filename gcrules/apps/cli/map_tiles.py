@@ -6,7 +6,7 @@ from typing import Any
 
 import click
 
-from gcrules.apps.cli.base import ExpressionCommand, Output, output_options, seeded
+from gcrules.apps.cli.base import ExpressionCommand, Output, json_option, output_options, seeded
 from gcrules.apps.cli.files import OutputFile, working
 from gcrules.apps.cli.limits import time_limit
 from gcrules.apps.cli.map_boxes import boxes_, refine
@@ -79,7 +79,7 @@ def verify(ctx: click.Context, store: str, tiles: int | str, out: Output) -> Non
 @click.argument("stores", nargs=-1, required=True, metavar="STORE...")
 @click.option("-o", "--output", "merged", type=OutputFile(), required=True, metavar="FILE.zarr", help="The new store.")
 @time_limit(None)
-@click.option("--json", "as_json", is_flag=True, help="Print one JSON object.")
+@json_option
 def merge(stores: tuple[str, ...], merged: str, as_json: bool) -> None:
     """Put the tiles of several stores of one map, which were computed on disks of their own, into a new store.
 

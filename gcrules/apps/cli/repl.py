@@ -7,7 +7,7 @@ import sys
 import click
 
 from gcrules.algebra.expand import MAX_TERMS
-from gcrules.apps.cli.base import ExpressionCommand, Output
+from gcrules.apps.cli.base import ExpressionCommand, Output, mathematics_option
 from gcrules.apps.cli.limits import SECONDS, time_limit
 from gcrules.apps.repl.answers import worst
 from gcrules.apps.repl.interpreter import Interpreter
@@ -34,13 +34,7 @@ run_terminal = deferred("gcrules.apps.repl.terminal:run_terminal")
     help="Give up beyond this many terms.",
 )
 @time_limit(SECONDS, "Give an input up after this time.", itself=True)
-@click.option(
-    "--unicode/--ascii",
-    " /--plain",
-    "mathematics",
-    default=None,
-    help="Unicode mathematics or plain ASCII; by default what the output can show.",
-)
+@mathematics_option
 @click.pass_context
 def repl(
     ctx: click.Context,

@@ -13,6 +13,7 @@ from gcrules.apps.cli.base import (
     SEEDED,
     ExpressionCommand,
     Output,
+    json_option,
     length_option,
     nearest_option,
     output_options,
@@ -71,7 +72,7 @@ def robot() -> None:
 
 @robot.command("list", short_help="List all robots that are known.")
 @_plugins
-@click.option("--json", "as_json", is_flag=True, help="Print one JSON object.")
+@json_option
 def list_command(folders: tuple[str, ...], as_json: bool) -> None:
     """List all robots that are known: id, mobility of the platform, title."""
     found = [(one, read_robot(one.path)) for one in robots(folders)]

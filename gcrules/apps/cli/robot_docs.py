@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import click
 
-from gcrules.apps.cli.base import Output
+from gcrules.apps.cli.base import Output, json_option
 from gcrules.apps.cli.files import working
 from gcrules.apps.cli.limits import time_limit
 from gcrules.apps.cli.only import check_known, only_option, only_words
@@ -25,7 +25,7 @@ robot_pages = deferred("gcrules.views.pages.robot_pages:robot_pages")  # loads n
 @click.option("--out", default="docs/robots", show_default=True, metavar="DIR", help="The folder of the pages.")
 @click.option("--plugins", "folders", multiple=True, metavar="DIR", help="Add a folder of plugins.")
 @time_limit(None)
-@click.option("--json", "as_json", is_flag=True, help="Print one JSON object.")
+@json_option
 @click.pass_context
 def docs(
     ctx: click.Context, check: bool, only: tuple[str, ...], out: str, folders: tuple[str, ...], as_json: bool

@@ -28,10 +28,10 @@ from gcrules.mechanisms.kinematics.leading import leading
 from gcrules.mechanisms.kinematics.solve import free_coordinates
 from gcrules.mechanisms.limbs import Limbs
 from gcrules.mechanisms.six_legs import SixLegs
-from gcrules.poses.limbs.map_grid import LimbsGrid
 from gcrules.poses.maps.axes import ACTUATOR, GridAxis, read_axes
 from gcrules.poses.maps.cells import MEANINGS
 from gcrules.poses.maps.grid import Grid
+from gcrules.poses.maps.limb_grid import LimbsGrid
 from gcrules.poses.maps.maps import done
 from gcrules.poses.maps.planned import Plan, planned
 from gcrules.poses.maps.report import SingularMap

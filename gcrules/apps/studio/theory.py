@@ -57,11 +57,11 @@ THEORY: Mapping[str, Theory] = {
         "six lines on which the legs lie, so the robot is written down as six pairs of points: a leg from a joint of "
         "the base to a joint of the platform. Legs that meet in one joint share its letter.",
         (
-            "The lengths of the legs and the shapes of base and platform do not matter at this stage; they come in "
-            "with the pose. What matters is which legs share a joint. Up to exchanging base and platform there are 39 "
-            "ways to join at most three legs at a joint, counted here; five of them are singular in every pose, and 34 "
-            "are regular. The literature speaks of 35 classes; how they are counted was not read. [FaugereLazard1995] "
-            "[SinguLab2008]",
+            "The lengths of the legs and the shapes of base and platform do not matter at this stage; the shapes come "
+            "in with the dimensions, and both with the pose. What matters is which legs share a joint. Up to "
+            "exchanging base and platform there are 39 ways to join at most three legs at a joint, counted here; five "
+            "of them are singular in every pose, and 34 are regular. The literature speaks of 35 classes; how they are "
+            "counted was not read. [FaugereLazard1995] [SinguLab2008]",
         ),
     ),
     "superbracket": Theory(
@@ -149,8 +149,9 @@ THEORY: Mapping[str, Theory] = {
         ),
     ),
     "statement": Theory(
-        "The condition in words. Nothing in it depends on coordinates: it can be checked with a pencil on a drawing, "
-        "and it tells a designer what to avoid.",
+        "The condition in words. It is said of points, lines and planes, whatever the frame and the unit: it can be "
+        "checked with a pencil on a drawing, and it tells a designer what to avoid. What the dimensions say beyond it "
+        "holds for the numbers of this robot only, in every pose.",
         (
             "A point in which planes meet may lie at infinity: then the planes are parallel to one direction. The "
             "statement includes this case, as the algebra does.",

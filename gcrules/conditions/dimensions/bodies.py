@@ -11,28 +11,26 @@ A, B, C, D and E of the base are on one circle (exactly)
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
-from fractions import Fraction
 from itertools import combinations
-from typing import Any
 
-from gcrules.conditions.dimensions.facts import LEAST, TOLERANCE, Fact
+from gcrules.conditions.dimensions.facts import TOLERANCE, Fact
+from gcrules.conditions.dimensions.measures import LEAST, Vector, classes, distance, minus, part, size_of
 from gcrules.core.budget import checkpoint
 from gcrules.core.linear_algebra import cross, rank
 
-__all__ = ["Place", "body_facts", "deviation", "distance", "groups", "size_of"]
+__all__ = ["body_facts", "deviation"]
 
-Place = Sequence[Any]  # x, y, z: whole numbers, fractions, or floats
-Places = Mapping[str, Place]
+Places = Mapping[str, Vector]
 
 
 def body_facts(places: Places, body: str, tolerance: float = TOLERANCE) -> tuple[Fact, ...]:
     """The facts of the joints of one body. Joints that coincide count once in all others, and are named together."""
     size = size_of(places.values())
-    together = groups(places, size * tolerance)
+    together = classes(places, lambda m, n: part(distance(places[m], places[n]), size), tolerance)
     found = [
-        Fact("coincident", names, body, _relative(_spread([places[n] for n in names]), size))
+        Fact("coincident", names, body, part(_spread([places[n] for n in names]), size))
         for names in together
         if len(names) > 1
     ]
@@ -50,40 +48,13 @@ def body_facts(places: Places, body: str, tolerance: float = TOLERANCE) -> tuple
     return tuple(found)
 
 
-def size_of(places: Iterable[Place]) -> float:
-    """The largest distance between two of the places; 1 for one place."""
-    return max((distance(p, q) for p, q in combinations(list(places), 2)), default=0.0) or 1.0
-
-
-def distance(p: Place, q: Place) -> float:
-    """The distance of two places."""
-    return math.dist(tuple(map(float, p)), tuple(map(float, q)))
-
-
-def groups(places: Places, within: float) -> list[tuple[str, ...]]:
-    """The names of joints that are within that distance of the first of each group."""
-    found: list[list[str]] = []
-    for name, place in places.items():
-        home = next((g for g in found if distance(places[g[0]], place) <= within), None)
-        if home is None:
-            found.append([name])
-        else:
-            home.append(name)
-    return [tuple(g) for g in found]
-
-
 def _all(names: Sequence[str], family: Mapping[str, tuple[str, ...]]) -> tuple[str, ...]:
     return tuple(one for name in names for one in family[name])
 
 
-def _relative(off: float | Fraction, size: float) -> float:
-    """A deviation as a part of the size; never 0 for one that is not."""
-    return max(float(off) / size, LEAST) if off else 0.0
-
-
-def _spread(places: Sequence[Place]) -> float:
-    """The largest distance from the first, 0 exactly where they are equal."""
-    return max(distance(places[0], p) or (LEAST if tuple(p) != tuple(places[0]) else 0.0) for p in places)
+def _spread(places: Sequence[Vector]) -> float:
+    """The largest distance from the first."""
+    return max(distance(places[0], p) for p in places)
 
 
 # --- lines and planes ---
@@ -113,38 +84,34 @@ def _flats(
         yield names, deviation([places[n] for n in names], span, size)
 
 
-def _distance_from_flat(chosen: Sequence[Place], least: float) -> Callable[[Place], float] | None:
+def _distance_from_flat(chosen: Sequence[Vector], least: float) -> Callable[[Vector], float] | None:
     """The distance from the line or the plane of some places; None where they span none."""
     p, *others = [tuple(map(float, c)) for c in chosen]
-    along = _minus(others[0], p)
+    along = minus(others[0], p)
     if len(chosen) == 2:
         length = math.hypot(*along)
-        return lambda q: math.hypot(*cross(_minus(tuple(map(float, q)), p), along)) / length
-    normal = cross(along, _minus(others[1], p))
+        return lambda q: math.hypot(*cross(minus(tuple(map(float, q)), p), along)) / length
+    normal = cross(along, minus(others[1], p))
     length = math.hypot(*normal)
     if length <= least * max(math.hypot(*along), math.dist(p, others[1]), math.dist(*others)):
         return None  # nearly on one line
-    return lambda q: abs(sum(n * c for n, c in zip(normal, _minus(tuple(map(float, q)), p), strict=True))) / length
+    return lambda q: abs(sum(n * c for n, c in zip(normal, minus(tuple(map(float, q)), p), strict=True))) / length
 
 
-def _minus(p: Place, q: Place) -> tuple[Any, ...]:
-    return tuple(a - b for a, b in zip(p, q, strict=True))
-
-
-def deviation(places: Sequence[Place], span: int, size: float) -> float:
+def deviation(places: Sequence[Vector], span: int, size: float) -> float:
     """The largest distance from the line or the plane of those of the places that span it best; 0 exactly where the
     rank of the places says so.
     """
-    if rank([_minus(p, places[0]) for p in places[1:]]) < span:
+    if rank([minus(p, places[0]) for p in places[1:]]) < span:
         return 0.0
     best = max(combinations(places, span), key=_extent)
     off = _distance_from_flat(best, 0.0)
-    return _relative(max(map(off, places)) or LEAST, size) if off else LEAST
+    return part(max(map(off, places)) or LEAST, size) if off else LEAST
 
 
-def _extent(places: Sequence[Place]) -> float:
+def _extent(places: Sequence[Vector]) -> float:
     p, q, *more = [tuple(map(float, c)) for c in places]
-    return math.hypot(*cross(_minus(q, p), _minus(more[0], p))) if more else math.dist(p, q)
+    return math.hypot(*cross(minus(q, p), minus(more[0], p))) if more else math.dist(p, q)
 
 
 # --- circles and conics ---
@@ -162,22 +129,22 @@ def _curves(
             yield Fact("circle", names, body, off)
             return
     if len(names) > 5 and not flat:
-        u, v = _seen_along([_minus(p, at[0]) for p in at])
+        u, v = _seen_along([minus(p, at[0]) for p in at])
         if rank([(1, p[u], p[v], p[u] * p[u], p[u] * p[v], p[v] * p[v]) for p in at]) < 6:
             yield Fact("conic", names, body)
 
 
-def _seen_along(places: Sequence[Place]) -> tuple[int, int]:
+def _seen_along(places: Sequence[Vector]) -> tuple[int, int]:
     """Two axes so that no two places of a plane coincide when they are seen along the third."""
     return next((u, v) for u, v in ((0, 1), (0, 2), (1, 2)) if rank([(p[u], p[v]) for p in places]) == 2)
 
 
-def _off_circle(places: Sequence[Place]) -> float:
+def _off_circle(places: Sequence[Vector]) -> float:
     """How far the places are from the circle through three of them: by the differences of their distances from its
     centre.
     """
     p, q, r = max(combinations([tuple(map(float, c)) for c in places], 3), key=_extent)
-    u, v = _minus(q, p), _minus(r, p)
+    u, v = minus(q, p), minus(r, p)
     normal = cross(u, v)
     uu, vv, nn = (sum(c * c for c in w) for w in (u, v, normal))
     first, second = cross(v, normal), cross(normal, u)

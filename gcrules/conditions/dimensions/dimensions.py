@@ -19,11 +19,11 @@ from functools import lru_cache
 from gcrules.algebra.language.legs_text import Leg, Structure, leg_text
 from gcrules.conditions.analysis import Analysis
 from gcrules.conditions.dimensions.bodies import body_facts
-from gcrules.conditions.dimensions.facts import TOLERANCE, Architecture, Dimensions
+from gcrules.conditions.dimensions.facts import TOLERANCE, Architecture, Dimensions, check_tolerance
 from gcrules.conditions.dimensions.own import own_condition
 from gcrules.conditions.dimensions.reasons import architecture_of
-from gcrules.conditions.dimensions.related import relations, symmetries
-from gcrules.core.errors import InputError
+from gcrules.conditions.dimensions.related import relations
+from gcrules.conditions.dimensions.symmetries import symmetries
 
 __all__ = ["architecture_at", "dimensions_of", "with_own_condition"]
 
@@ -35,8 +35,7 @@ def dimensions_of(structure: Structure, points: Points, tolerance: float = TOLER
     """The facts and the architecture of a platform whose joints are at these exact places in one pose; None for legs
     that do not tell base from platform. Raises InputError for a tolerance that is none.
     """
-    if not 0 <= tolerance < 0.1:
-        raise InputError(f"the tolerance {tolerance:g} is not from 0 to 0.1", hint="it is a part of the robot's size")
+    check_tolerance(tolerance)
     if structure.rank != 4 or len(structure.joined) != 6 or len(structure.sides) < len(structure.names):
         return None
     return _found(structure.oriented, tuple((n, points[n]) for n in structure.names), tolerance)
@@ -60,7 +59,8 @@ def _found(legs: tuple[Leg, ...], places: tuple[tuple[str, Vector], ...], tolera
         for fact in body_facts({n: points[n] for n in names}, body, tolerance)
     ]
     facts += relations(base, platform, words, tolerance)
-    facts += symmetries(base, platform, words, tolerance)
+    holds = [[((leg[side],), ()) for leg in legs] for side in (0, 1)]
+    facts += symmetries(words, (0,) * len(words), holds, points, tolerance)
     return Dimensions(tolerance, tuple(facts), architecture_of(base, platform, words, facts, tolerance))
 
 

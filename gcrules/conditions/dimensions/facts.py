@@ -7,15 +7,13 @@ from typing import Any
 
 from gcrules.core.dataclass import dataclass
 from gcrules.core.english import listed
+from gcrules.core.errors import InputError
 from gcrules.rules.condition import Condition
 
-__all__ = ["KINDS", "LEAST", "TOLERANCE", "Architecture", "Dimensions", "Fact", "OwnCondition"]
+__all__ = ["KINDS", "TOLERANCE", "Architecture", "Dimensions", "Fact", "OwnCondition", "check_tolerance"]
 
 TOLERANCE = 1e-5
 """How far a fact may be from exact, as a part of the size of the body of which it is said."""
-
-LEAST = 1e-300
-"""The deviation of what does not hold exactly, where floats cannot tell it from 0."""
 
 KINDS: Mapping[str, str] = {
     "coincident": "{members} of the {body} coincide",
@@ -40,16 +38,29 @@ KINDS: Mapping[str, str] = {
 }
 """The kinds of facts, each as a sentence."""
 
-_ANGLES = ("parallel", "perpendicular", "level")
-"""Kinds whose deviation is the sine of an angle."""
+_EITHER = "of the size, or rad"  # the larger one of a distance and an angle
+
+_UNITS: Mapping[str, str] = {
+    **dict.fromkeys(("parallel", "perpendicular", "level"), "rad"),
+    **dict.fromkeys(("same axis", "flat axes", "rotation", "mirror"), _EITHER),
+    "lengths": "of the first",
+}
+"""What deviations are parts of, of the body's size where nothing is written here; of angles it is the sine."""
+
+
+def check_tolerance(tolerance: float) -> None:
+    """Raises InputError for a tolerance that is none."""
+    if not 0 <= tolerance < 0.1:
+        raise InputError(f"the tolerance {tolerance:g} is not from 0 to 0.1", hint="it is a part of the robot's size")
 
 
 @dataclass(frozen=True)
 class Fact:
     """Something that holds of the bodies and so in every pose. `body` is base, platform, links, or "" where it is of
     base and platform; `members` are joints, directions or axes, pairs of joints (Aa), or cycles of legs. `deviation`
-    is the largest distance by which the numbers miss it, as a part of the size of the bodies, or the sine of an angle
-    between directions, and 0 exactly where it holds exactly; `order` that of a turn.
+    is the most by which the numbers miss it: a distance as a part of the size of the bodies (of lengths of the first of
+    them), or the sine of an angle between directions; 0 where it holds exactly, and nowhere else; `order` is that of a
+    turn.
     """
 
     kind: str
@@ -68,7 +79,7 @@ class Fact:
         """The fact in words, and how exact it is."""
         between = listed if self.body else ", ".join
         said = KINDS[self.kind].format(members=between(self.members), body=self.body, order=self.order)
-        unit = "rad" if self.kind in _ANGLES else "of the size"
+        unit = _UNITS.get(self.kind, "of the size")
         return f"{said} ({'exactly' if self.exact else f'nearly: up to {self.deviation:.2g} {unit}'})"
 
     def to_json(self) -> dict[str, Any]:

@@ -12,7 +12,8 @@ from gcrules.algebra.expr import Expr, Point, points_of
 from gcrules.algebra.language.legs_text import Structure
 from gcrules.algebra.language.text import text
 from gcrules.algebra.space import Assumption
-from gcrules.conditions.dimensions.bodies import deviation, size_of
+from gcrules.conditions.dimensions.bodies import deviation
+from gcrules.conditions.dimensions.measures import size_of
 from gcrules.core.english import listed
 from gcrules.core.errors import InputError
 

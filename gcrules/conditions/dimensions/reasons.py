@@ -8,8 +8,8 @@ from fractions import Fraction
 from random import Random
 
 from gcrules.conditions.dimensions.architecture import balance, singular_everywhere
-from gcrules.conditions.dimensions.bodies import Place, size_of
 from gcrules.conditions.dimensions.facts import Architecture, Fact
+from gcrules.conditions.dimensions.measures import Vector, minus, size_of
 from gcrules.core.deferred import deferred
 from gcrules.core.english import listed
 from gcrules.core.linear_algebra import content, rank
@@ -22,7 +22,7 @@ jacobian = deferred("gcrules.screws.margin:jacobian")
 _NEAR = 16  # random poses in which a robot is tried that may be singular in all of them, but for its last digits
 _LONG = 12  # signs of a force that is shown as a quotient
 
-Places = Sequence[Place]
+Places = Sequence[Vector]
 
 
 def architecture_of(
@@ -50,7 +50,7 @@ def _reason(
 ) -> str:
     """The first reason that is known; "" for none."""
     for name, body in (("base", base), ("platform", platform)):
-        if rank([[a - b for a, b in zip(p, body[0], strict=True)] for p in body]) < 2:
+        if rank([minus(p, body[0]) for p in body]) < 2:
             return f"all joints of the {name} are on one line, about which the platform can turn"
         for place in dict.fromkeys(map(tuple, body)):
             some = [word for word, p in zip(words, body, strict=True) if tuple(p) == place]

@@ -1,5 +1,4 @@
-"""How the platform is like the base: similar, a mirror image, an affine or a projective image, joint by joint; and
-which motions take both bodies to themselves.
+"""How the platform is like the base: similar, a mirror image, an affine or a projective image, joint by joint.
 
 >>> base = [(0, 0, 0), (4, 0, 0), (4, 3, 0), (0, 3, 0), (1, 5, 0), (2, 2, 0)]
 >>> [f.kind for f in relations(base, [(2 * x + 1, 2 * y, 5) for x, y, _ in base], ("Aa",) * 6, 1e-6)]
@@ -11,19 +10,19 @@ which motions take both bodies to themselves.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from fractions import Fraction
 from itertools import combinations
 from typing import Any
 
-from gcrules.conditions.dimensions.bodies import Place, deviation, size_of
-from gcrules.conditions.dimensions.facts import LEAST, Fact
-from gcrules.core.budget import checkpoint
+from gcrules.conditions.dimensions.bodies import deviation
+from gcrules.conditions.dimensions.facts import Fact
+from gcrules.conditions.dimensions.measures import LEAST, Vector, inner, length, minus, part, size_of, square
 from gcrules.core.linear_algebra import cross, kernel, rank
 
-__all__ = ["cycles", "hand_of", "matching", "relations", "symmetries"]
+__all__ = ["hand_of", "relations"]
 
-Places = Sequence[Place]
+Places = Sequence[Vector]
 
 
 def relations(base: Places, platform: Places, words: tuple[str, ...], tolerance: float) -> tuple[Fact, ...]:
@@ -50,21 +49,13 @@ def relations(base: Places, platform: Places, words: tuple[str, ...], tolerance:
 
 
 def _dimension(places: Places) -> int:
-    return rank([_minus(p, places[0]) for p in places[1:]]) if len(places) > 1 else 0
-
-
-def _minus(p: Place, q: Place) -> tuple[Any, ...]:
-    return tuple(a - b for a, b in zip(p, q, strict=True))
-
-
-def _square(p: Place, q: Place) -> Any:
-    return sum((a - b) ** 2 for a, b in zip(p, q, strict=True))
+    return rank([minus(p, places[0]) for p in places[1:]]) if len(places) > 1 else 0
 
 
 def _unlike(first: Places, second: Places) -> float:
     """By how much distances are in no one ratio, as a part of the size of the second body; 0 if exactly in one."""
     pairs = list(combinations(range(len(first)), 2))
-    squares = [(_square(first[i], first[j]), _square(second[i], second[j])) for i, j in pairs]
+    squares = [(square(first[i], first[j]), square(second[i], second[j])) for i, j in pairs]
     whole, other = max(squares)
     if all(a * other == b * whole for a, b in squares):
         return 0.0
@@ -89,17 +80,17 @@ def _not_affine(first: Places, second: Places, height: int) -> float:
             sum(w * c for w, c in zip(weights, column, strict=True))
             for column in zip(*[second[k] for k in some], strict=True)
         ]
-        off = max(off, math.hypot(*(float(c / weights[-1]) for c in made)) or (LEAST if any(made) else 0.0))
-    return max(off / size, LEAST) if off else 0.0
+        off = max(off, length([c / weights[-1] for c in made]))
+    return part(off, size)
 
 
 def _volume(places: Places) -> float:
     """The square of the volume that places span, up to a factor: the determinant of Gram."""
-    rows = [tuple(map(float, _minus(p, places[0]))) for p in places[1:]]
-    gram = [[sum(a * b for a, b in zip(u, v, strict=True)) for v in rows] for u in rows]
+    rows = [tuple(map(float, minus(p, places[0]))) for p in places[1:]]
+    gram = [[inner(u, v) for v in rows] for u in rows]
     if len(gram) == 2:
-        return gram[0][0] * gram[1][1] - gram[0][1] ** 2
-    return float(sum(a * b for a, b in zip(cross(rows[0], rows[1]), rows[2], strict=True))) ** 2
+        return float(gram[0][0] * gram[1][1] - gram[0][1] ** 2)
+    return float(inner(cross(rows[0], rows[1]), rows[2])) ** 2
 
 
 def _projective(first: Places, second: Places) -> bool:
@@ -122,7 +113,7 @@ def _projective(first: Places, second: Places) -> bool:
 
 def _flat(places: Places) -> list[tuple[Any, Any, Any]]:
     """Homogeneous coordinates within a plane, seen along an axis: an affine map."""
-    moved = [_minus(p, places[0]) for p in places]
+    moved = [minus(p, places[0]) for p in places]
     u, v = next((u, v) for u, v in ((0, 1), (0, 2), (1, 2)) if rank([(p[u], p[v]) for p in moved]) == 2)
     return [(Fraction(p[u]), Fraction(p[v]), Fraction(1)) for p in moved]
 
@@ -132,68 +123,7 @@ def _general(places: Places) -> bool:
     return any(all(rank(three) == 3 for three in combinations(four, 3)) for four in combinations(places, 4))
 
 
-# --- symmetry ---
-
-
-def symmetries(base: Places, platform: Places, words: tuple[str, ...], tolerance: float) -> tuple[Fact, ...]:
-    """The turn of largest order, and the mirrors, that take base and platform each to itself with one permutation of
-    the legs; bodies as they are made, wherever the platform is. Legs with both ends in common with another are told
-    apart by nothing, and then none is named.
-    """
-    number = len(words)
-    if len(set(zip(map(tuple, base), map(tuple, platform), strict=True))) < number:
-        return ()
-    if min(_dimension(list(base)), _dimension(list(platform))) < 2:
-        return ()
-    near = [tolerance * size_of(body) for body in (base, platform)]
-    tables = [[[_square(p, q) for q in body] for p in body] for body in (base, platform)]
-    roots = [[[math.sqrt(c) for c in row] for row in table] for table in tables]
-    turn: tuple[int, tuple[int, ...]] | None = None
-    mirrors = []
-    for images in matching(roots, near, number):
-        checkpoint()
-        if images == tuple(range(number)):
-            continue
-        order = math.lcm(*map(len, cycles(images)))
-        hands = {hand_of(body, images, tolerance) for body in (base, platform)} - {0}
-        if hands == {1} and (turn is None or order > turn[0]):
-            turn = order, images
-        elif hands == {-1} and order == 2:
-            mirrors.append(images)
-    found = []
-    if turn is not None:
-        found.append(_symmetry("rotation", turn[1], words, tables, roots, turn[0]))
-    return (*found, *(_symmetry("mirror", images, words, tables, roots, 2) for images in mirrors))
-
-
-def matching(roots: Sequence[Any], near: Sequence[float], number: int) -> Iterator[tuple[int, ...]]:
-    """The permutations of the legs that keep all distances within both bodies."""
-
-    def grown(images: tuple[int, ...]) -> Iterator[tuple[int, ...]]:
-        i = len(images)
-        if i == number:
-            yield images
-            return
-        for j in range(number):
-            if j not in images and all(
-                abs(table[i][k] - table[j][images[k]]) <= off
-                for table, off in zip(roots, near, strict=True)
-                for k in range(i)
-            ):
-                yield from grown((*images, j))
-
-    yield from grown(())
-
-
-def cycles(images: Sequence[int]) -> list[tuple[int, ...]]:
-    left, found = list(range(len(images))), []
-    while left:
-        cycle = [left[0]]
-        while (after := images[cycle[-1]]) != cycle[0]:
-            cycle.append(after)
-        found.append(tuple(cycle))
-        left = [i for i in left if i not in cycle]
-    return found
+# --- which hand ---
 
 
 def hand_of(body: Places, images: Sequence[int], tolerance: float = 0.0) -> int:
@@ -203,8 +133,8 @@ def hand_of(body: Places, images: Sequence[int], tolerance: float = 0.0) -> int:
     there = [body[i] for i in images]
     if _flat_within(body, tolerance):
         p, q, r = max(combinations(range(len(body)), 3), key=lambda some: _volume([body[i] for i in some]))
-        first, second = (cross(_minus(at[q], at[p]), _minus(at[r], at[p])) for at in (body, there))
-        return _sign(sum(a * b for a, b in zip(first, second, strict=True)))
+        first, second = (cross(minus(at[q], at[p]), minus(at[r], at[p])) for at in (body, there))
+        return _sign(inner(first, second))
     return _same_hand(body, there)
 
 
@@ -222,24 +152,9 @@ def _same_hand(first: Places, second: Places) -> int:
 
 
 def _signed_volume(places: Places) -> Any:
-    u, v, w = (_minus(p, places[0]) for p in places[1:])
-    return sum(a * b for a, b in zip(cross(u, v), w, strict=True))
+    u, v, w = (minus(p, places[0]) for p in places[1:])
+    return inner(cross(u, v), w)
 
 
 def _sign(value: Any) -> int:
     return int(value > 0) - int(value < 0)
-
-
-def _symmetry(
-    kind: str, images: Sequence[int], words: tuple[str, ...], tables: Sequence[Any], roots: Sequence[Any], order: int
-) -> Fact:
-    legs = range(len(words))
-    pairs = [(i, j) for i in legs for j in legs]
-    exact = all(table[i][j] == table[images[i]][images[j]] for table in tables for i, j in pairs)
-    off = 0.0
-    if not exact:
-        off = max(
-            abs(table[i][j] - table[images[i]][images[j]]) / max(map(max, table)) for table in roots for i, j in pairs
-        )
-    members = tuple("→".join(words[i] for i in cycle) for cycle in cycles(images) if len(cycle) > 1)
-    return Fact(kind, members, deviation=0.0 if exact else max(off, LEAST), order=order)

@@ -9,20 +9,26 @@ the axes Au, Cw, Bv and Dn of the base meet in one point (exactly)
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 from itertools import combinations
-from typing import Any
 
-from gcrules.conditions.dimensions.bodies import size_of
-from gcrules.conditions.dimensions.facts import LEAST, TOLERANCE, Fact
+from gcrules.conditions.dimensions.facts import TOLERANCE, Fact
+from gcrules.conditions.dimensions.measures import (
+    Vector,
+    classes,
+    inner,
+    length,
+    minus,
+    off_parallel,
+    off_perpendicular,
+    part,
+    size_of,
+)
 from gcrules.core.linear_algebra import cross
-from gcrules.mechanisms.dimensions.directions import classes, inner, off_parallel
 
 __all__ = ["Line", "axis_facts"]
 
-Vector = Sequence[Any]
 Line = tuple[Vector, Vector]
 """A point of it and its direction."""
 Lines = Mapping[str, Line]
@@ -53,19 +59,12 @@ def axis_facts(lines: Lines, body: str, tolerance: float = TOLERANCE, size: floa
 
 def _apart(m: Line, n: Line, size: float) -> float:
     """How far two lines are from being one: by their angle, and by the distance of the point of the second."""
-    return max(off_parallel(m[1], n[1]), _distance(n[0], m) / size if _distance(n[0], m) else 0.0)
+    return max(off_parallel(m[1], n[1]), part(_distance(n[0], m), size))
 
 
 def _distance(p: Vector, line: Line) -> float:
-    """The distance of a point from a line, 0 exactly where it lies on it."""
-    moment = cross(_minus(p, line[0]), line[1])
-    if not any(moment):
-        return 0.0
-    return max(math.hypot(*map(float, moment)) / math.hypot(*map(float, line[1])), LEAST)
-
-
-def _minus(p: Vector, q: Vector) -> tuple[Any, ...]:
-    return tuple(a - b for a, b in zip(p, q, strict=True))
+    """The distance of a point from a line."""
+    return part(length(cross(minus(p, line[0]), line[1])), length(line[1]))
 
 
 def _meets(
@@ -77,18 +76,18 @@ def _meets(
         if any({m, n} <= some for some in known) or off_parallel(lines[m][1], lines[n][1]) <= tolerance:
             continue
         point = _nearest(lines[m], lines[n])
-        offs = {o: _distance(point, lines[o]) / size for o in names}
+        offs = {o: part(_distance(point, lines[o]), size) for o in names}
         some = tuple(o for o in names if offs[o] <= tolerance)
         if m in some and n in some:
             known.append(frozenset(some))
-            yield some, max(max(offs[o], LEAST) if offs[o] else 0.0 for o in some)
+            yield some, max(offs[o] for o in some)
 
 
 def _nearest(m: Line, n: Line) -> tuple[Fraction, ...]:
     """The middle of the points at which two lines are nearest: where they meet, if they do."""
     (p, d), (q, e) = m, n
     normal = cross(d, e)
-    square, between = Fraction(inner(normal, normal)), _minus(q, p)
+    square, between = Fraction(inner(normal, normal)), minus(q, p)
     s, t = inner(cross(between, e), normal) / square, inner(cross(between, d), normal) / square
     return tuple((a + s * u + b + t * v) / 2 for a, u, b, v in zip(p, d, q, e, strict=True))
 
@@ -102,7 +101,7 @@ def _flats(
         if any({m, n} <= some for some in known):
             continue
         (p, d), (q, e) = lines[m], lines[n]
-        normal = cross(d, e) if off_parallel(d, e) > tolerance else cross(d, _minus(q, p))
+        normal = cross(d, e) if off_parallel(d, e) > tolerance else cross(d, minus(q, p))
         offs = {o: _from_plane(lines[o], p, normal, size) for o in names}
         some = tuple(o for o in names if offs[o] <= tolerance)
         if len(some) > 2 and {m, n} <= set(some):
@@ -111,10 +110,5 @@ def _flats(
 
 
 def _from_plane(line: Line, p: Vector, normal: Vector, size: float) -> float:
-    """How far a line is from a plane: by its angle, and by the distance of its point; 0 exactly where it lies in it."""
-    steep, far = inner(line[1], normal), inner(_minus(line[0], p), normal)
-    if not steep and not far:
-        return 0.0
-    length = math.hypot(*map(float, normal))
-    angle = abs(float(steep)) / (length * math.hypot(*map(float, line[1])))
-    return max(angle, abs(float(far)) / (length * size), LEAST)
+    """How far a line is from a plane: by its angle, and by the distance of its point."""
+    return max(off_perpendicular(line[1], normal), part(inner(minus(line[0], p), normal), length(normal) * size))

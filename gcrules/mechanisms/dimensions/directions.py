@@ -11,17 +11,15 @@ the directions u, v, w and n of the base are parallel to one plane (exactly)
 
 from __future__ import annotations
 
-import math
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from itertools import combinations
-from typing import Any
 
-from gcrules.conditions.dimensions.facts import LEAST, TOLERANCE, Fact
+from gcrules.conditions.dimensions.facts import TOLERANCE, Fact
+from gcrules.conditions.dimensions.measures import Vector, classes, off_parallel, off_perpendicular
 from gcrules.core.linear_algebra import cross
 
-__all__ = ["classes", "direction_facts", "inner", "off_parallel"]
+__all__ = ["direction_facts"]
 
-Vector = Sequence[Any]  # whole numbers or fractions
 Vectors = Mapping[str, Vector]
 
 
@@ -38,21 +36,9 @@ def _parallel(at: Vectors, body: str, tolerance: float) -> Iterator[Fact]:
             yield Fact("parallel", names, body, max(off_parallel(at[names[0]], at[n]) for n in names))
 
 
-def classes(names: Iterable[str], off: Callable[[str, str], float], within: float) -> list[tuple[str, ...]]:
-    """The names in classes, each with those that miss being the same as its first one by so much at most."""
-    found: list[list[str]] = []
-    for name in names:
-        own = next((c for c in found if off(c[0], name) <= within), None)
-        if own is None:
-            found.append([name])
-        else:
-            own.append(name)
-    return [tuple(c) for c in found]
-
-
 def _perpendicular(at: Vectors, body: str, tolerance: float) -> Iterator[Fact]:
     for p, q in combinations(at, 2):
-        off = _part(inner(at[p], at[q]), math.hypot(*map(float, at[p])) * math.hypot(*map(float, at[q])))
+        off = off_perpendicular(at[p], at[q])
         if off <= tolerance:
             yield Fact("perpendicular", (p, q), body, off)
 
@@ -65,30 +51,8 @@ def _level(at: Vectors, body: str, tolerance: float) -> Iterator[Fact]:
         if any({p, q} <= flat for flat in known):
             continue
         normal = cross(at[p], at[q])
-        offs = {c[0]: _from_plane(at[c[0]], normal) for c in several}
+        offs = {c[0]: off_perpendicular(at[c[0]], normal) for c in several}
         flat = [c for c in several if offs[c[0]] <= tolerance or c[0] in (p, q)]
         if len(flat) > 2:
             known.append(frozenset(c[0] for c in flat))
             yield Fact("level", tuple(n for c in flat for n in c), body, max(offs[c[0]] for c in flat))
-
-
-def _from_plane(u: Vector, normal: Vector) -> float:
-    return _part(inner(u, normal), math.hypot(*map(float, u)) * math.hypot(*map(float, normal)))
-
-
-def off_parallel(u: Vector, v: Vector) -> float:
-    """The sine of the angle between two directions, 0 exactly where they are parallel."""
-    turned = cross(u, v)
-    if not any(turned):
-        return 0.0
-    size = math.hypot(*map(float, u)) * math.hypot(*map(float, v))
-    return max(math.hypot(*map(float, turned)) / size, LEAST)
-
-
-def inner(u: Vector, v: Vector) -> Any:
-    """The inner product."""
-    return sum(a * b for a, b in zip(u, v, strict=True))
-
-
-def _part(value: Any, whole: float) -> float:
-    return max(abs(float(value)) / whole, LEAST) if value else 0.0

@@ -8,14 +8,15 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
-from fractions import Fraction
 from itertools import combinations
 from typing import TYPE_CHECKING, Any
 
 from gcrules.algebra.language.legs_text import leg_text
-from gcrules.conditions.dimensions.bodies import body_facts, distance, size_of
-from gcrules.conditions.dimensions.facts import LEAST, TOLERANCE, Dimensions, Fact
+from gcrules.conditions.dimensions.bodies import body_facts
+from gcrules.conditions.dimensions.facts import TOLERANCE, Dimensions, Fact, check_tolerance
+from gcrules.conditions.dimensions.measures import classes, distance, size_of, square, unequal
 from gcrules.conditions.dimensions.related import relations
+from gcrules.conditions.dimensions.symmetries import Hold, symmetries
 from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import InputError
 from gcrules.mechanisms.conditions.design import rigid_bodies
@@ -24,7 +25,6 @@ from gcrules.mechanisms.description.limb_file import LimbSpec
 from gcrules.mechanisms.dimensions.axes import Line, axis_facts
 from gcrules.mechanisms.dimensions.directions import direction_facts
 from gcrules.mechanisms.dimensions.every_pose import architecture_of_robot
-from gcrules.mechanisms.dimensions.limb_symmetries import Hold, limb_symmetries
 from gcrules.mechanisms.kinematics.attachments import attachments, carrier
 from gcrules.mechanisms.platform_analysis import legs_of
 from gcrules.mechanisms.robot import Robot
@@ -48,8 +48,7 @@ def dimensions_of_robot(
     """The facts of a robot at home, and whether it is singular in every pose; None without limbs or a home. `parts` are
     the factors of its condition. Raises InputError for a tolerance that is none.
     """
-    if not 0 <= tolerance < 0.1:
-        raise InputError(f"the tolerance {tolerance:g} is not from 0 to 0.1", hint="it is a part of the robot's size")
+    check_tolerance(tolerance)
     if robot.home is None or not robot.limbs:
         return None
     facts, values = facts_of_design(robot, tolerance), robot.values_at()
@@ -206,22 +205,17 @@ def _facts(parts: Parts, values: Values, tolerance: float) -> Iterator[Fact]:
         yield from relations([values[p] for p, _ in parts.legs], [values[q] for _, q in parts.legs], words, tolerance)
     limbs = [limb.name for limb in robot.limbs]
     sorts = [limb.chain for limb in robot.limbs]
-    yield from limb_symmetries(limbs, sorts, parts.holds, values, tolerance)
+    yield from symmetries(limbs, sorts, parts.holds, values, tolerance)
 
 
 def _equal(pairs: Sequence[tuple[str, str]], values: Values, tolerance: float) -> Iterator[Fact]:
     """Which lengths within links are equal, in the largest sets of them."""
-    squares = {pair: _square(values[pair[0]], values[pair[1]]) for pair in pairs}
-    left = [pair for pair in pairs if squares[pair]]
-    while left:
-        first, own = left[0], distance(*(values[n] for n in left[0]))
-        unequal = {p: abs(distance(*(values[n] for n in p)) - own) / own for p in left}
-        offs = {p: 0.0 if squares[p] == squares[first] else max(unequal[p], LEAST) for p in left}
-        same = [p for p in left if offs[p] <= tolerance]
-        left = [p for p in left if p not in same]
+    squares = {(p, q): square(values[p], values[q]) for p, q in pairs}
+    sizes = {(p, q): distance(values[p], values[q]) for p, q in pairs}
+
+    def off(first: tuple[str, str], other: tuple[str, str]) -> float:
+        return unequal(squares[first], squares[other], sizes[first])
+
+    for same in classes([pair for pair in pairs if squares[pair]], off, tolerance):
         if len(same) > 1:
-            yield Fact("lengths", tuple(map(leg_text, same)), "links", max(offs[p] for p in same))
-
-
-def _square(p: Sequence[Any], q: Sequence[Any]) -> Fraction:
-    return sum(((a - b) ** 2 for a, b in zip(p, q, strict=True)), Fraction(0))
+            yield Fact("lengths", tuple(map(leg_text, same)), "links", max(off(same[0], pair) for pair in same))

@@ -17,8 +17,8 @@ platform. A limb may be singular by itself sooner: then the platform is held, bu
 
 A limb that has loops of its own may lose wrenches, and then it has fewer than near by. So where limbs have such loops σ
 is the least of this and of the same value over the twists of all bodies, each chain between two bodies taken for a limb
-and ξ for the difference of its bodies' twists. It is 0 exactly where a body can move with the actuators locked; it
-bounds no way to such a configuration.
+and ξ for the difference of its bodies' twists. It is 0 exactly where a body can move with the actuators locked; how
+far such a configuration is it does not tell.
 """
 
 from __future__ import annotations

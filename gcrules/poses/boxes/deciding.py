@@ -140,7 +140,8 @@ class Decider:
         found = decider._models(self.forms.wrenches, place)
         return int(decider._regular(found, np.zeros(1, dtype=bool))[1][0])
 
-    def _inputs(self, middles: Floats) -> Floats:
+    def inputs(self, middles: Floats) -> Floats:
+        """All coordinates of the forms (N, all) at places (N, n) of the free ones."""
         found = np.tile(np.array(self.centre), (len(middles), 1))
         found[:, list(self.free)] = middles
         return found
@@ -149,7 +150,7 @@ class Decider:
         assert program is not None
         halves = np.zeros((len(boxes), len(self.centre)))
         halves[:, list(self.free)] = boxes.halves
-        return models(program, self._inputs(boxes.middles), halves, self.free)
+        return models(program, self.inputs(boxes.middles), halves, self.free)
 
     def _rows(self, values: Floats) -> Floats:
         """Matrices (N, rows, columns) of values (rows × columns, N) and what follows them."""
@@ -196,7 +197,7 @@ class Decider:
 
     def margins_at(self, middles: Floats) -> Floats:
         """The margins (N,), not numbers where the wrenches have no closed form there."""
-        return self.forms.forms.margins("numpy", self._inputs(middles))
+        return self.forms.forms.margins("numpy", self.inputs(middles))
 
     def reached(self, boxes: Boxes, found: Models | None = None) -> tuple[Truths, Truths]:
         """Where (N,) no pose is reached within the limits, and where all are; `found` models the wrenches."""
@@ -229,7 +230,7 @@ class Decider:
 
     def _changes(self, boxes: Boxes) -> Truths:
         """Whether the determinant has both signs at two places of each box."""
-        here = self._inputs(boxes.middles)
+        here = self.inputs(boxes.middles)
         rows = self._rows(run(self.forms.wrenches, "numpy", here))
         step = np.zeros_like(boxes.middles)
         for k, at in enumerate(self.free):  # the direction in which the determinant changes most
@@ -238,7 +239,7 @@ class Decider:
             step[:, k] = np.linalg.det(self._rows(run(self.forms.wrenches, "numpy", there))) - np.linalg.det(rows)
         every = [signs(rows)]
         for way in (-1, 1):
-            places = self._inputs(boxes.middles + way * np.sign(step) * boxes.halves)
+            places = self.inputs(boxes.middles + way * np.sign(step) * boxes.halves)
             every.append(signs(self._rows(run(self.forms.wrenches, "numpy", places))))
         return np.asarray(np.min(every, axis=0) * np.max(every, axis=0) < 0)
 

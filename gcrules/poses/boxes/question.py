@@ -20,14 +20,13 @@ from gcrules.mechanisms.mechanism import Mechanism, limits_of
 from gcrules.mechanisms.moving_platform import FAR
 from gcrules.mechanisms.six_legs import SixLegs
 from gcrules.poses.everywhere import check_architecture
-from gcrules.poses.limbs.map_grid import coordinates_of
-from gcrules.poses.maps.axes import ACTUATOR, TRANSLATION, TURNS, GridAxis, read_ranges
+from gcrules.poses.maps.axes import ACTUATOR, TRANSLATION, TURNS, GridAxis, check_turns, read_ranges
+from gcrules.poses.maps.limb_grid import coordinates_of
+from gcrules.poses.maps.nodes import in_words, others
 from gcrules.poses.methods import Methods, method
 from gcrules.poses.numbers.pose_arguments import one_pose
 
 __all__ = ["Question", "question"]
-
-_ALL_ROUND = 2 * math.pi
 
 
 @dataclass(frozen=True)
@@ -63,9 +62,12 @@ class Question:
     @property
     def rest(self) -> str:
         """What the other coordinates are, in words."""
-        over = {a.name for a in self.axes}
-        pairs = [(n, v) for n, v in zip(self.names, self.values, strict=True) if n not in over]
-        return ", ".join(f"{n} = {math.degrees(v):.6g}°" if n in TURNS else f"{n} = {v:.6g}" for n, v in pairs)
+        return in_words(self.others)
+
+    @property
+    def others(self) -> dict[str, float]:
+        """The other coordinates, in radians and the file's unit."""
+        return others(self.axes, self.names, self.values)
 
 
 def question(m: Mechanism, over: Sequence[str | GridAxis], at: Any, limits: str | None, tiles: int | None) -> Question:
@@ -76,9 +78,7 @@ def question(m: Mechanism, over: Sequence[str | GridAxis], at: Any, limits: str 
     if foreign is not None:
         more = "; gcrules free --over actuators proves ranges of actuators" if foreign.kind == ACTUATOR else ""
         raise InputError(f"whole boxes are not over {foreign.name}", hint=f"take x, y, z, roll, pitch or yaw{more}")
-    for a in axes:
-        if a.name in TURNS and float(a.stop - a.start) * a.scale > _ALL_ROUND:
-            raise InputError(f"{a.name} goes more than once around", hint="take a range of one turn at most")
+    check_turns(axes)
     found = method(_QUESTION, m, "a map of whole boxes")(axes, at, limits)
     far = next((a for a in axes if a.name in TRANSLATION and max(-a.start, a.stop) > FAR * found.size), None)
     if far is not None:
@@ -108,11 +108,11 @@ def _of_limbs(m: Limbs, axes: tuple[GridAxis, ...], at: Any, limits: str | None)
     check_target(k, Target(names, np.zeros(len(names)), text="home"))
     reach = limits_of(m, limits)
     if reach is not None:
-        _check_turns(reach)
+        _check_whole_turns(reach)
     return Question(axes, names, values, reach, k.size, True, m.analysis.statement)
 
 
-def _check_turns(reach: LengthLimits) -> None:
+def _check_whole_turns(reach: LengthLimits) -> None:
     """Raises InputError for limits more than a turn away: a pose does not tell how often a drive has turned round."""
     for name, low, high, angle in zip(reach.names, reach.low, reach.high, reach.angles, strict=True):
         if angle and max((abs(c) for c in (low, high) if math.isfinite(c)), default=0.0) > math.tau + 1e-9:

@@ -14,7 +14,7 @@ from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import InputError
 from gcrules.core.frozen import HoldsArrays
 from gcrules.core.shown import Shown
-from gcrules.poses.boxes.task import MODES, SHARES, BoxTask
+from gcrules.poses.boxes.task import MODES, SHARES, BoxTask, decided_part
 from gcrules.poses.boxes.trees import Leaves
 from gcrules.poses.maps.axes import GridAxis
 from gcrules.poses.maps.cells import MEANINGS
@@ -44,7 +44,7 @@ class BoxSummary:
     @property
     def decided(self) -> float:
         """The share of the volume that is proved to be free, or to be outside."""
-        return min(sum(self.shares[:3]), 1.0)
+        return decided_part(self.shares)
 
 
 @dataclass(frozen=True, eq=False)
@@ -134,7 +134,7 @@ class BoxMap(HoldsArrays, Shown):
                 {"name": a.name, "unit": a.unit, "start": float(a.start), "stop": float(a.stop), "tiles": a.number - 1}
                 for a in q.axes
             ],
-            "rest": {n: v for n, v in zip(q.names, q.values, strict=True) if n not in {a.name for a in q.axes}},
+            "rest": q.others,
             "limits": q.limits.to_json() if q.limits else None,
             "margin_asked": self.task.margin,
             "condition": q.sentence,

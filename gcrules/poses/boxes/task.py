@@ -6,7 +6,7 @@ anywhere (`gcrules.poses.tiles`).
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import fields
 from functools import cached_property
 from typing import Any
@@ -29,7 +29,7 @@ from gcrules.poses.maps.recipe import recipe_of, robot_of
 from gcrules.poses.methods import legs_within
 from gcrules.poses.tiles.task import Coordinate, Tile, TiledArray, number_of, tile_at
 
-__all__ = ["KIND", "MODES", "SHARES", "BoxTask", "box_task", "shares_of", "task_again", "within_boxes"]
+__all__ = ["KIND", "MODES", "SHARES", "BoxTask", "box_task", "decided_part", "shares_of", "task_again", "within_boxes"]
 
 Floats = NDArray[np.float64]
 
@@ -212,6 +212,11 @@ def shares_of(leaves: Leaves) -> Floats:
         *(leaves.status == s for s in (OUTSIDE, CROSSED, UNDECIDED)),
     )
     return np.array([size[p].sum() for p in parts])
+
+
+def decided_part(shares: Sequence[float]) -> float:
+    """What of a range is proved to be free, or to be outside, of its shares in the order of `SHARES`."""
+    return min(sum(shares[:3]), 1.0)
 
 
 def within_boxes(number: int, boxes: int) -> tuple[int, int]:

@@ -3,12 +3,10 @@
 from __future__ import annotations
 
 import math
-import re
 from collections.abc import Sequence
+from dataclasses import replace
 from functools import cached_property
 from typing import Any
-
-import numpy as np
 
 from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import InputError
@@ -16,7 +14,7 @@ from gcrules.core.frozen import HoldsArrays
 from gcrules.mechanisms.mechanism import Mechanism
 from gcrules.poses.boxes.deciding import Decider
 from gcrules.poses.boxes.task import BoxTask, box_task
-from gcrules.poses.certificates.cones import Cone, Cones, cones, kept_program
+from gcrules.poses.certificates.cones import Cone, Cones, cones, kept_program, tilt_of
 from gcrules.poses.compiling.tape import Program
 from gcrules.poses.maps.axes import TURNS, GridAxis
 from gcrules.screws.pose import read_number
@@ -59,9 +57,7 @@ class Asked(HoldsArrays):
     @cached_property
     def decider(self) -> Decider:
         """What decides boxes. Raises InputError where something has no closed form."""
-        d = self.task.decider
-        margin = max(self.task.margin, _LEAST)
-        return Decider(d.forms, d.centre, d.free, d.weights, d.limits, margin, self.kept[0])
+        return replace(self.task.decider, margin=max(self.task.margin, _LEAST), kept=self.kept[0])
 
     def to_json(self) -> dict[str, Any]:
         """The question as a certificate has it; angles of cones and of the tilt in rad."""
@@ -72,7 +68,7 @@ class Asked(HoldsArrays):
             "over": [
                 {"coordinate": a.name, "low": str(a.start), "high": str(a.stop), "unit": a.unit} for a in self.axes
             ],
-            "rest": {n: v for n, v in zip(q.names, q.values, strict=True) if n not in {a.name for a in q.axes}},
+            "rest": q.others,
             "limits": q.limits.to_json() if q.limits else None,
             "cones": [{"rod": list(c.rod), "end": c.end, "angle": c.angle} for c in self.kept[1]],
             "tilt": self.tilt,
@@ -102,22 +98,12 @@ def asked(
 ) -> Asked:
     """What is asked for. Raises InputError for what makes no sense."""
     task = box_task(m, over, at, limits, margin, 1, None)
-    found = Asked(task, None if cone is None else cones(cone), None if tilt is None else _angle(tilt))
+    found = Asked(task, None if cone is None else cones(cone), None if tilt is None else tilt_of(tilt))
     if found.tilt is not None and {"roll", "pitch"} - set(task.question.names):
         raise InputError("the tilt is that of roll and pitch, which this robot does not have")
     task.check()
     _ = found.decider
     return found
-
-
-def _angle(text: str) -> float:
-    match = re.fullmatch(r"\s*(\S+?)\s*(deg|°|rad)\s*", text)
-    if match is None:
-        raise InputError(f"the tilt {text[:40]!r} is no angle with its unit", hint='as in "40 deg"')
-    found = float(read_number(match[1])) * (1.0 if match[2] == "rad" else math.radians(1.0))
-    if not 0 < found < math.pi:
-        raise InputError(f"a tilt of {text}", hint="it is between 0 and 180 deg")
-    return float(np.float64(found))
 
 
 def share_of(text: str | float) -> float:

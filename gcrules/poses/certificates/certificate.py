@@ -17,6 +17,7 @@ from gcrules.core.floats import rounded_down
 from gcrules.core.frozen import HoldsArrays
 from gcrules.core.shown import Shown
 from gcrules.core.version import __version__
+from gcrules.poses.boxes.task import SHARES, decided_part
 from gcrules.poses.certificates.asked import Asked
 from gcrules.poses.certificates.checking import geometry
 from gcrules.poses.certificates.search import OTHER, Search
@@ -49,10 +50,9 @@ class Certificate(HoldsArrays, Shown):
     """What is proved of a whole range. `verdict` is free (no pose of it that is reached within the limits is singular,
     or has a margin below the one asked for), outside (none is reached), singular or below (one is), undecided; `shares`
     are of its volume in coordinates: free, free with the other sign of the determinant than at home, outside, crossed,
-    undecided. In free boxes the margin σ is at least `bound`, proved and rounded down to
-    four digits; `least` is the smallest that was seen at a pose
-    within the limits, at `place` in the units of the axes. `bad` is a pose that is not free. `target` is the share that
-    was asked for. `tree` and `bounds` are what proves it: see `to_json`.
+    undecided. In free boxes the margin σ is at least `bound`, proved and rounded down to four digits; `least` is the
+    smallest that was seen at a pose within the limits, at `place` in the units of the axes. `bad` is a pose that is not
+    free. `target` is the share that was asked for. `tree` and `bounds` are what proves it: see `to_json`.
     """
 
     asked: Asked
@@ -70,7 +70,7 @@ class Certificate(HoldsArrays, Shown):
     @property
     def decided(self) -> float:
         """The share that is proved to be free, or to be outside."""
-        return min(sum(self.shares[:3]), 1.0)
+        return decided_part(self.shares)
 
     @property
     def holds(self) -> bool | None:
@@ -85,7 +85,6 @@ class Certificate(HoldsArrays, Shown):
         free with the other sign of the determinant than at home, o outside, x crossed, u undecided. `bounds` are what
         the margin is at least in each free box, in their order.
         """
-        free, other, outside, crossed, undecided = self.shares
         return {
             "format": FORMAT,
             "made by": f"gcrules {__version__}",
@@ -97,13 +96,7 @@ class Certificate(HoldsArrays, Shown):
                 "margin at least": self.bound,
                 "smallest margin seen": self.least,
                 "at": None if self.place is None else list(self.place),
-                "shares": {
-                    "free": free,
-                    "free with the other sign": other,
-                    "outside": outside,
-                    "crossed": crossed,
-                    "undecided": undecided,
-                },
+                "shares": dict(zip(SHARES, self.shares, strict=True)),
                 "target": self.target,
             },
             "singular pose": None

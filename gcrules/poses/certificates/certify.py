@@ -62,9 +62,9 @@ def certify(
     `cone` around their direction at home, as the body there carries it: "40 deg" for all, "base 30 deg, platform 40
     deg", "C1 35 deg". The platform's third axis keeps to a `tilt`, "40 deg" in any direction. Boxes are cut for so much
     `time` in seconds (60, without end where a number of boxes is given), until there are so many `boxes`, or until the
-    `target` share is decided. Where no margin is asked for the boxes with the lowest bounds are cut further, for a
-    better one. `resume` is the file of an earlier certificate of the same question, from which it goes on, for all
-    of the time.
+    `target` share is decided. Where no margin is asked for, the boxes with the lowest bounds are cut further, for
+    a better one. `resume` is the file of an earlier certificate of the same question, from which it goes on until the
+    time is up, or the bound is known well.
 
     Raises InputError for what makes no sense, and where something has no closed form; FileError for another file.
     """
@@ -126,7 +126,7 @@ def _bad(found: Asked, search: Search, k: int) -> Bad:
     box = tuple(zip((middle - half).tolist(), (middle + half).tolist(), strict=True))
 
     def sign(place: Floats) -> int:
-        return decider.sign_at(_all(found, place))
+        return decider.sign_at(decider.inputs(place[None])[0])
 
     steps = np.array(np.meshgrid(*[(-1.0, 1.0)] * len(middle), indexing="ij")).reshape(len(middle), -1).T
     places = [middle, *(middle + step * half for step in steps)]
@@ -146,15 +146,8 @@ def _bad(found: Asked, search: Search, k: int) -> Bad:
                 case _:
                     break
     at = found.pose_text(place.tolist())
-    margin = float(decider.forms.forms.margins("numpy", _all(found, place)[None])[0])
+    margin = float(decider.margins_at(place[None])[0])
     return Bad(tuple((place / found.task.units).tolist()), at, margin, _causes(found, at), box, ends)
-
-
-def _all(found: Asked, place: Floats) -> Floats:
-    """A place of the free coordinates with the others."""
-    every = np.array(found.decider.centre)
-    every[list(found.decider.free)] = place
-    return every
 
 
 def _causes(found: Asked, at: str) -> tuple[str, ...]:

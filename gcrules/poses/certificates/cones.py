@@ -41,10 +41,11 @@ from gcrules.poses.compiling.vectors import Vector, add, cross, dot, exact, scal
 from gcrules.poses.methods import Methods, method
 from gcrules.screws.pose import read_number
 
-__all__ = ["Cone", "Cones", "cones", "kept_program"]
+__all__ = ["Cone", "Cones", "cones", "kept_program", "tilt_of"]
 
 Floats = NDArray[np.float64]
 
+_ANGLE = re.compile(r"(?P<number>\S+?)\s*(?P<unit>deg|rad|°)")
 _FORM = 'write "40 deg" for all joints of rods, "base 30 deg, platform 40 deg", or for single points "C1 40 deg"'
 _EQUAL = 1e-9  # of cosines
 _THROUGH = 1e-9  # in parts of the robot's size: an axis passes through a point
@@ -86,18 +87,33 @@ def cones(text: str, option: str = "--cone") -> Cones:
     """Read "40 deg", "base 30 deg, C1 40 deg". Raises InputError for what is none."""
     found = []
     try:
-        for part in (p.strip() for p in text.replace("°", " deg").split(",")):
-            match = re.fullmatch(r"(?:(all joints|all|\S+)\s+)?(\S+)\s+(deg|rad)", part)
+        for part in map(str.strip, text.split(",")):
+            match = re.fullmatch(rf"(?:(all joints|all|\S+)\s+)?({_ANGLE.pattern})", part)
             if match is None:
                 raise InputError(f"{part[:60]!r} is no cone", hint=_FORM)
-            who, number, unit = match.groups()
-            angle = float(read_number(number)) * (math.radians(1.0) if unit == "deg" else 1.0)
-            if not 0 < angle < math.pi:
-                raise InputError(f"a cone of {number} {unit}", hint="its half angle is between 0 and 180 deg")
-            found.append(("" if who in (None, "all", "all joints") else who, angle))
+            who = match[1]
+            found.append(("" if who in (None, "all", "all joints") else who, _half_angle(match[2], "cone")))
     except GcrulesError as fault:
         raise fault.located(text, option, Span(0, max(len(text), 1))) from None
     return Cones(tuple(found))
+
+
+def tilt_of(text: str, option: str = "--tilt") -> float:
+    """Read "40 deg" or "0.7 rad", in rad. Raises InputError for what is none."""
+    try:
+        return _half_angle(text.strip(), "tilt")
+    except GcrulesError as fault:
+        raise fault.located(text, option, Span(0, max(len(text), 1))) from None
+
+
+def _half_angle(text: str, what: str) -> float:
+    match = _ANGLE.fullmatch(text)
+    if match is None:
+        raise InputError(f"{text[:40]!r} is no angle with its unit", hint='as in "40 deg"')
+    found = float(read_number(match["number"])) * (1.0 if match["unit"] == "rad" else math.radians(1.0))
+    if not 0 < found < math.pi:
+        raise InputError(f"a {what} of {text}", hint="it is between 0 and 180 deg")
+    return found
 
 
 def kept_program(

@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 from gcrules.core.budget import checkpoint, report
 from gcrules.poses.boxes.deciding import Boxes, Decided, Decider
 from gcrules.poses.boxes.ties import LOWER, highest, lowest, upwards
+from gcrules.poses.boxes.trees import NEGATIVE
 from gcrules.poses.maps.cells import CROSSED, FREE, OUTSIDE, UNDECIDED
 
 __all__ = ["OTHER", "Search"]
@@ -24,7 +25,7 @@ __all__ = ["OTHER", "Search"]
 Floats = NDArray[np.float64]
 Places = NDArray[np.intp]
 
-OTHER = 4
+OTHER = FREE + NEGATIVE
 """The status of a free box where the determinant has not the sign that it has at home."""
 _CUT = 9
 _BATCH = 1024

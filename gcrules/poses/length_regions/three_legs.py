@@ -51,7 +51,10 @@ class ThreeLegs:
         """
         sides = (_square(points[k], points[other]) for points in (self.base, self.platform))
         most = sum((_root(s) for s in (square, *sides)), Fraction(0))
-        return Fraction(int(most * 21) + 1, 20)
+        parts = 20  # of a unit, finer for small robots
+        while most * parts < 20:
+            parts *= 10
+        return Fraction(int(most * parts * 21 / 20) + 1, parts)
 
     def closing(self, denominator: int = 1) -> tuple[Closing, int]:
         """In whole coordinates, and how many times as large they are: by a multiple of the denominator."""

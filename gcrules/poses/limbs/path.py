@@ -297,7 +297,9 @@ def _verdict(
     angle = degrees(turn_of(least.margin))
     turn = f"from there the wrenches of some limb have to turn by {angle} (threshold {limit.text})"
     if looped:
-        turn = f"as its limbs have loops of their own, σ bounds no way from there (threshold {limit.text})"
+        turn = (
+            f"as its limbs have loops of their own, σ does not tell how far a singular one is (threshold {limit.text})"
+        )
     if places:
         return "close", f"No singular configuration was found{open_}. {where}."
     word = "close" if "close" in verdicts else "regular"

@@ -21,7 +21,7 @@ from gcrules.mechanisms.kinematics.margin_bounds import StepBounds, bounds_of
 from gcrules.mechanisms.kinematics.rigid_motions import Floats
 from gcrules.poses.limbs.lattice import blocks
 from gcrules.poses.limbs.nodes import Nodes
-from gcrules.poses.paths.least import CLOSEST
+from gcrules.poses.paths.least import aim_of
 
 __all__ = ["WayBounds", "no_bounds", "way_bounds"]
 
@@ -77,8 +77,7 @@ def way_bounds(way: Itinerary, nodes: Nodes, asked: float = 0.0) -> WayBounds:
             checkpoint()
             here, ends = pieces.here[some], pieces.ends[:, some]
             found = _bounds(way, here, ends)
-            wanted = max(_NEAR * met, asked if asked <= met * (1 - CLOSEST) else 0.0)
-            done = found.followed & (found.least >= wanted)
+            done = found.followed & (found.least >= aim_of(met, asked, _NEAR))
             if halving == _HALVINGS or left <= 0:
                 done[:] = True
             if done.any():

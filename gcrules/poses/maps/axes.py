@@ -34,6 +34,7 @@ __all__ = [
     "VECTOR",
     "GridAxis",
     "are_ranges",
+    "check_turns",
     "parse_axis",
     "read_axes",
     "read_ranges",
@@ -219,6 +220,13 @@ def are_ranges(over: Sequence[str | GridAxis]) -> bool:
             hint="give each coordinate a number, for a map over nodes, or none, for one of whole boxes",
         )
     return 1 in colons
+
+
+def check_turns(axes: Sequence[GridAxis]) -> None:
+    """Raises InputError for a range of angles that goes more than once around."""
+    for a in axes:
+        if a.unit in _ANGLES.values() and float(a.stop - a.start) * a.scale > math.tau:
+            raise InputError(f"{a.name} goes more than once around", hint="take a range of one turn at most")
 
 
 def _together(axes: tuple[GridAxis, ...]) -> tuple[GridAxis, ...]:

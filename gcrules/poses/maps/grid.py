@@ -15,6 +15,7 @@ from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import GcrulesError, InputError, LimitReached
 from gcrules.mechanisms.moving_platform import FAR, MovingPlatform
 from gcrules.poses.maps.axes import TURNS, GridAxis
+from gcrules.poses.maps.nodes import Nodes
 from gcrules.poses.numbers.arrays import from_poses, read_arrays
 from gcrules.poses.numbers.pose_arguments import one_pose
 from gcrules.screws.pose import Pose
@@ -32,24 +33,15 @@ MAX_FLAT = 16_000_000
 
 
 @dataclass(frozen=True)
-class Grid:
+class Grid(Nodes):
     """Poses over `axes` around the pose `at`. The three angles of the axes' kind are `angles` (in the axes' unit), each
     replaced where an axis stands for it; without axes that turn the orientation is that of `at`, exactly.
     """
 
     rig: MovingPlatform
-    axes: tuple[GridAxis, ...]
     at: Pose
     angles: Vector = (Fraction(0), Fraction(0), Fraction(0))
     notes: tuple[str, ...] = ()
-
-    @property
-    def shape(self) -> tuple[int, ...]:
-        return tuple(a.number for a in self.axes)
-
-    @property
-    def size(self) -> int:
-        return math.prod(self.shape)
 
     @property
     def title(self) -> str:
@@ -135,10 +127,6 @@ class Grid:
         """Where the centre of turns is at coordinates (N, axes): (N, 3)."""
         return np.asarray(self.rig.centre_of_turns + self.arrays(coordinates)[0])
 
-    def coordinates(self, nodes: NDArray[Any]) -> Floats:
-        """The coordinates (N, axes) of places (N, axes) that are counted in nodes."""
-        return np.stack([a.at(nodes[:, k]) for k, a in enumerate(self.axes)], axis=1)
-
     @cached_property
     def _orientation(self) -> Floats:
         return from_poses([self.at])[1]
@@ -171,7 +159,7 @@ def grid(rig: MovingPlatform, axes: tuple[GridAxis, ...], at: Any = None) -> Gri
     if turning is not None:
         rest, more = _rest(pose, at, turning)
         notes += more
-    found = Grid(rig, axes, pose, (rest[0], rest[1], rest[2]), notes)
+    found = Grid(axes, rig, pose, (rest[0], rest[1], rest[2]), notes)
     corners = np.array(np.meshgrid(*[[float(a.start), float(a.stop)] for a in axes])).reshape(len(axes), -1).T
     if np.abs(found.ends(corners) - rig.base).max() > FAR * rig.size:
         raise InputError(f"a pose is more than {FAR:g} times the robot's size away", hint="check the unit")

@@ -16,9 +16,9 @@ from gcrules.mechanisms.mechanism import Mechanism, limits_of
 from gcrules.mechanisms.platform_analysis import with_platform
 from gcrules.mechanisms.six_legs import SixLegs
 from gcrules.poses.compiling.compiled import compiled
-from gcrules.poses.limbs.map_task import limbs_task
 from gcrules.poses.maps.axes import read_axes
 from gcrules.poses.maps.grid import grid
+from gcrules.poses.maps.limb_task import limbs_task
 from gcrules.poses.maps.recipe import recipe_of
 from gcrules.poses.maps.slices import factors, slice_polynomial, vanishes
 from gcrules.poses.maps.task import KINDS, MEASURES, MapTask, width_of

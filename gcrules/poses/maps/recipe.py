@@ -12,6 +12,7 @@ from gcrules.mechanisms.limbs import Limbs
 from gcrules.mechanisms.load import Source
 from gcrules.mechanisms.mechanism import Mechanism
 from gcrules.mechanisms.six_legs import SixLegs
+from gcrules.poses.methods import Methods, method
 from gcrules.screws.pose import Pose
 
 __all__ = ["recipe_of", "robot_of"]
@@ -19,11 +20,12 @@ __all__ = ["recipe_of", "robot_of"]
 
 def recipe_of(kind: str, found: Mechanism, over: Any, at: Any, limits: str | None, **more: Any) -> dict[str, Any]:
     """From what a task of this kind is made anew, as JSON: the robot with its coordinates, and the options as they were
-    given.
+    given; with the limits of the file, if there are any, which a mode may have left out.
     """
+    own = {"limits": found.limits} if found.limits else {}
     return {
         "kind": kind,
-        "robot": _described(found),
+        "robot": {**method(_DESCRIBED, found, "a map")(), **own},
         "about": _plain(getattr(found, "about", "centroid")),
         "over": [axis if isinstance(axis, str) else axis.text for axis in over],
         "at": at.text() if isinstance(at, Pose) else _plain(at),
@@ -32,20 +34,23 @@ def recipe_of(kind: str, found: Mechanism, over: Any, at: Any, limits: str | Non
     }
 
 
-def _described(found: Mechanism) -> dict[str, Any]:
-    """A platform by its legs and points, a robot of joints by the text of its file and its home, which a mode may have
-    changed; with the limits of the file, if there are any, which a mode may have left out.
-    """
-    own = {"limits": found.limits} if found.limits else {}
-    if isinstance(found, Limbs):
-        robot = found.robot
-        return {"id": robot.id, "text": robot.text, "home": _plain(robot.home), **own}
-    assert isinstance(found, SixLegs)
-    p = found.platform
-    return {"legs": _plain(p.legs), "points": _plain(p.points), "title": p.title, "units": p.units, **own}
+def _of_legs(m: SixLegs) -> dict[str, Any]:
+    """A platform by its legs and points."""
+    p = m.platform
+    return {"legs": _plain(p.legs), "points": _plain(p.points), "title": p.title, "units": p.units}
+
+
+def _of_limbs(m: Limbs) -> dict[str, Any]:
+    """A robot of joints by the text of its file and its home, which a mode may have changed."""
+    return {"id": m.robot.id, "text": m.robot.text, "home": _plain(m.robot.home)}
+
+
+_DESCRIBED: Methods[dict[str, Any]] = {SixLegs: _of_legs, Limbs: _of_limbs}
+"""The method for each kind of mechanism."""
 
 
 def robot_of(given: Mapping[str, Any]) -> Source:
+    """The robot of a recipe, as `load` takes it."""
     if "text" not in given:
         return {name: value for name, value in given.items() if value}
     robot = replace(parse_robot(given["text"], name=given["id"]), limits=given.get("limits", ""))

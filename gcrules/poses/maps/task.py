@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from gcrules.poses.maps.slices import SliceFactor
     from gcrules.poses.maps.summary import MapSummary
 
-__all__ = ["KINDS", "MEASURES", "Chunk", "MapTask", "Slice", "width_of"]
+__all__ = ["KINDS", "MEASURES", "Chunk", "InLayers", "MapTask", "Slice", "width_of"]
 
 Floats = NDArray[np.float64]
 Chunk = Mapping[str, NDArray[Any]]
@@ -83,8 +83,7 @@ class MapTask(Protocol):
     `measure` is margin, value, or an index of the actuators; `limits` are those of legs or actuators; `factors` are the
     exact ones of the condition on the slice, None where it is no polynomial; `everywhere` says that every pose is
     singular; `names` are the arrays of each chunk; zeros are brought nearer by so many `halvings`; `accuracy` says how
-    curves are found, `guard` what a margin guarantees; `stage` is what
-    comes before all chunks.
+    curves are found, `guard` what a margin guarantees; `stage` is what comes before all chunks, None for nothing.
     """
 
     @property
@@ -145,6 +144,19 @@ class MapTask(Protocol):
     def guarantee(self, summary: MapSummary) -> str:
         """What is proved, in one sentence."""
         ...
+
+
+class InLayers:
+    """The chunks of a `MapTask`: so many whole layers along the first axis."""
+
+    @property
+    def number(self: MapTask) -> int:
+        """How many chunks there are."""
+        return -(-self.grid.shape[0] // self.layers)
+
+    def span(self: MapTask, chunk: int) -> tuple[int, int]:
+        """The layers of a chunk, the first one and the one after the last."""
+        return chunk * self.layers, min((chunk + 1) * self.layers, self.grid.shape[0])
 
 
 def width_of(task: MapTask, name: str) -> int:

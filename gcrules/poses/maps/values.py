@@ -26,7 +26,7 @@ from gcrules.poses.maps.grid import Grid
 from gcrules.poses.maps.regular_cells import regular_cells
 from gcrules.poses.maps.slices import MEMBERS, SliceFactor, middle
 from gcrules.poses.maps.summary import MapSummary
-from gcrules.poses.maps.task import Chunk
+from gcrules.poses.maps.task import Chunk, InLayers
 from gcrules.screws.guarantees import ROUNDING
 from gcrules.screws.margin import jacobian
 
@@ -40,7 +40,7 @@ _BATCH = 20_000  # poses whose Jacobians are in memory at once
 
 
 @dataclass(frozen=True, eq=False)
-class LegsTask(HoldsArrays):
+class LegsTask(InLayers, HoldsArrays):
     """A `MapTask` of a platform on six legs: `measure` is value (the superbracket, and what the limits need), margin
     (everything), or an index of the legs' rates, which comes on top.
 
@@ -78,15 +78,6 @@ class LegsTask(HoldsArrays):
         """Layers of a chunk; the margin takes long, so its chunks are smaller."""
         poses = _POSES if self._quick else _POSES // 4
         return max(1, poses // math.prod(self.grid.shape[1:]))
-
-    @property
-    def number(self) -> int:
-        """How many chunks there are."""
-        return -(-self.grid.shape[0] // self.layers)
-
-    def span(self, chunk: int) -> tuple[int, int]:
-        """The layers of a chunk, the first one and the one after the last."""
-        return chunk * self.layers, min((chunk + 1) * self.layers, self.grid.shape[0])
 
     def value(self, places: Floats) -> Floats:
         """The superbracket at places (N, axes) that are counted in nodes."""

@@ -21,7 +21,7 @@ from gcrules.poses.paths.segments import Segments
 from gcrules.screws.guarantees import ROUNDING, noise
 from gcrules.screws.margin import jacobian
 
-__all__ = ["CLOSEST", "MOST", "Least", "least"]
+__all__ = ["CLOSEST", "MOST", "Least", "aim_of", "least"]
 
 Floats = NDArray[np.float64]
 
@@ -65,7 +65,7 @@ def least(path: Segments, samples: int, most: int = MOST, asked: float = 0.0) ->
         if sigma[n] < best.margin:
             best = Least(float(sigma[n]), float(cells[n, 0] + cells[n, 1:].mean()), 0.0, float(wrong[n]))
         seen += len(cells)
-        wanted = max(_NEAR * best.margin, asked if asked <= best.margin * (1 - CLOSEST) else 0.0)
+        wanted = aim_of(best.margin, asked, _NEAR)
         done = (low >= wanted) | (best.margin <= best.rounding)
         if seen + 2 * int((~done).sum()) > most:
             done[:] = True
@@ -74,6 +74,13 @@ def least(path: Segments, samples: int, most: int = MOST, asked: float = 0.0) ->
         middle = (a + b) / 2
         cells = np.concatenate([np.stack([k, a, middle], axis=1), np.stack([k, middle, b], axis=1)])
     return Least(best.margin, best.parameter, max(0.0, min(proved, best.margin)), best.rounding)
+
+
+def aim_of(met: float, asked: float, near: float) -> float:
+    """Up to what a bound is driven where the least margin that was met is so large: so `near` to that, and to what is
+    `asked` for where it is not too close to be proved.
+    """
+    return max(near * met, asked if asked <= met * (1 - CLOSEST) else 0.0)
 
 
 def _bounds(rig: MovingPlatform, motions: Motions, cells: Floats) -> tuple[Floats, Floats, Floats]:

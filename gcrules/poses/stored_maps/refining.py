@@ -45,7 +45,8 @@ def refine_map(
     One of whole boxes (a `BoxMap`) with more `boxes` in each tile (four times as many), or `over` other ranges that are
     whole tiles of it. Tiles that are decided, and those that would not be halved further, are taken over; the others
     are computed. One over nodes of a platform on six legs (a `SingularMap`) `over` another range of its first
-    coordinate. Raises FileError for a store of something else, InputError for ranges that cut its tiles.
+    coordinate. `workers` and `scheduler` are those of `singular_map`. Raises FileError for a store of something else,
+    InputError for ranges that cut its tiles.
     """
     how = running(workers, None, scheduler)
     if os.path.abspath(store) == os.path.abspath(output):

@@ -85,7 +85,8 @@ class TileTask(Protocol):
     `manifest` is everything that the tiles depend on, as JSON. `grid` is how many tiles there are along each tiled
     dimension; tiles are numbered from 0 in C order. `attrs` say what the store is of (units, version, where it comes
     from), as JSON, without times and names of machines. `recipe` is from what the task is made anew, as JSON: its
-    `kind` is a row of `gcrules/poses/stored_maps/kinds.py`. `stage` comes before all tiles, if there is one.
+    `kind` is a row of `gcrules/poses/stored_maps/kinds.py`. `stage` is what comes before all tiles, None for
+    nothing.
     """
 
     @property

@@ -46,7 +46,7 @@ def _items(d: Dimensions) -> Iterator[Item]:
     if len(facts) > _MANY:
         yield f"and {len(facts) - _MANY} more, which --json lists"
     if not facts:
-        yield "Nothing on one body is in special position."
+        yield "No fact of the bodies was found."
     if any(not fact.exact for fact in d.facts):
         yield KeyValue("tolerance", f"{d.tolerance:g} of the size; no proof rests on what holds nearly")
     if d.note:

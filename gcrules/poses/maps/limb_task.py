@@ -32,26 +32,25 @@ from gcrules.mechanisms.kinematics.solve import check_target, solve
 from gcrules.mechanisms.kinematics.targets import Target
 from gcrules.mechanisms.limbs import Limbs
 from gcrules.mechanisms.mechanism import limits_of
-from gcrules.poses.limbs.boxes import LARGEST, proved_cells
 from gcrules.poses.limbs.lattice import Lattice
-from gcrules.poses.limbs.map_grid import LimbsGrid, coordinates_of
-from gcrules.poses.limbs.patches import Patches
-from gcrules.poses.limbs.spreading import spread
-from gcrules.poses.limbs.sweep import Sweep
-from gcrules.poses.maps.axes import ACTUATOR, read_axes
+from gcrules.poses.maps.axes import ACTUATOR, check_turns, read_axes
+from gcrules.poses.maps.limb_cells import LARGEST, proved_cells
+from gcrules.poses.maps.limb_grid import LimbsGrid, coordinates_of
+from gcrules.poses.maps.patches import Patches
+from gcrules.poses.maps.spreading import spread
 from gcrules.poses.maps.summary import MapSummary
-from gcrules.poses.maps.task import Chunk
+from gcrules.poses.maps.sweep import Sweep
+from gcrules.poses.maps.task import Chunk, InLayers
 from gcrules.poses.tiles.task import Stage
 
 __all__ = ["MAX_POSES", "LimbsTask", "limbs_task"]
 
 MAX_POSES = 1_000_000
 _NODES = 1_000  # in one chunk, about
-_ALL_ROUND = 2 * math.pi
 
 
 @dataclass(frozen=True, eq=False)
-class LimbsTask(HoldsArrays):
+class LimbsTask(InLayers, HoldsArrays):
     """A `MapTask` of a robot of joints. Its stage is home's branch over the whole grid, in short, from which each chunk
     is solved by itself.
     """
@@ -79,15 +78,6 @@ class LimbsTask(HoldsArrays):
         """Layers of a chunk: so many that the largest boxes fit."""
         inner = math.prod(self.grid.shape[1:])
         return max(LARGEST, _NODES // inner // LARGEST * LARGEST)
-
-    @property
-    def number(self) -> int:
-        """How many chunks there are."""
-        return -(-self.grid.shape[0] // self.layers)
-
-    def span(self, chunk: int) -> tuple[int, int]:
-        """The layers of a chunk, the first one and the one after the last."""
-        return chunk * self.layers, min((chunk + 1) * self.layers, self.grid.shape[0])
 
     @property
     def linkage(self) -> Linkage:
@@ -306,8 +296,6 @@ def limbs_task(m: Limbs, over: Any, at: Any = None, limits: str | None = None, m
         raise LimitReached(
             f"{grid.size:,} poses: more than {MAX_POSES:,} in one map of a robot of joints", hint="take a coarser grid"
         )
-    for a in axes:
-        if a.unit and (float(a.stop) - float(a.start)) * a.scale > _ALL_ROUND:
-            raise InputError(f"{a.name} goes more than once around", hint="take a range of one turn at most")
+    check_turns(axes)
     check_target(k, Target(names, np.zeros(len(names)), driven, text="home"))
     return LimbsTask(m, grid, reach, measure)

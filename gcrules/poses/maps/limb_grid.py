@@ -8,7 +8,6 @@ from functools import cached_property
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from gcrules.core.dataclass import dataclass
 from gcrules.core.english import listed
@@ -18,6 +17,7 @@ from gcrules.mechanisms.kinematics.linkage import Linkage
 from gcrules.mechanisms.kinematics.rigid_motions import Floats
 from gcrules.mechanisms.kinematics.solve import free_coordinates
 from gcrules.poses.maps.axes import TRANSLATION, TURNS, GridAxis
+from gcrules.poses.maps.nodes import Nodes, in_words, others
 from gcrules.screws.pose import exact_float
 from gcrules.screws.pose_text import ANGLES, COORDINATES, Amount, check_known, read_named
 
@@ -25,12 +25,11 @@ __all__ = ["LimbsGrid", "coordinates_of"]
 
 
 @dataclass(frozen=True)
-class LimbsGrid:
+class LimbsGrid(Nodes):
     """Poses over `axes`: `names` are the coordinates that determine a pose, or all actuators where `driven`, `values`
     what they are (from home, in radians and the file's unit) where no axis stands for them.
     """
 
-    axes: tuple[GridAxis, ...]
     names: tuple[str, ...]
     values: tuple[float, ...]
     driven: bool
@@ -39,14 +38,6 @@ class LimbsGrid:
     angles_driven: tuple[bool, ...]
     unit: str = ""
     notes: tuple[str, ...] = ()
-
-    @property
-    def shape(self) -> tuple[int, ...]:
-        return tuple(a.number for a in self.axes)
-
-    @property
-    def size(self) -> int:
-        return math.prod(self.shape)
 
     @property
     def moved(self) -> bool:
@@ -61,23 +52,11 @@ class LimbsGrid:
     @property
     def rest(self) -> str:
         """What the other coordinates are, in words."""
-        over = {a.name for a in self.axes}
-        pairs = [(n, v) for n, v in zip(self.names, self.values, strict=True) if n not in over]
-        named = ", ".join(f"{n} = {math.degrees(v):.6g}°" if n in TURNS and v else f"{n} = {v:.6g}" for n, v in pairs)
-        return named or "none: the axes are all that the robot has"
-
-    def coordinates(self, nodes: NDArray[Any]) -> Floats:
-        """The coordinates (N, axes) of places (N, axes) that are counted in nodes."""
-        return np.stack([a.at(nodes[:, k]) for k, a in enumerate(self.axes)], axis=1)
-
-    def places(self, coordinates: Floats) -> Floats:
-        """The places (N, axes), counted in nodes, of coordinates."""
-        start, step = (np.array([float(c) for c in several]) for several in zip(*self._ends, strict=True))
-        return np.asarray((coordinates - start) / step)
+        return in_words(self._others) or "none: the axes are all that the robot has"
 
     @property
-    def _ends(self) -> list[tuple[Any, Any]]:
-        return [(a.start, a.step) for a in self.axes]
+    def _others(self) -> dict[str, float]:
+        return others(self.axes, self.names, self.values)
 
     @cached_property
     def linear(self) -> tuple[Floats, Floats]:
@@ -89,9 +68,7 @@ class LimbsGrid:
         return origin, steps
 
     def to_json(self) -> dict[str, Any]:
-        over = {a.name for a in self.axes}
-        rest = {n: v for n, v in zip(self.names, self.values, strict=True) if n not in over}
-        return {"axes": [a.to_json() for a in self.axes], "at": rest}
+        return {"axes": [a.to_json() for a in self.axes], "at": self._others}
 
 
 def coordinates_of(
@@ -122,8 +99,8 @@ def coordinates_of(
     names = tuple(named) if len(named) == m.robot.mobility else free_coordinates(m, named)
     missing = [n for n in named if n not in names]
     if missing:
-        others = listed([n for n in named if n != missing[0]])
-        beside = f" beside {others}" if others else ""
+        known = listed([n for n in named if n != missing[0]])
+        beside = f" beside {known}" if known else ""
         raise InputError(
             f"{missing[0]} tells nothing of the pose of {m.robot.id} near home{beside}",
             hint=f"independent there are, for example, {', '.join(free_coordinates(m))}",

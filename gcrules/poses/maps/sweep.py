@@ -14,7 +14,7 @@ from gcrules.mechanisms.kinematics.amplification import Index
 from gcrules.mechanisms.kinematics.margin import margins
 from gcrules.mechanisms.kinematics.rigid_motions import Floats
 from gcrules.poses.limbs.lattice import Lattice, Nodes, blocks
-from gcrules.poses.limbs.patches import Patches
+from gcrules.poses.maps.patches import Patches
 
 __all__ = ["Sweep"]
 

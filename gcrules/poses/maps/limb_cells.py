@@ -19,9 +19,9 @@ from gcrules.mechanisms.kinematics.branch import Cells
 from gcrules.mechanisms.kinematics.determinants import frames, relative_sign
 from gcrules.mechanisms.kinematics.rigid_motions import Floats
 from gcrules.poses.limbs.lattice import HALVINGS, Truths, blocks
-from gcrules.poses.limbs.spreading import NEAR
-from gcrules.poses.limbs.sweep import Sweep
 from gcrules.poses.maps.cells import CROSSED, FREE, OUTSIDE, UNDECIDED
+from gcrules.poses.maps.spreading import NEAR
+from gcrules.poses.maps.sweep import Sweep
 
 __all__ = ["LARGEST", "proved_cells"]
 

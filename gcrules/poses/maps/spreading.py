@@ -19,7 +19,7 @@ from gcrules.core.budget import checkpoint, report
 from gcrules.mechanisms.kinematics.branch import Cells
 from gcrules.mechanisms.kinematics.rigid_motions import Floats
 from gcrules.poses.limbs.lattice import HALVINGS, Lattice, Nodes, Truths, blocks
-from gcrules.poses.limbs.patches import Patches
+from gcrules.poses.maps.patches import Patches
 
 __all__ = ["NEAR", "spread"]
 
