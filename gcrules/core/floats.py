@@ -9,7 +9,7 @@ r"""Exact numbers as floats and as decimals, also where a float cannot hold them
 from __future__ import annotations
 
 import math
-from decimal import ROUND_FLOOR, Context, Decimal
+from decimal import ROUND_CEILING, ROUND_FLOOR, Context, Decimal
 from fractions import Fraction
 from numbers import Integral, Rational, Real
 from typing import Any
@@ -25,6 +25,7 @@ __all__ = [
     "exact_number",
     "int_if_whole",
     "rounded_down",
+    "rounded_up",
     "without_noise",
 ]
 
@@ -61,6 +62,18 @@ def rounded_down(number: float, digits: int = 4) -> str:
     if not number > 0:
         return "0"
     short = Context(prec=digits, rounding=ROUND_FLOOR).create_decimal(Decimal(number))
+    return f"{float(short):.{digits}g}"
+
+
+def rounded_up(number: float, digits: int = 4) -> str:
+    """A bound from above of a number that is not negative, with so many digits: none of them is rounded down.
+
+    >>> rounded_up(0.4298611), rounded_up(2.41e-5, 2), rounded_up(1.0), rounded_up(0.0)
+    ('0.4299', '2.5e-05', '1', '0')
+    """
+    if not number > 0:
+        return "0"
+    short = Context(prec=digits, rounding=ROUND_CEILING).create_decimal(Decimal(number))
     return f"{float(short):.{digits}g}"
 
 

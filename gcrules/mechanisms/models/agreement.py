@@ -48,9 +48,10 @@ def deviation(
             most = max(most, float(power.max(initial=0.0)))
             if len(own) + len(twists) != 6 or most > allowed:
                 what = "with its actuators locked" if held else "with its actuators free"
+                more = f"; largest power of one on the other {most:.2g}" if most > allowed else ""
                 raise InputError(
                     f"{spec.name} {what} does not come out as the model has it: its joints allow {len(twists)} twists,"
-                    f" the robot file has {len(own)} wrenches; largest power of one on the other {most:.2g}",
+                    f" the robot file has {len(own)} wrenches{more}",
                     hint="the model may be singular at its home, or its decimals too coarse: try another --tolerance",
                 )
     return most

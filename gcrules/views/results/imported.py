@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
+from gcrules.core.floats import rounded_up
 from gcrules.mechanisms.models.imported import Imported
 from gcrules.views.formulas.latex_text import latex_table, latex_words
 from gcrules.views.text_tables import ASCII, table
@@ -11,7 +12,7 @@ from gcrules.views.text_tables import ASCII, table
 __all__ = ["as_latex", "as_text"]
 
 _MOST = 8
-_LITTLE = 1e-9
+_LITTLE = 1e-9  # what is less may be rounding, whose digits are those of a machine
 
 
 def as_text(r: Imported, *, unicode: bool = False) -> str:
@@ -46,7 +47,7 @@ def _rows(r: Imported) -> Iterator[tuple[str, str]]:
         "checked",
         (
             "the wrenches of each limb at home, free and locked, against the twists of the model's joints:"
-            f" power {r.deviation:.1e} at most"
+            f" power {_power(r.deviation)}"
         ),
     )
     for note in r.notes:
@@ -58,13 +59,19 @@ def _count(r: Imported, said: str) -> int:
 
 
 def _moved(r: Imported) -> str:
-    distance, angle = r.farthest
-    if distance <= _LITTLE * r.size and angle <= _LITTLE:
+    distance, angle = (x if x > _LITTLE * unit else 0.0 for x, unit in zip(r.farthest, (r.size, 1.0), strict=True))
+    if not distance and not angle:
         return f"no joint was moved (tolerance {r.tolerance:g})"
-    most = max(r.moved, key=lambda m: max(m.distance / r.size, m.angle))
-    count = sum(m.distance > _LITTLE * r.size or m.angle > _LITTLE for m in r.moved)
+    parts = {m.joint: max(m.distance / r.size, m.angle) for m in r.moved}
+    most = max(parts.values()) - _LITTLE
+    farthest = next(joint for joint, part in parts.items() if part >= most)
+    count = sum(part > _LITTLE for part in parts.values())
     said = f"{count} {'joint' if count == 1 else 'joints'} to make axes and centres exact, by {distance:.2g} m and"
-    return f"{said} {angle:.2g} rad at most ({most.joint} the farthest; tolerance {r.tolerance:g})"
+    return f"{said} {angle:.2g} rad at most ({farthest} the farthest; tolerance {r.tolerance:g})"
+
+
+def _power(deviation: float) -> str:
+    return f"{rounded_up(deviation, 2)} at most" if deviation > _LITTLE else "below 1e-9"
 
 
 def _several(names: Sequence[str], sign: str = ", ", most: int = _MOST) -> str:
