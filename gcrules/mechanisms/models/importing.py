@@ -17,6 +17,7 @@ from gcrules.mechanisms.kinematics.rigid_motions import Floats
 from gcrules.mechanisms.models.agreement import deviation, generic
 from gcrules.mechanisms.models.chains_between import Bars, Chain, Poses, limbs_between
 from gcrules.mechanisms.models.driving import check_driven, driven_of, ratios_of
+from gcrules.mechanisms.models.exact import exact
 from gcrules.mechanisms.models.family_found import LEVELS, Naming
 from gcrules.mechanisms.models.graph import Ends, Graph, graph_of
 from gcrules.mechanisms.models.imported import Imported, ImportedLimb
@@ -26,7 +27,7 @@ from gcrules.mechanisms.models.motions import Motion, motions_of
 from gcrules.mechanisms.models.moving import Moving
 from gcrules.mechanisms.models.reading import parse_model, read_model
 from gcrules.mechanisms.models.robot_text import Drawn, robot_text
-from gcrules.mechanisms.models.snapping import TOLERANCE, size_of, snapped
+from gcrules.mechanisms.models.snapping import TOLERANCE, moved_between, size_of, snapped
 from gcrules.mechanisms.robot import Robot
 
 __all__ = ["import_file", "import_model", "robot_of_file", "robot_of_text"]
@@ -129,8 +130,10 @@ class _Import:
         self.notes = [*graph.notes, *getattr(graph.model, "notes", ())]
         self.couplings = [c for c in graph.model.couplings if c.joint in ratios]
         self.pair = (ends.base, ends.platform)
-        self.motions, self.moved = snapped(self.read, self.pair, tolerance)
+        self.motions = snapped(self.read, self.pair, tolerance)
         self.plane = self._plane()
+        self.motions, self.exact = exact(self.motions, self.pair, size_of(self.motions), tolerance)
+        self.moved = moved_between(self.read, self.motions)
         self.size = size_of(self.motions)
 
     def _plane(self) -> bool:
@@ -145,7 +148,7 @@ class _Import:
         if abs(normal[2]) < 1:
             turn = _turn_to_z(normal)
             self.read = tuple(replace(m, at=turn @ m.at, axis=turn @ m.axis) for m in self.read)
-            self.motions, self.moved = snapped(self.read, self.pair, self.tolerance)
+            self.motions = snapped(self.read, self.pair, self.tolerance)
             self.notes.append("the plane of its motion was turned to that of x and y")
         self.motions = tuple(replace(m, at=m.at * [1, 1, 0]) for m in self.motions)
         return True
@@ -220,7 +223,8 @@ class _Import:
                 [replace(m, at=read[m.joint, m.place].at, axis=read[m.joint, m.place].axis) for m in own]
                 for own in sorted_motions
             ]
-            most = deviation(robot, before, self.couplings, self.pair, self.size, self.tolerance)
+            moved = max((max(m.distance / self.size, m.angle) for m in self.moved), default=0.0)
+            most = deviation(robot, sorted_motions, before, self.couplings, self.pair, self.size, moved)
             return self._account(robot, text, [drawn[k] for k in order], most, words)
         self._refuse(fault)
 
@@ -234,6 +238,12 @@ class _Import:
 
     def _account(self, robot: Robot, text: str, drawn: Sequence[Drawn], most: float, words: str) -> Imported:
         used = {m.joint for m in self.motions}
+        count = next((len(s.values) for d in drawn for p in d.parts for s in p.slots if p.kind == "4S"), 0)
+        if count:
+            self.notes.append(
+                f"4S are bars that stay parallel, as they do in the {count} configurations that were computed;"
+                " what is said of the robot holds while they do"
+            )
         limbs = tuple(
             ImportedLimb(spec.name, spec.chain, tuple((p.kind + p.driven, p.joints) for p in d.parts))
             for spec, d in zip(robot.limbs, drawn, strict=True)
@@ -250,6 +260,7 @@ class _Import:
             tuple((n, *limits) for n, limits in self._limits()),
             tuple(j.name for j in self.graph.joints if j.name not in used),
             self.moved,
+            self.exact,
             self.tolerance,
             most,
             self.size,

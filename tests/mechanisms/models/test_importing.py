@@ -6,6 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from mechanisms.models.hand_made import X, Y, Z, around, chain_of, delta, hexapod, model
 
 import gcrules as gc
 from gcrules.core.errors import InputError
@@ -15,8 +16,6 @@ from gcrules.mechanisms.models.importing import import_model
 from gcrules.mechanisms.models.model import Model, ModelCoupling, ModelJoint
 from gcrules.mechanisms.models.of_robot import model_of
 from gcrules.mechanisms.robot import Robot
-
-X, Y, Z = (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)
 
 CHAINS = {
     "3-cpu": "3-RP*PU",
@@ -74,39 +73,6 @@ def test_the_condition_is_that_of_the_robot(name: str) -> None:
 # --- by hand ---------------------------------------------------------------------------------------------------------
 
 
-def model(joints: list[ModelJoint], actuated: tuple[str, ...] = (), **more: object) -> Model:
-    links = tuple(dict.fromkeys(link for j in joints for link in (j.parent, j.child)))
-    links = ("base", *(link for link in links if link != "base"))
-    return replace(Model("hand", "urdf", "hand.urdf", links, tuple(joints), actuated), **more)
-
-
-def around(k: int, radius: float, height: float, *, of: int = 3, turn: float = 0.0) -> tuple[float, float, float]:
-    angle = 2 * np.pi * k / of + turn
-    return float(radius * np.cos(angle)), float(radius * np.sin(angle)), height
-
-
-def delta(noise: float = 0.0, tip: str = "plate") -> Model:
-    """Motors, arms, and two rods with ball ends to each of them."""
-    rng = np.random.default_rng(0)
-    joints = []
-    for k in range(3):
-        c, s = float(np.cos(2 * np.pi * k / 3)), float(np.sin(2 * np.pi * k / 3))
-        side = np.array([-s, c, 0.0])
-        axis = side + noise * rng.normal(size=3)
-        axis /= np.linalg.norm(axis)
-        at = tuple(map(float, 0.2 * np.array([c, s, 0])))
-        joints.append(
-            ModelJoint(f"motor{k}", "revolute", "base", f"arm{k}", at, (tuple(map(float, axis)),), (-1.0, 0.5))
-        )
-        for n, off in enumerate((-0.04, 0.04)):
-            elbow = 0.4 * np.array([c, s, 0]) + off * side + noise * 0.5 * rng.normal(size=3)
-            end = 0.06 * np.array([c, s, 0]) + off * side + [0, 0, -0.5] + noise * 0.5 * rng.normal(size=3)
-            up, down = tuple(map(float, elbow)), tuple(map(float, end))
-            joints.append(ModelJoint(f"elbow{k}{n}", "ball", f"arm{k}", f"rod{k}{n}", up))
-            joints.append(ModelJoint(f"wrist{k}{n}", "ball", f"rod{k}{n}", tip, down, closing=k + n > 0))
-    return model(joints, tuple(f"motor{k}" for k in range(3)))
-
-
 def test_a_delta_by_hand() -> None:
     found = import_model(delta())
     assert (found.base, found.platform, found.why) == ("base", "plate", "the link with most limbs")
@@ -115,32 +81,6 @@ def test_a_delta_by_hand() -> None:
     assert found.limits == tuple((f"motor{k}", -1.0, 0.5) for k in range(3))
     assert "copies: 3" in found.yaml
     assert found.robot.limits == "actuators -1..0.5 rad"
-
-
-def chain_of(joints: list[tuple[str, str, object, object]], ends: tuple[str, str], name: str) -> list[ModelJoint]:
-    """Joints (name, kind, place, axes) one after the other."""
-    links = [ends[0], *(f"{name}_{k}" for k in range(1, len(joints))), ends[1]]
-    return [
-        ModelJoint(f"{name}_{n}", kind, links[k], links[k + 1], at, axes)
-        for k, (n, kind, at, axes) in enumerate(joints)
-    ]
-
-
-def hexapod(kinds: str = "three turns", stretch: float = 1.0) -> Model:
-    """Six arms with rods, whose ball joints are three turns, or a cross and a ball."""
-    joints = []
-    for k in range(6):
-        foot = around(k, 0.3, 0.0, of=6, turn=0.2 * (-1) ** k)
-        axis = around(k, 1.0, 0.0, of=6, turn=np.pi / 2)
-        elbow = tuple(float(c) for c in np.array(foot) + 0.1 * np.array(around(k, 0.0, 1.0)) + [0.0, 0.0, 0.02 * k])
-        tip = around(k, 0.15, 0.5 * stretch, of=6, turn=-0.3 * (-1) ** k)
-        ends = [("elbow", "universal", elbow, (axis, Z))]
-        if kinds == "three turns":
-            ends += [(f"tip{n}", "revolute", tip, (a,)) for n, a in enumerate((X, Y, Z))]
-        else:
-            ends += [("tip", "ball", tip, ())]
-        joints += chain_of([("motor", "revolute", foot, (axis,)), *ends], ("base", "top"), f"leg{k}")
-    return model(joints, tuple(f"leg{k}_motor" for k in range(6)))
 
 
 @pytest.mark.parametrize("kinds", ["three turns", "balls"])
@@ -288,7 +228,7 @@ BRANCHED = [*TREE, ModelJoint("c", "revolute", "one", "three", (1.0, 1.0, 0.0), 
         (delta, {"platform": "base"}, "is the base itself"),
         (delta, {"actuators": ("moto0",)}, "there is no joint 'moto0' to be driven"),
         (delta, {"actuators": ("motor0",)}, "the platform plate has mobility 3, and driven in the model are 1 joints"),
-        (delta, {"actuators": ("elbow00",)}, "is a ball joint, and cannot be driven"),
+        (delta, {"actuators": ("elbow00_e0",)}, "is a ball joint, and cannot be driven"),
         (lambda: replace(delta(), actuated=()), {}, r"driven in the model are 0 joints \(none\)"),
         (
             lambda: replace(delta(), couplings=(ModelCoupling("motor0", "motor1", 1.0),)),
