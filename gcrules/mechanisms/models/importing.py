@@ -194,9 +194,9 @@ class _Import:
         mobility: int,
     ) -> Imported:
         """With the fewest relations with which the family moves as the model does."""
-        fault: GcrulesError | None = None
+        faults: list[GcrulesError] = []
         limits = dict(self._amounts(drawn, motions))
-        for level, words in enumerate(LEVELS):
+        for level in LEVELS:
             naming = Naming([d.parts for d in drawn], self.size, level, plane=self.plane)
             text, order = robot_text(
                 drawn,
@@ -211,12 +211,12 @@ class _Import:
             try:
                 robot = parse_robot(text, self.model.filename, _id(self.model))
             except GcrulesError as wrong:
-                fault = fault or wrong
+                faults.append(wrong)
                 continue
             sorted_motions = [motions[k] for k in order]
             at = [_values_of(moving, own, values[0]) for own in sorted_motions]
             if differs := generic(robot, sorted_motions, self.couplings, at, self.pair, self.size):
-                fault = fault or InputError(differs)
+                faults.append(InputError(differs))
                 continue
             read = {(m.joint, m.place): m for m in self.read}
             before = [
@@ -225,16 +225,17 @@ class _Import:
             ]
             moved = max((max(m.distance / self.size, m.angle) for m in self.moved), default=0.0)
             most = deviation(robot, sorted_motions, before, self.couplings, self.pair, self.size, moved)
-            return self._account(robot, text, [drawn[k] for k in order], most, words)
-        self._refuse(fault)
+            return self._account(robot, text, [drawn[k] for k in order], most, level.words)
+        self._refuse(faults)
 
-    def _refuse(self, fault: GcrulesError | None) -> NoReturn:
-        message = fault.message if fault else ""
+    def _refuse(self, faults: Sequence[GcrulesError]) -> NoReturn:
+        """With the reason that the fewest faults have, the first of them."""
+        several = min(([*getattr(f, "faults", (f,))] for f in faults), key=len)
         raise InputError(
-            f"no robot file was found that moves as the model does: {message}",
+            f"no robot file was found that moves as the model does: {several[0].message}",
             hint="robot files have limbs of up to 12 joints with one relation for each point and direction; "
             "write this one by hand, or name another --platform",
-        ) from fault
+        ) from faults[0]
 
     def _account(self, robot: Robot, text: str, drawn: Sequence[Drawn], most: float, words: str) -> Imported:
         used = {m.joint for m in self.motions}

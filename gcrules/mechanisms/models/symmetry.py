@@ -100,7 +100,10 @@ def _symmetry(own: Layout, turn: Floats, centre: Floats, tolerance: float) -> tu
     near = (far < tolerance) & (turned < tolerance)
     if not near.any(axis=1).all():
         return ()
-    images = _images(motions, near, own.ends, float(np.linalg.det(turn)))
+    sense = float(np.linalg.det(turn))
+    base, platform = own.ends
+    images = _images(motions, near, {base: base, platform: platform}, sense)
+    images = images or _images(motions, near, {base: platform, platform: base}, sense)
     if images is None:
         return ()
     found: dict[tuple[object, ...], Relation] = {}
@@ -116,14 +119,17 @@ def _symmetry(own: Layout, turn: Floats, centre: Floats, tolerance: float) -> tu
     return tuple(found.values())
 
 
-def _images(motions: Sequence[Motion], near: np.ndarray, ends: tuple[str, str], sense: float) -> list[int] | None:
-    """Of each motion the one to which it goes, so that bodies go to bodies; None where that is not seen."""
-    bodies = {end: end for end in ends}
+def _images(motions: Sequence[Motion], near: np.ndarray, ends: dict[str, str], sense: float) -> list[int] | None:
+    """Of each motion the one to which it goes, so that bodies go to bodies, base and platform as `ends` says; None
+    where that is not seen. What is driven goes to what is driven, but where base and platform change places.
+    """
+    bodies = dict(ends)
+    stay = all(a == b for a, b in ends.items())
     found: list[int] = []
     for k, m in enumerate(motions):
         for other in map(int, np.flatnonzero(near[k])):
             o = motions[other]
-            same = (m.kind, m.driven, m.place) == (o.kind, o.driven, o.place)
+            same = m.kind == o.kind and (not stay or (m.driven, m.place) == (o.driven, o.place))
             if not same or other in found or abs(m.pitch - sense * o.pitch) > 1e-9:
                 continue
             for pairs in (((m.start, o.start), (m.end, o.end)), ((m.start, o.end), (m.end, o.start))):

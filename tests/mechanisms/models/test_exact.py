@@ -20,8 +20,8 @@ from gcrules.mechanisms.models.of_robot import model_of
 from gcrules.mechanisms.models.projecting import Relation, Shape, projected
 
 AMOUNT = 1e-5
-REFUSED = ("8-cables", "omni-wrist-iii", "par4")
-SHIPPED = tuple(one.id for one in robots() if one.id not in REFUSED)
+LEFT = ("8-cables", "omni-wrist-iii")  # cables; axes that meet in two places, of which one is looked at
+SHIPPED = tuple(one.id for one in robots() if one.id not in LEFT)
 
 
 @pytest.mark.parametrize("name", SHIPPED)
@@ -29,7 +29,8 @@ def test_shipped_robots_come_back_from_decimals(name: str) -> None:
     """The family is that of the exact model, and all joints are within the tolerance of those that were read."""
     own = model_of(read_robot(name))
     noisy, exact = import_model(perturbed(own, AMOUNT)), import_model(own)
-    assert noisy.robot.family == exact.robot.family
+    if name != "par4":  # whose arms stand in a square, which is more than it needs
+        assert noisy.robot.family == exact.robot.family
     assert noisy.robot.chain == exact.robot.chain
     assert noisy.robot.mobility == exact.robot.mobility
     distance, angle = noisy.farthest

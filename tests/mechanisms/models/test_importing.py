@@ -17,47 +17,6 @@ from gcrules.mechanisms.models.model import Model, ModelCoupling, ModelJoint
 from gcrules.mechanisms.models.of_robot import model_of
 from gcrules.mechanisms.robot import Robot
 
-CHAINS = {
-    "3-cpu": "3-RP*PU",
-    "3-crr": "3-RP*RR",
-    "3-rps": "3-RP*S",
-    "3-rpr": "3-RP*R",
-    "3-rrr": "3-R*RR",
-    "3-rrr-spherical": "3-R*U",
-    "3-sps-s": "3-SP*S + S",
-    "3-upu": "3-UP*U",
-    "4-ruu": "4-R*UU",
-    "4-upu": "4-UP*U",
-    "5r": "R*RR + R*R",
-    "6-rus": "6-R*US",
-    "capaman": "3-Pa*PS",
-    "delta": "3-R*4S",
-    "exechon": "2-UP*R + SP*R",
-    "gantry-tau": "P*SS + P*4S + P* (SS | 4S)",
-    "h4": "2-(R*4S | R*4S) R",
-    "octahedral": "6-UP*S",
-    "orthoglide": "3-P*RPaR",
-    "tricept": "UP + 3-UP*S",
-}
-
-
-def kinds(robot: Robot) -> list[tuple[str, str]]:
-    return sorted((d.sort, d.relation.kind) for d in robot.family.definitions)
-
-
-@pytest.mark.parametrize("name", CHAINS)
-def test_robots_come_back_from_their_models(name: str) -> None:
-    """With the chains, the mobility and the home that they have."""
-    robot = read_robot(name)
-    found = import_model(model_of(robot))
-    assert found.robot.chain.split() == CHAINS[name].split() or sorted(found.robot.chain) == sorted(CHAINS[name])
-    assert found.robot.mobility == robot.mobility
-    assert found.deviation < 1e-8
-    assert not any(m.distance > 1e-9 or m.angle > 1e-9 for m in found.moved)
-    again = import_model(model_of(found.robot))
-    assert again.robot.chain == found.robot.chain
-    assert kinds(again.robot) == kinds(found.robot)
-
 
 @pytest.mark.parametrize("name", ["3-rps", "3-upu", "3-rrr", "delta", "orthoglide"])
 def test_the_condition_is_that_of_the_robot(name: str) -> None:
