@@ -25,6 +25,7 @@ from gcrules.mechanisms.models.merging import Ratios, apart, parts_of
 from gcrules.mechanisms.models.model import Model
 from gcrules.mechanisms.models.motions import Motion, motions_of
 from gcrules.mechanisms.models.moving import Moving
+from gcrules.mechanisms.models.planes import as_hinges, balls_in_plane, normal_of, turn_to_z
 from gcrules.mechanisms.models.reading import parse_model, read_model
 from gcrules.mechanisms.models.robot_text import Drawn, robot_text
 from gcrules.mechanisms.models.snapping import TOLERANCE, moved_between, size_of, snapped
@@ -131,6 +132,10 @@ class _Import:
         self.couplings = [c for c in graph.model.couplings if c.joint in ratios]
         self.pair = (ends.base, ends.platform)
         self.motions = snapped(self.read, self.pair, tolerance)
+        if balls := balls_in_plane(self.motions):
+            self.read = as_hinges(self.read, balls)
+            self.motions = snapped(self.read, self.pair, tolerance)
+            self.notes.append(balls.text)
         self.plane = self._plane()
         self.motions, self.exact = exact(self.motions, self.pair, size_of(self.motions), tolerance)
         self.moved = moved_between(self.read, self.motions)
@@ -138,15 +143,11 @@ class _Import:
 
     def _plane(self) -> bool:
         """Whether all motions are in one plane; its normal is turned to z, and the plane is z = 0."""
-        turns = [m.axis for m in self.motions if m.kind == "R"]
-        flat = bool(turns) and all(m.kind in "RP" for m in self.motions)
-        if not flat or any(np.linalg.norm(np.cross(turns[0], t)) > 1e-9 for t in turns):
-            return False
-        normal = turns[0]
-        if any(abs(normal @ m.axis) > 1e-9 for m in self.motions if m.kind == "P"):
+        normal = normal_of(self.motions)
+        if normal is None:
             return False
         if abs(normal[2]) < 1:
-            turn = _turn_to_z(normal)
+            turn = turn_to_z(normal)
             self.read = tuple(replace(m, at=turn @ m.at, axis=turn @ m.axis) for m in self.read)
             self.motions = snapped(self.read, self.pair, self.tolerance)
             self.notes.append("the plane of its motion was turned to that of x and y")
@@ -300,15 +301,6 @@ def _lengths(poses: dict[str, Floats], size: float) -> dict[str, Floats]:
     scale = np.ones((4, 4))
     scale[:3, 3] = size
     return {body: pose * scale for body, pose in poses.items()}
-
-
-def _turn_to_z(normal: Floats) -> Floats:
-    """A turn that takes a direction to z; x stays where it is if it can."""
-    z = normal if normal.sum() > 0 else -normal
-    x = np.eye(3)[np.argmin(np.abs(z).round(9))]
-    x = x - z * (x @ z)
-    x /= np.linalg.norm(x)
-    return np.array([x, np.cross(z, x), z])
 
 
 def _values_of(moving: Moving, motions: Sequence[Motion], values: Floats) -> Floats:

@@ -12,8 +12,11 @@ import gcrules as gc
 from gcrules.core.errors import InputError
 from gcrules.mechanisms.analyze import analyze_robot
 from gcrules.mechanisms.load import read_robot
+from gcrules.mechanisms.models.graph import graph_of
 from gcrules.mechanisms.models.importing import import_model
 from gcrules.mechanisms.models.model import Model, ModelCoupling, ModelJoint
+from gcrules.mechanisms.models.motions import motions_of
+from gcrules.mechanisms.models.moving import Moving, span
 from gcrules.mechanisms.models.of_robot import model_of
 from gcrules.mechanisms.robot import Robot
 
@@ -50,20 +53,48 @@ def test_turns_whose_axes_meet_are_one_joint(kinds: str) -> None:
     assert merged == ({"S"} if kinds == "three turns" else set())
 
 
-def test_a_planar_robot_in_another_plane() -> None:
-    """The plane of x and z; robot files have that of x and y."""
+def planar(closing: str = "revolute", kept: int = 1) -> Model:
+    """Three arms in the plane of x and z; all but `kept` of them end in a joint of this kind that closes a loop."""
     joints = []
     for k, (foot, elbow, tip) in enumerate(
         [((0, 0), (1, 3), (4, 3)), ((10, 0), (9, 3), (6, 3)), ((5, 9), (7, 8), (5, 5))]
     ):
         places = [(float(a), 2.0 + 0.1 * n, float(b)) for n, (a, b) in enumerate((foot, elbow, tip))]
-        joints += chain_of(
-            [(f"j{n}", "revolute", at, (Y,)) for n, at in enumerate(places)], ("base", "plate"), f"leg{k}"
-        )
-    found = import_model(model(joints, tuple(f"leg{k}_j0" for k in range(3))))
+        own = chain_of([(f"j{n}", "revolute", at, (Y,)) for n, at in enumerate(places)], ("base", "plate"), f"leg{k}")
+        if k >= kept:
+            own[-1] = replace(own[-1], kind=closing, axes=own[-1].axes if closing == "revolute" else (), closing=True)
+        joints += own
+    return model(joints, tuple(f"leg{k}_j0" for k in range(3)))
+
+
+def test_a_planar_robot_in_another_plane() -> None:
+    """The plane of x and z; robot files have that of x and y."""
+    found = import_model(planar())
     assert found.robot.family.plane
     assert found.robot.chain == "3-R*RR"
-    assert any("plane" in note for note in found.notes)
+    assert any("turned" in note for note in found.notes)
+
+
+def test_balls_that_close_loops_in_a_plane_are_hinges() -> None:
+    """The platform has the twists that it has with hinges, as the joints of the model say."""
+    with_hinges, with_balls = planar(), planar("ball")
+    found = import_model(with_balls)
+    assert found.robot.family == import_model(with_hinges).robot.family
+    assert found.robot.chain == "3-R*RR"
+    assert "2 ball joints are taken as hinges: the other joints hold all bodies in one plane" in found.notes
+    twists = []
+    for own in (with_hinges, with_balls):
+        graph = graph_of(own)
+        moving = Moving(motions_of(graph, {j.name for j in own.joints}, ()), "base", size=10.0)
+        twists.append(moving.twists("plate", moving.home))
+    assert len(twists[0]) == len(twists[1]) == len(span(np.concatenate(twists), 1e-9)) == 3
+
+
+def test_balls_that_hold_the_plane_themselves_are_no_hinges() -> None:
+    """At all three corners of the platform they are what keeps it from tilting."""
+    found = import_model(planar("ball", kept=0))
+    assert found.robot.chain == "3-R*RS"
+    assert not any("hinge" in note for note in found.notes)
 
 
 def four_bar() -> list[ModelJoint]:
