@@ -207,9 +207,22 @@ TREE = [
 BRANCHED = [*TREE, ModelJoint("c", "revolute", "one", "three", (1.0, 1.0, 0.0), (Z,))]
 
 
+def long_chains() -> Model:
+    """Two chains of 201 hinges."""
+    ends = ("base", "plate")
+    places = [[(float(k), float(n), 0.0) for k in range(201)] for n in (0, 1)]
+    joints = [
+        j
+        for n, own in enumerate(places)
+        for j in chain_of([(f"j{k}", "revolute", at, (Z,)) for k, at in enumerate(own)], ends, f"leg{n}")
+    ]
+    return model(joints)
+
+
 @pytest.mark.parametrize(
     ("made", "options", "message"),
     [
+        (long_chains, {"platform": "plate"}, "402 joints are between base and plate; more than 400 are not read"),
         (lambda: model(TREE, ("a", "b")), {}, "the links are one open chain"),
         (lambda: model(BRANCHED), {}, "a tree with 2 ends"),
         (lambda: model(TREE), {"platform": "two"}, "the model has no loops"),
