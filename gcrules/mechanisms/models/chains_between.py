@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -13,7 +13,7 @@ from gcrules.core.dataclass import dataclass
 from gcrules.mechanisms.kinematics.rigid_motions import Floats
 from gcrules.mechanisms.models.motions import Motion
 
-__all__ = ["Bars", "Chain", "Item", "Poses", "limbs_between", "placed"]
+__all__ = ["Bars", "Chain", "Item", "Poses", "limbs_between", "pairs_of_bars", "placed"]
 
 Poses = Sequence[Mapping[str, Floats]]
 """How bodies have moved from home, in several configurations of which home is the first."""
@@ -73,16 +73,21 @@ def limbs_between(motions: Sequence[Motion], base: str, platform: str, poses: Po
     """Each limb as its chains, a limb being what hangs together without base and platform; in the sequence of the
     motions. Each chain begins at a body that those before it reach, the first ones at the base.
     """
+    found = []
+    for places in _hung(motions, base, platform):
+        chains = _reduced(list(_chains([motions[k] for k in places], base, platform)), (base, platform), poses)
+        found.append((places[0], _from_base(chains, base, platform)))
+    return [chains for _, chains in sorted(found, key=lambda one: one[0])]
+
+
+def _hung(motions: Sequence[Motion], base: str, platform: str) -> Iterator[list[int]]:
+    """The numbers of the motions of each limb."""
     hung: nx.Graph[Any] = nx.Graph()
     for k, m in enumerate(motions):
         hung.add_node(k)
         hung.add_edges_from((k, body) for body in (m.start, m.end) if body not in (base, platform))
-    found = []
     for nodes in nx.connected_components(hung):
-        places = sorted(k for k in nodes if isinstance(k, int))
-        chains = _reduced(list(_chains([motions[k] for k in places], base, platform)), (base, platform), poses)
-        found.append((places[0], _from_base(chains, base, platform)))
-    return [chains for _, chains in sorted(found, key=lambda one: one[0])]
+        yield sorted(k for k in nodes if isinstance(k, int))
 
 
 def _chains(motions: Sequence[Motion], base: str, platform: str) -> Iterator[Chain]:
@@ -147,55 +152,87 @@ def _joined(chains: list[Chain], ends: tuple[str, str], poses: Poses) -> list[Ch
 
 def _bars(one: Chain, other: Chain, poses: Poses) -> Bars | None:
     """Two chains as the bars of a joint, if they stay parallel and of one length in all configurations."""
-    kinds: Callable[[Chain], str] = lambda c: "".join(i.kind for i in c.items)  # noqa: E731
-    if not all(isinstance(i, Motion) for c in (one, other) for i in c.items):
+    found = _as_bars(one, other)
+    if found is None:
         return None
-    ball = all(kinds(c) in ("SS", "RRS", "SRR") for c in (one, other))
-    if not ball and not (kinds(one) == kinds(other) == "RR"):
-        return None
-    motions: list[Motion] = [i for c in (one, other) for i in c.items if isinstance(i, Motion)]
-    driven = [m for m in motions if m.driven]
-    if len(driven) > (0 if ball else 1):
-        return None
-    joined = [(_end(*c), _end(*d)) for c, d in (_ends(one, ball=ball), _ends(other, ball=ball))]
-    (near, far), (second, last) = joined
-    if near is None or far is None or second is None or last is None:
-        return None
-    if not ball and any(np.linalg.norm(np.cross(m.axis, motions[0].axis)) > _SAME for m in motions):
-        return None
-    size = max(float(np.linalg.norm(m.at - motions[0].at)) for m in motions)
+    near, second = found.near
+    far, last = found.far
+    size = max(float(np.linalg.norm(m.at - near.at)) for m in found.inner)
     vectors = [placed(poses, one.end, f.at) - placed(poses, one.start, n.at) for n, f in ((near, far), (second, last))]
     feet = placed(poses, one.start, second.at) - placed(poses, one.start, near.at)
     apart = vectors[1] - vectors[0]
-    if not ball:  # what lies along the axes is nothing in the plane of the bars
-        axes = np.array([at[one.start][:3, :3] @ motions[0].axis for at in poses])
+    if found.kind == "Pa":  # what lies along the axes is nothing in the plane of the bars
+        axes = np.array([at[one.start][:3, :3] @ near.axis for at in poses])
         apart = apart - axes * (apart * axes).sum(axis=1, keepdims=True)
         feet = feet - axes * (feet * axes).sum(axis=1, keepdims=True)
     if np.abs(apart).max() > _SAME * size or np.linalg.norm(np.cross(feet[0], vectors[0][0])) < _SAME * size**2:
         return None
-    kind = "4S" if ball else "Pa"
-    return Bars(kind, one.start, one.end, (near, second), (far, last), tuple(motions), bool(driven))
+    return found
 
 
-def _ends(chain: Chain, *, ball: bool) -> tuple[tuple[Motion, ...], tuple[Motion, ...]]:
-    """The motions at both ends of a bar."""
+def _as_bars(one: Chain, other: Chain) -> Bars | None:
+    """Two chains that each hold no more than a length between two points, or two hinges, whatever the lengths are."""
+    if not all(isinstance(i, Motion) for c in (one, other) for i in c.items):
+        return None
+    motions = [i for c in (one, other) for i in c.items if isinstance(i, Motion)]
+    driven = any(m.driven for m in motions)
+    if all(len(c.items) == 2 and {m.kind for m in motions} == {"R"} for c in (one, other)):
+        if sum(m.driven for m in motions) > 1:
+            return None
+        if any(np.linalg.norm(np.cross(m.axis, motions[0].axis)) > _SAME for m in motions):
+            return None
+        near, far, second, last = motions
+        return Bars("Pa", one.start, one.end, (near, second), (far, last), tuple(motions), driven)
+    ends = [_ball_ends(c) for c in (one, other)]
+    if driven or ends[0] is None or ends[1] is None:
+        return None
+    (near, far), (second, last) = ends[0], ends[1]
+    return Bars("4S", one.start, one.end, (near, second), (far, last), tuple(motions))
+
+
+def pairs_of_bars(motions: Sequence[Motion], base: str, platform: str) -> Iterator[Bars]:
+    """Two chains between the same two bodies that could be the bars of a joint, if they have one length."""
+    for places in _hung(motions, base, platform):
+        chains = list(_chains([motions[k] for k in places], base, platform))
+        for k, one in enumerate(chains):
+            for other in chains[:k]:
+                second = other.between(one.start, one.end)
+                bars = _as_bars(second, one) if second else None
+                if bars is not None:
+                    yield bars
+
+
+def _ball_ends(chain: Chain) -> tuple[Motion, Motion] | None:
+    """The joints at the ends of a bar that holds a length alone: ball joints, of which one may be a cross, which leaves
+    out the spin of the bar; several turns through one point are such a joint.
+    """
     motions = tuple(i for i in chain.items if isinstance(i, Motion))
-    near = motions[:-1] if ball and motions[-1].kind == "S" else motions[:1]
-    return near, motions[len(near) :]
+    for k in range(1, len(motions)):
+        near, far = _end(*motions[:k]), _end(*motions[k:])
+        if near is not None and far is not None and near[1] + far[1] > 4:
+            return near[0], far[0]
+    return None
 
 
-def _end(*motions: Motion) -> Motion | None:
-    """The joint at the end of a bar, a ball joint or two turns whose axes meet."""
-    if len(motions) < 2:
-        return motions[0]
-    one, two = motions
+def _end(*motions: Motion) -> tuple[Motion, int] | None:
+    """A ball joint, or two or three turns whose axes meet, with its freedoms."""
+    if len(motions) == 1 and motions[0].kind == "S":
+        return motions[0], 3
+    if len(motions) not in (2, 3) or any(m.kind != "R" for m in motions):
+        return None
+    one, two = motions[:2]
     normal = np.cross(one.axis, two.axis)
     square = float(normal @ normal)
     away = two.at - one.at
     if square < _SAME or abs(away @ normal) > _SAME * (1 + float(np.linalg.norm(away))):
         return None
     along = float(np.cross(away, two.axis) @ normal) / square
-    return replace(one, at=one.at + along * one.axis)
+    centre = replace(one, at=one.at + along * one.axis)
+    for third in motions[2:]:
+        off = np.cross(centre.at - third.at, third.axis)
+        if np.linalg.norm(off) > _SAME * (1 + float(np.linalg.norm(away))) or abs(normal @ third.axis) < 1e-3:
+            return None
+    return centre, len(motions)
 
 
 def _from_base(chains: list[Chain], base: str, platform: str) -> list[Chain]:

@@ -15,13 +15,32 @@ from gcrules.core.dataclass import dataclass
 from gcrules.mechanisms.kinematics.rigid_motions import Floats
 from gcrules.mechanisms.models.merging import Part, Slot
 
-__all__ = ["LEVELS", "Known", "Named", "Naming"]
+__all__ = ["LEVELS", "Known", "Level", "Named", "Naming"]
 
-LEVELS = ("points of a limb", "points of all limbs", "points and directions of all limbs", "relations between limbs")
+_WORDS = ("points of a limb", "points of all limbs", "points and directions of all limbs", "relations between limbs")
 _SAME = 1e-6  # of the size, and radians
 _POINTS = "ABCDEFGHIJKLMNPQRSTUVW"
 _LETTERS = "abcdefgijkmnopqrstuvw"
 _AXES = {"R": "rstpq", "H": "rstpq", "C": "rstpq", "U": "uvwjk", "P": "def", "4S": "def", "Pa": "nm", "E": "nm"}
+
+
+@dataclass(frozen=True)
+class Level:
+    """How far relations are looked for: with points, directions and relations of other limbs (1, 2, 3); with names
+    given in the sequence of the joints, points before directions if not; with mirror images.
+    """
+
+    words: str
+    others: int
+    in_sequence: bool = False
+    mirrors: bool = False
+
+
+LEVELS = (
+    *(Level(words, k) for k, words in enumerate(_WORDS)),
+    *(Level(f"{words}, in the sequence of the joints", k, in_sequence=True) for k, words in enumerate(_WORDS)),
+    Level("points of all limbs, and mirror images", 1, mirrors=True),
+)
 
 
 @dataclass(frozen=True, eq=False)
@@ -47,15 +66,17 @@ Named = tuple[Known, ...]
 class Naming:
     """Names for the slots of limbs; `slots` has what stands for each of them."""
 
-    def __init__(self, limbs: Sequence[Sequence[Part]], size: float, level: int, *, plane: bool) -> None:
+    def __init__(self, limbs: Sequence[Sequence[Part]], size: float, level: Level, *, plane: bool) -> None:
         self.size = size
-        self.level = level
+        self.level = level.others
+        self.in_sequence = level.in_sequence
         self.plane = plane
         self.known: list[Known] = []
         self.slots: dict[Slot, Named] = {}
         self.frame = [Known(n, -1, "direction", np.tile(a, (self._count(limbs), 1)), (), parameters=False)
                       for n, a in zip("xyz", np.eye(3), strict=True)]  # fmt: skip
         self.shared = self._shared(limbs)
+        self.mirror = self._mirror(limbs) if level.mirrors else None
         for k, parts in enumerate(limbs):
             self._limb(k, parts)
 
@@ -87,6 +108,31 @@ class Naming:
                 found.update((slot, one) for _, slot in group)
         return found
 
+    def _mirror(self, limbs: Sequence[Sequence[Part]]) -> tuple[Known, Known, Known] | None:
+        """Two points that limbs share, and the middle between them, if a limb has another point at one distance of
+        both: what is on one side may be the mirror image of what is on the other.
+        """
+        shared = [d for d in dict.fromkeys(self.shared.values()) if d.sort == "point"]
+        points = [s.values for parts in limbs for p in parts for s in p.slots if s.sort == "point"]
+        for one, other in combinations(shared, 2):
+            if any(self._between(one, other, values) for values in points):
+                slots = {d: next(slot for slot, known in self.shared.items() if known is d) for d in (one, other)}
+                for d in (one, other):
+                    self._add(d, (("free",), True))
+                ends = [self.shared[slots[d]] for d in (one, other)]
+                middle = (ends[0].values + ends[1].values) / 2
+                stem = next(c for c in "MNQ" if all(d.stem != c for d in self.shared.values()))
+                words = ("1/2 ", ends[0], " + 1/2 ", ends[1])
+                self.known.append(Known(stem, -1, "point", middle, words, parameters=False))
+                return ends[0], ends[1], self.known[-1]
+        return None
+
+    def _between(self, one: Known, other: Known, values: Floats) -> bool:
+        """Whether a point that is neither has one distance of both."""
+        lengths = [np.linalg.norm(values - d.values, axis=1) for d in (one, other)]
+        apart = np.abs(lengths[0] - lengths[1]).max()
+        return bool(apart < _SAME * self.size < lengths[0].min())
+
     def _of_frame(self, values: Floats) -> Known | None:
         return next((axis for axis in self.frame if self._same("direction", axis.values, values)), None)
 
@@ -106,6 +152,8 @@ class Naming:
         own: list[Known] = []
         order: list[Known] = []  # points along the limb
         held = [s for s in rest if s in self.shared]
+        if self.in_sequence:
+            points = [s for p, s in slots if s not in first and not (p.kind in ("P", "Pa") and s is p.slots[0])]
         for slot in (*held, *first, *points):
             self.slots[slot] = (self._name(k, slot, part_of[slot], own, order),)
             if slot.sort == "point" and (not order or order[-1] is not self.slots[slot][0]):
@@ -131,7 +179,7 @@ class Naming:
         return self._same("direction", direction, away / lengths[:, None])
 
     def _direction(self, k: int, slot: Slot, part: Part, own: list[Known], order: Sequence[Known]) -> Named:
-        if part.kind in ("P", "Pa") and slot is part.slots[0]:
+        if self.mirror or (part.kind in ("P", "Pa") and slot is part.slots[0]):
             for a, b in reversed([(a, b) for a, b in pairwise(order) if a is not b]):
                 if self._along(slot.values, a.values, b.values):
                     return (a, b)
@@ -183,9 +231,13 @@ class Naming:
             directions += [d for d in self.frame if d in self.shared.values()]
         points = [d for d in others if d.sort == "point"]
         if sort == "point":
+            if self.mirror and self._between(*self.mirror[:2], values):
+                return ("in plane ", self.mirror[2], " perpendicular to ", *self.mirror[:2]), True
             if self.level and (found := self._fourth(values, points)):
                 return found, False
             return (("free",) if self.plane else self._of_point(values, points, directions)), True
+        if self.mirror and (image := self._image(values, directions)):
+            return ("mirror of ", image, " in plane perpendicular to ", *self.mirror[:2]), False
         right: list[Named] = [(d,) for d in directions if self._perpendicular(values, d.values)]
         for a, b in pairwise(order):
             away = b.values - a.values
@@ -204,6 +256,15 @@ class Naming:
                 if np.abs(a.values + b.values - c.values - values).max() < _SAME * self.size:
                     return a, " + ", b, " - ", c
         return ()
+
+    def _image(self, values: Floats, directions: Sequence[Known]) -> Known | None:
+        assert self.mirror is not None
+        normal = self._unit(*self.mirror[:2])
+        for d in directions:
+            mirrored = d.values - 2 * normal * (normal * d.values).sum(axis=1, keepdims=True)
+            if self._same("direction", mirrored, values):
+                return d
+        return None
 
     def _of_point(
         self, values: Floats, points: Sequence[Known], directions: Sequence[Known]

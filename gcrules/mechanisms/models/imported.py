@@ -32,7 +32,8 @@ class Imported(Shown):
 
     `why` says how the platform was chosen; `limits` are those of the driven joints, from home, in metres and radians;
     `left_out` are joints that hold nothing between base and platform; `moved` says by how much joints were moved to
-    make them exact, `size` being that of the model in metres; `deviation` how well the wrenches at home agree with the
+    make them exact, `exact` what was made to hold beyond common points and axes, in words, `size` being that of the
+    model in metres; `deviation` how well the wrenches at home agree with the
     joints of the model as they were read (power of unit wrenches on unit twists, lengths in parts of the size);
     `relations` how far relations had to be sought.
     """
@@ -49,6 +50,7 @@ class Imported(Shown):
     limits: tuple[tuple[str, float, float], ...]
     left_out: tuple[str, ...]
     moved: tuple[Moved, ...]
+    exact: tuple[str, ...]
     tolerance: float
     deviation: float
     size: float
@@ -85,6 +87,7 @@ class Imported(Shown):
             "limits": {name: [low, high] for name, low, high in self.limits},
             "left_out": [*self.left_out],
             "moved": [{"joint": m.joint, "distance": m.distance, "angle": m.angle} for m in self.moved],
+            "exact": [*self.exact],
             "tolerance": self.tolerance,
             "size": self.size,
             "deviation": self.deviation,

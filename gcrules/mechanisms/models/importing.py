@@ -17,6 +17,7 @@ from gcrules.mechanisms.kinematics.rigid_motions import Floats
 from gcrules.mechanisms.models.agreement import deviation, generic
 from gcrules.mechanisms.models.chains_between import Bars, Chain, Poses, limbs_between
 from gcrules.mechanisms.models.driving import check_driven, driven_of, ratios_of
+from gcrules.mechanisms.models.exact import exact
 from gcrules.mechanisms.models.family_found import LEVELS, Naming
 from gcrules.mechanisms.models.graph import Ends, Graph, graph_of
 from gcrules.mechanisms.models.imported import Imported, ImportedLimb
@@ -24,9 +25,10 @@ from gcrules.mechanisms.models.merging import Ratios, apart, parts_of
 from gcrules.mechanisms.models.model import Model
 from gcrules.mechanisms.models.motions import Motion, motions_of
 from gcrules.mechanisms.models.moving import Moving
+from gcrules.mechanisms.models.planes import as_hinges, balls_in_plane, normal_of, turn_to_z
 from gcrules.mechanisms.models.reading import parse_model, read_model
 from gcrules.mechanisms.models.robot_text import Drawn, robot_text
-from gcrules.mechanisms.models.snapping import TOLERANCE, size_of, snapped
+from gcrules.mechanisms.models.snapping import TOLERANCE, moved_between, size_of, snapped
 from gcrules.mechanisms.robot import Robot
 
 __all__ = ["import_file", "import_model", "robot_of_file", "robot_of_text"]
@@ -129,23 +131,25 @@ class _Import:
         self.notes = [*graph.notes, *getattr(graph.model, "notes", ())]
         self.couplings = [c for c in graph.model.couplings if c.joint in ratios]
         self.pair = (ends.base, ends.platform)
-        self.motions, self.moved = snapped(self.read, self.pair, tolerance)
+        self.motions = snapped(self.read, self.pair, tolerance)
+        if balls := balls_in_plane(self.motions):
+            self.read = as_hinges(self.read, balls)
+            self.motions = snapped(self.read, self.pair, tolerance)
+            self.notes.append(balls.text)
         self.plane = self._plane()
+        self.motions, self.exact = exact(self.motions, self.pair, size_of(self.motions), tolerance)
+        self.moved = moved_between(self.read, self.motions)
         self.size = size_of(self.motions)
 
     def _plane(self) -> bool:
         """Whether all motions are in one plane; its normal is turned to z, and the plane is z = 0."""
-        turns = [m.axis for m in self.motions if m.kind == "R"]
-        flat = bool(turns) and all(m.kind in "RP" for m in self.motions)
-        if not flat or any(np.linalg.norm(np.cross(turns[0], t)) > 1e-9 for t in turns):
-            return False
-        normal = turns[0]
-        if any(abs(normal @ m.axis) > 1e-9 for m in self.motions if m.kind == "P"):
+        normal = normal_of(self.motions)
+        if normal is None:
             return False
         if abs(normal[2]) < 1:
-            turn = _turn_to_z(normal)
+            turn = turn_to_z(normal)
             self.read = tuple(replace(m, at=turn @ m.at, axis=turn @ m.axis) for m in self.read)
-            self.motions, self.moved = snapped(self.read, self.pair, self.tolerance)
+            self.motions = snapped(self.read, self.pair, self.tolerance)
             self.notes.append("the plane of its motion was turned to that of x and y")
         self.motions = tuple(replace(m, at=m.at * [1, 1, 0]) for m in self.motions)
         return True
@@ -191,9 +195,9 @@ class _Import:
         mobility: int,
     ) -> Imported:
         """With the fewest relations with which the family moves as the model does."""
-        fault: GcrulesError | None = None
+        faults: list[GcrulesError] = []
         limits = dict(self._amounts(drawn, motions))
-        for level, words in enumerate(LEVELS):
+        for level in LEVELS:
             naming = Naming([d.parts for d in drawn], self.size, level, plane=self.plane)
             text, order = robot_text(
                 drawn,
@@ -208,32 +212,40 @@ class _Import:
             try:
                 robot = parse_robot(text, self.model.filename, _id(self.model))
             except GcrulesError as wrong:
-                fault = fault or wrong
+                faults.append(wrong)
                 continue
             sorted_motions = [motions[k] for k in order]
             at = [_values_of(moving, own, values[0]) for own in sorted_motions]
             if differs := generic(robot, sorted_motions, self.couplings, at, self.pair, self.size):
-                fault = fault or InputError(differs)
+                faults.append(InputError(differs))
                 continue
             read = {(m.joint, m.place): m for m in self.read}
             before = [
                 [replace(m, at=read[m.joint, m.place].at, axis=read[m.joint, m.place].axis) for m in own]
                 for own in sorted_motions
             ]
-            most = deviation(robot, before, self.couplings, self.pair, self.size, self.tolerance)
-            return self._account(robot, text, [drawn[k] for k in order], most, words)
-        self._refuse(fault)
+            moved = max((max(m.distance / self.size, m.angle) for m in self.moved), default=0.0)
+            most = deviation(robot, sorted_motions, before, self.couplings, self.pair, self.size, moved)
+            return self._account(robot, text, [drawn[k] for k in order], most, level.words)
+        self._refuse(faults)
 
-    def _refuse(self, fault: GcrulesError | None) -> NoReturn:
-        message = fault.message if fault else ""
+    def _refuse(self, faults: Sequence[GcrulesError]) -> NoReturn:
+        """With the reason that the fewest faults have, the first of them."""
+        several = min(([*getattr(f, "faults", (f,))] for f in faults), key=len)
         raise InputError(
-            f"no robot file was found that moves as the model does: {message}",
+            f"no robot file was found that moves as the model does: {several[0].message}",
             hint="robot files have limbs of up to 12 joints with one relation for each point and direction; "
             "write this one by hand, or name another --platform",
-        ) from fault
+        ) from faults[0]
 
     def _account(self, robot: Robot, text: str, drawn: Sequence[Drawn], most: float, words: str) -> Imported:
         used = {m.joint for m in self.motions}
+        count = next((len(s.values) for d in drawn for p in d.parts for s in p.slots if p.kind == "4S"), 0)
+        if count:
+            self.notes.append(
+                f"4S are bars that stay parallel, as they do in the {count} configurations that were computed;"
+                " what is said of the robot holds while they do"
+            )
         limbs = tuple(
             ImportedLimb(spec.name, spec.chain, tuple((p.kind + p.driven, p.joints) for p in d.parts))
             for spec, d in zip(robot.limbs, drawn, strict=True)
@@ -250,6 +262,7 @@ class _Import:
             tuple((n, *limits) for n, limits in self._limits()),
             tuple(j.name for j in self.graph.joints if j.name not in used),
             self.moved,
+            self.exact,
             self.tolerance,
             most,
             self.size,
@@ -288,15 +301,6 @@ def _lengths(poses: dict[str, Floats], size: float) -> dict[str, Floats]:
     scale = np.ones((4, 4))
     scale[:3, 3] = size
     return {body: pose * scale for body, pose in poses.items()}
-
-
-def _turn_to_z(normal: Floats) -> Floats:
-    """A turn that takes a direction to z; x stays where it is if it can."""
-    z = normal if normal.sum() > 0 else -normal
-    x = np.eye(3)[np.argmin(np.abs(z).round(9))]
-    x = x - z * (x @ z)
-    x /= np.linalg.norm(x)
-    return np.array([x, np.cross(z, x), z])
 
 
 def _values_of(moving: Moving, motions: Sequence[Motion], values: Floats) -> Floats:

@@ -9,7 +9,6 @@ Source: the specification of SDFormat 1.11 (sdformat.org), elements joint, axis,
 from __future__ import annotations
 
 import math
-import re
 
 import numpy as np
 
@@ -17,7 +16,7 @@ from gcrules.mechanisms.kinematics.rigid_motions import Floats
 from gcrules.mechanisms.models.assembly import Assembly
 from gcrules.mechanisms.models.model import Model
 from gcrules.mechanisms.models.places import length
-from gcrules.mechanisms.models.sdf_frames import MODEL, WORLD, Scope
+from gcrules.mechanisms.models.sdf_frames import MODEL, WORLD, Scope, version_of
 from gcrules.mechanisms.models.xml_files import Element, quoted
 
 __all__ = ["read_sdf"]
@@ -46,8 +45,8 @@ def read_sdf(root: Element) -> Model:
     if len(models) != 1:
         at = models[1] if models else root
         raise at.error(f"the file holds {len(models)} models, expected one", hint="give the file of one model")
-    version = re.fullmatch(r"([0-9]{1,4})\.([0-9]{1,4})", root.attributes.get("version", "").strip())
-    old = version is not None and (int(version[1]), int(version[2])) < _AXES_ON_CHILDREN
+    version = version_of(root)
+    old = version is not None and version < _AXES_ON_CHILDREN
     return _Sdf(models[0], old=old).model()
 
 
@@ -64,7 +63,11 @@ class _Sdf:
 
     def model(self) -> Model:
         joints = [(s, name, f.element) for s in self.scopes for name, f in s.frames.items() if f.kind == "joint"]
-        if any(e.need(tag).text.strip() == WORLD for _, _, e in joints for tag in ("parent", "child")):
+        if self.top.is_static:
+            raise self.element.error("the model is static: nothing in it moves", hint="take out <static>")
+        still = [(s.name + name, f.element) for s in self.scopes if s.is_static
+                 for name, f in s.frames.items() if f.kind == "link"]  # fmt: skip
+        if still or any(e.need(tag).text.strip() == WORLD for _, _, e in joints for tag in ("parent", "child")):
             self.made.link(WORLD, self.element)
         for scope in self.scopes:
             for name, found in scope.frames.items():
@@ -72,6 +75,9 @@ class _Sdf:
                     self.made.link(scope.name + name, found.element)
         if not self.made.links:
             raise self.element.error("there are no links in this model")
+        for name, element in still:
+            self.joined[name] = WORLD
+            self.made.joint(f"{name} static", "fixed", (WORLD, name), np.zeros(3), (), element)
         for scope, name, element in joints:
             self._joint(scope, name, element)
         followers: dict[str, tuple[str, float, Element]] = {}

@@ -6,6 +6,7 @@ Source: the specification of SDFormat 1.11, "pose frame semantics".
 from __future__ import annotations
 
 import os
+import re
 
 import numpy as np
 
@@ -15,12 +16,12 @@ from gcrules.mechanisms.kinematics.rigid_motions import Floats
 from gcrules.mechanisms.models.places import frame, from_quaternion, roll_pitch_yaw
 from gcrules.mechanisms.models.xml_files import Element, inside, load_xml, quoted
 
-__all__ = ["WORLD", "Scope"]
+__all__ = ["MODEL", "WORLD", "Scope", "version_of"]
 
 WORLD = "world"
 MODEL = "__model__"
 _DEPTH = 20
-_MODELS = ("model.sdf", "model.config")
+_CONFIG = "model.config"  # names the file of a model in its folder, for each version of the format
 
 
 @dataclass(eq=False)
@@ -81,7 +82,7 @@ class Scope:
         folder = os.path.dirname(os.path.abspath(self._top.element.file.filename))
         found = inside(uri, None, path, folder)
         if os.path.isdir(found):
-            found = inside(uri, None, os.path.join(path, "model.sdf"), folder)
+            found = inside(uri, None, os.path.join(path, _named(found)), folder)
         scope: Scope | None = self
         while scope is not None:
             if os.path.realpath(scope.element.file.filename) == found:
@@ -97,6 +98,13 @@ class Scope:
     @property
     def _top(self) -> Scope:
         return self.outer._top if self.outer else self
+
+    @property
+    def is_static(self) -> bool:
+        """Whether its links do not move: it says so, or what includes it, or the model that it is in."""
+        said = self.placed.one("static") or self.element.one("static")
+        own = said is not None and said.text.strip().lower() in ("1", "true")
+        return own or (self.outer is not None and self.outer.is_static)
 
     # --- places ----------------------------------------------------------------------------------------------------
 
@@ -177,6 +185,19 @@ class Scope:
     def every(self) -> list[Scope]:
         """This scope, and those inside."""
         return [self, *(s for one in self.inner.values() for s in one.every())]
+
+
+def _named(folder: str) -> str:
+    """The file of the model in a folder: that of the newest version which the folder names, or model.sdf."""
+    config = os.path.join(folder, _CONFIG)
+    files = load_xml(config).each("sdf") if os.path.isfile(config) else ()
+    return max(files, key=lambda e: version_of(e) or (0, 0)).text.strip() if files else "model.sdf"
+
+
+def version_of(element: Element) -> tuple[int, int] | None:
+    """That of the format which an element gives."""
+    found = re.fullmatch(r"([0-9]{1,4})\.([0-9]{1,4})", element.attributes.get("version", "").strip())
+    return (int(found[1]), int(found[2])) if found else None
 
 
 def read_pose(pose: Element) -> Floats:

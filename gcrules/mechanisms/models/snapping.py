@@ -11,9 +11,10 @@ from gcrules.core.dataclass import dataclass
 from gcrules.mechanisms.kinematics.rigid_motions import Floats
 from gcrules.mechanisms.models.motions import Motion
 
-__all__ = ["TOLERANCE", "Moved", "size_of", "snapped"]
+__all__ = ["TOLERANCE", "Moved", "moved_between", "size_of", "snapped"]
 
 TOLERANCE = 1e-4  # parts of the model's size, and radians
+_ONE_PLACE = 1e-4  # m
 
 
 @dataclass(frozen=True)
@@ -26,24 +27,30 @@ class Moved:
 
 
 def size_of(motions: Sequence[Motion]) -> float:
-    """The diagonal of the box around the joints, the unit of tolerances; 1 where they are in one place."""
+    """The diagonal of the box around the joints, the unit of tolerances; 1 where they are in one place but for
+    decimals.
+    """
     places = np.array([m.at for m in motions if m.kind != "P"] or [m.at for m in motions])
-    return float(np.linalg.norm(places.max(axis=0) - places.min(axis=0))) or 1.0
+    found = float(np.linalg.norm(places.max(axis=0) - places.min(axis=0)))
+    return found if found > _ONE_PLACE else 1.0
 
 
-def snapped(
-    motions: Sequence[Motion], ends: Sequence[str], tolerance: float = TOLERANCE
-) -> tuple[tuple[Motion, ...], tuple[Moved, ...]]:
-    """The motions with exact axes and centres, and how far each joint was moved, where it was. Axes at base and
-    platform, the `ends`, meet those of their own limb alone.
+def snapped(motions: Sequence[Motion], ends: Sequence[str], tolerance: float = TOLERANCE) -> tuple[Motion, ...]:
+    """The motions with exact axes and centres. Axes at base and platform, the `ends`, meet those of their own limb
+    alone.
     """
     size = size_of(motions)
     axes = _directions([m.axis for m in motions], tolerance)
     turned = [replace(m, axis=a) for m, a in zip(motions, axes, strict=True)]
     places = _places(turned, ends, tolerance * size)
-    found = tuple(replace(m, at=at) for m, at in zip(turned, places, strict=True))
+    return tuple(replace(m, at=at) for m, at in zip(turned, places, strict=True))
+
+
+def moved_between(motions: Sequence[Motion], exact: Sequence[Motion]) -> tuple[Moved, ...]:
+    """How far each joint was moved, where it was."""
+    size = size_of(motions)
     moved: dict[str, Moved] = {}
-    for before, after in zip(motions, found, strict=True):
+    for before, after in zip(motions, exact, strict=True):
         away = before.at - after.at
         if after.has_line:
             away = away - after.axis * (away @ after.axis)
@@ -52,7 +59,7 @@ def snapped(
         old = moved.get(before.joint, Moved(before.joint, 0.0, 0.0))
         moved[before.joint] = Moved(before.joint, max(distance, old.distance), max(angle, old.angle))
     worth = 1e-12
-    return found, tuple(m for m in moved.values() if m.distance > worth * size or m.angle > worth)
+    return tuple(m for m in moved.values() if m.distance > worth * size or m.angle > worth)
 
 
 def _directions(axes: Sequence[Floats], tolerance: float) -> list[Floats]:
@@ -123,8 +130,9 @@ def _places(motions: Sequence[Motion], ends: Sequence[str], near: float) -> list
                 place = _meet(other, m, near)
                 if place is not None:
                     put(place, [i, k])
+    centred = {k for _, members in centres for k in members}
     for k, m in enumerate(motions):
-        if m.has_line:
+        if m.has_line and k not in centred:
             for place, members in centres:
                 beside = any({m.start, m.end} & {motions[i].start, motions[i].end} - {*ends} for i in members)
                 if k not in members and beside and _off(m.axis, place - m.at) < near:
@@ -150,7 +158,7 @@ def _places(motions: Sequence[Motion], ends: Sequence[str], near: float) -> list
         for i, other in enumerate(motions):
             shared = {motions[k].start, motions[k].end} & {other.start, other.end} - {*ends}
             along = float(motions[k].axis @ (found[i] - found[k]))
-            if i != k and i not in alone and other.kind != "P" and shared and abs(along) < near:
+            if i != k and (i not in alone or i < k) and other.kind != "P" and shared and abs(along) < near:
                 found[k] = found[k] + along * motions[k].axis
     return found
 

@@ -43,6 +43,8 @@ def _rows(r: Imported) -> Iterator[tuple[str, str]]:
     if r.left_out:
         yield "left out", f"{_several(r.left_out)}: between {r.base} and {r.platform} these hold nothing"
     yield "moved", _moved(r)
+    for said in r.exact:
+        yield "exact", said
     yield (
         "checked",
         (
