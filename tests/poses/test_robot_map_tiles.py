@@ -16,7 +16,8 @@ from poses.tile_tasks import beside, contents
 
 import gcrules as gc
 from gcrules.mechanisms.mechanism import mechanism
-from gcrules.poses.limbs import lattice, spreading
+from gcrules.poses.limbs import lattice
+from gcrules.poses.maps import spreading
 from gcrules.poses.maps.cells import OUTSIDE
 from gcrules.poses.maps.limb_task import LimbsTask, limbs_task
 from gcrules.poses.maps.patches import Patches
