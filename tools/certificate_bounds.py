@@ -8,6 +8,7 @@ from fractions import Fraction
 INF = math.inf
 U = 2.0**-46
 SIX = range(6)
+NAMES = ("x", "y", "z", "roll", "pitch", "yaw")
 
 
 class Refused(Exception):
@@ -127,8 +128,8 @@ def turns(cosine, sine):
 
 def cholesky(a, floor):
     """The lower factor; None where a pivot is not above `floor`."""
-    low = [[0.0] * 6 for _ in SIX]
-    for i in SIX:
+    low = [[0.0] * len(a) for _ in a]
+    for i in range(len(a)):
         for j in range(i + 1):
             rest = a[i][j] - sum([x * y for x, y in zip(low[i][:j], low[j])])
             if i == j and rest <= floor:
@@ -138,19 +139,20 @@ def cholesky(a, floor):
 
 
 def inverse(a):
-    rows = [[*row, *((1.0 if i == j else 0.0) for j in SIX)] for i, row in enumerate(a)]
-    for i in SIX:
-        p = max(range(i, 6), key=lambda k: abs(rows[k][i]))
+    size = range(len(a))
+    rows = [[*row, *((1.0 if i == j else 0.0) for j in size)] for i, row in enumerate(a)]
+    for i in size:
+        p = max(range(i, len(a)), key=lambda k: abs(rows[k][i]))
         if rows[p][i] == 0:
             return None
         rows[i], rows[p] = rows[p], rows[i]
         by = 1 / rows[i][i]
         top = rows[i] = [x * by for x in rows[i]]
-        for k in SIX:
+        for k in size:
             if k != i and rows[k][i]:
                 c = rows[k][i]
                 rows[k] = [x - c * y for x, y in zip(rows[k], top)]
-    return [row[6:] for row in rows]
+    return [row[len(a) :] for row in rows]
 
 
 def times(a, b):
@@ -170,7 +172,7 @@ def norm(a):
     """No less than the largest singular value of matrices with entries of these sizes: for all x > 0 the largest
     eigenvalue of a^T a is at most max (a^T a x)_i / x_i.
     """
-    x, across = [1.0] * 6, list(zip(*a))
+    x, across = [1.0] * len(a[0]), list(zip(*a))
     for _ in range(4):
         y = [sum([p * q for p, q in zip(row, x)]) for row in a]
         new = [sum([p * q for p, q in zip(row, y)]) + 1e-200 for row in across]
@@ -180,22 +182,39 @@ def norm(a):
 
 
 def holds(wrenches, forces, margin):
-    """Whether the margin is at least this one in a box (0: it is regular); what keeps from it by coordinates; and M."""
+    """Whether the margin of rods is at least this one in a box, as in `holds_matrix`; what keeps from it; and M."""
 
     def wrench(of, by=wrenches):  # rows of forces times K, and its moments
         return [[sum([f * k for f, k in zip(force, col)]) for col in zip(*rows)] for force, rows in zip(of, by)]
 
     known = [sizes(rows) for rows in wrenches]
     middle = wrench([[f.c for f in force] for force in forces])
-    back = inverse(middle)
+    rest = wrench([[f.e + U * (abs(f.c) + f.reach) for f in force] for force in forces], known)
+    moves = (wrench([[f.a[j] for f in force] for force in forces]) for j in range(len(forces[0][0].a)))
+    return _holds(middle, rest, moves, margin)
+
+
+def holds_matrix(matrix, margin):
+    """Whether the least singular value of a matrix is at least this one in a box (0: its columns are independent); what
+    keeps from it by coordinates; and the matrix in the middle.
+    """
+    middle = [[v.c for v in row] for row in matrix]
+    rest = [[v.e + U * (abs(v.c) + v.reach) for v in row] for row in matrix]
+    moves = ([[v.a[j] for v in row] for row in matrix] for j in range(len(matrix[0][0].a)))
+    return _holds(middle, rest, moves, margin)
+
+
+def _holds(middle, rest, moves, margin):
+    across = list(zip(*middle))
+    back = inverse(middle) if len(middle) == len(across) else inverse(times(across, middle))
     if back is None:
         return False, None, middle
-    rest = wrench([[f.e + U * (abs(f.c) + f.reach) for f in force] for force in forces], known)
+    if len(middle) != len(across):
+        back = times(back, across)
     size, off = sizes(back), [[(i == j) - x for j, x in enumerate(row)] for i, row in enumerate(times(back, middle))]
     start = plus(sizes(off), times(size, rest))
     whole, far, parts = start, rest, []
-    for j in range(len(forces[0][0].a)):
-        moved = wrench([[f.a[j] for f in force] for force in forces])
+    for moved in moves:
         part = sizes(times(back, moved))
         parts.append(sum([x * x for row in part for x in row]))
         whole, far = plus(whole, part), plus(far, sizes(moved))
@@ -203,30 +222,36 @@ def holds(wrenches, forces, margin):
     if alpha >= 1 or not margin:
         return alpha < 1, parts, middle
     most = max((1 - alpha) / margin, (1 - norm(start)) / (margin + norm(far))) * (1 - 1e-9)
-    square = times(list(zip(*back)), back)
-    slack = 1e-10 * sum([square[i][i] for i in SIX])
+    square = times(back, list(zip(*back)))
+    slack = 1e-10 * sum([square[i][i] for i in range(len(square))])
     rest = [[(most * most if i == j else 0.0) - x for j, x in enumerate(row)] for i, row in enumerate(square)]
     return cholesky(rest, slack) is not None, parts, middle
 
 
 def balance(arms):
-    """K: columns orthonormal in sum |v_i|^2, v_i = v + w x arm, by Cholesky, and then compared exactly."""
+    """K: columns orthonormal in sum |v_i|^2, v_i = v + w x arm."""
     rows = []
     for x, y, z in arms:
         rows += [[1, 0, 0, 0, z, -y], [0, 1, 0, -z, 0, x], [0, 0, 1, y, -x, 0]]
-    exact = [[sum(Fraction(r[i]) * Fraction(r[j]) for r in rows) for j in SIX] for i in SIX]
+    return balance_of(rows)
+
+
+def balance_of(rows):
+    """Columns that are orthonormal in the sum of the squares of these rows, by Cholesky, and then compared exactly."""
+    size = range(len(rows[0]))
+    exact = [[sum(Fraction(r[i]) * Fraction(r[j]) for r in rows) for j in size] for i in size]
     low = cholesky([[float(c) for c in row] for row in exact], 0.0)
     if low is None:
-        raise Refused("the ends of the rods lie on one line")
-    scale = [[0.0] * 6 for _ in SIX]  # the transposed inverse of low
-    for c in SIX:
-        for i in range(c, 6):
+        raise Refused("the ends on the platform lie on one line")
+    scale = [[0.0] * len(size) for _ in size]  # the transposed inverse of low
+    for c in size:
+        for i in range(c, len(size)):
             scale[c][i] = ((i == c) - sum(low[i][k] * scale[c][k] for k in range(c, i))) / low[i][i]
     k = [[Fraction(x) for x in row] for row in scale]
-    half = [[sum(exact[a][b] * k[b][j] for b in SIX) for j in SIX] for a in SIX]
-    for i in SIX:
-        for j in SIX:
-            if abs(sum(k[a][i] * half[a][j] for a in SIX) - (i == j)) > Fraction(1, 10**10):
+    half = [[sum(exact[a][b] * k[b][j] for b in size) for j in size] for a in size]
+    for i in size:
+        for j in size:
+            if abs(sum(k[a][i] * half[a][j] for a in size) - (i == j)) > Fraction(1, 10**10):
                 raise Refused("the balance of the margin is not computed well enough")
     return scale
 
@@ -255,11 +280,11 @@ def once(pairs):
 def sign_of(rows):
     """The sign of the determinant of a matrix of floats that is regular, exact."""
     rows, value = [[Fraction(c) for c in row] for row in rows], 1
-    for i in SIX:
-        p = next(k for k in range(i, 6) if rows[k][i])
+    for i in range(len(rows)):
+        p = next(k for k in range(i, len(rows)) if rows[k][i])
         value *= (1 if rows[p][i] > 0 else -1) * (1 if p == i else -1)
         rows[i], rows[p] = rows[p], rows[i]
-        for k in range(i + 1, 6):
+        for k in range(i + 1, len(rows)):
             c = rows[k][i] / rows[i][i]
             rows[k] = [a - c * b for a, b in zip(rows[k], rows[i])]
     return value

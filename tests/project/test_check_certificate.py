@@ -25,6 +25,15 @@ QUESTIONS: dict[str, tuple[str, list[str], dict[str, Any]]] = {
     "6-rus": ("6-rus", ["z -0.05:0.05", "yaw -3:3 deg"], {"limits": "actuators -30..30 deg", "tilt": "5 deg"}),
     "singular": ("reachy-mini-head", ["yaw 0:95 deg"], {}),
 }
+JOINTS: dict[str, tuple[str, list[str], dict[str, Any]]] = {
+    "3-rps": ("3-rps", ["z -0.1:0.1", "roll -5:5 deg", "pitch -5:5 deg"], {"tilt": "6 deg"}),
+    "delta": ("delta", ["x -0.3:0.3", "y -0.3:0.3"], {"limits": "actuators -20..20 deg"}),
+    "3-rrr-spherical": ("3-rrr-spherical", ["roll -5:5 deg", "yaw -5:5 deg"], {}),
+    "agile-eye": ("agile-eye", ["roll -5:5 deg", "pitch -3:3 deg"], {}),
+    "3-rpr": ("3-rpr", ["x -0.1:0.1", "yaw -5:5 deg"], {"limits": "actuators -2..2"}),
+    "singular 3-rpr": ("3-rpr", ["x -0.05:0.05", "yaw 20:80 deg"], {}),
+}
+"""Robots whose closed forms are compared with their joints."""
 
 
 @cache
@@ -45,11 +54,11 @@ def loaded(source: str) -> Any:
 
 @cache
 def certificate(name: str) -> str:
-    source, over, more = QUESTIONS[name]
+    source, over, more = (QUESTIONS | JOINTS)[name]
     return json.dumps(gc.certify(source, over, boxes=4000, **more).to_json())
 
 
-@pytest.mark.parametrize("name", QUESTIONS)
+@pytest.mark.parametrize("name", QUESTIONS | JOINTS)
 def test_what_is_claimed_is_proved_again(name: str) -> None:
     assert "proved" in checker().checked(json.loads(certificate(name)))
 
@@ -58,7 +67,7 @@ def test_what_is_claimed_is_proved_again(name: str) -> None:
 def test_boxes_hold_what_their_poses_have(name: str) -> None:
     """Forces and margins at places of boxes that shrink, those of gcrules among them."""
     c, data, rng = checker(), json.loads(certificate(name)), random.Random(3)
-    robot, over = c.Robot(data), data["question"]["over"]
+    robot, over = c.robot_of(data), data["question"]["over"]
     units = [math.pi / 180 if r["unit"] == "deg" else 1.0 for r in over]
     low, high = ([float(Fraction(r[end])) * u for r, u in zip(over, units, strict=True)] for end in ("low", "high"))
     proved = 0
@@ -78,11 +87,11 @@ def test_boxes_hold_what_their_poses_have(name: str) -> None:
                 continue
             for wide, force in zip(forces, there, strict=True):
                 assert all(v.ends()[0] <= x.c <= v.ends()[1] for v, x in zip(wide, force, strict=True))
-            _, _, rows = c.holds(robot.wrenches, there, 1e-9)
+            _, _, rows = robot.holds(there, 1e-9)
             margin = float(np.linalg.svd(np.array(rows), compute_uv=False)[-1])
-            if c.holds(robot.wrenches, forces, margin * 1.001)[0]:
+            if robot.holds(forces, margin * 1.001)[0]:
                 pytest.fail("a box has more than one of its poses has")
-            proved += c.holds(robot.wrenches, forces, margin / 2)[0]
+            proved += robot.holds(forces, margin / 2)[0]
         if k % 12 == 11:
             assert margin == pytest.approx(_margin(name, data, place), abs=1e-9)
     assert proved > 20
@@ -127,7 +136,7 @@ def fits(value: Any, schema: dict[str, Any]) -> bool:
 
 def test_certificates_are_as_the_published_schema_says() -> None:
     schema = json.loads((ROOT / "docs" / "assets" / "certificate.schema.json").read_text())
-    for name in QUESTIONS:
+    for name in QUESTIONS | JOINTS:
         data = json.loads(certificate(name))
         assert fits(data, schema)
         for key in data:
@@ -136,8 +145,10 @@ def test_certificates_are_as_the_published_schema_says() -> None:
 
 
 def test_the_checker_imports_nothing_of_gcrules() -> None:
-    for name in ("check_certificate.py", "certificate_bounds.py"):
-        text = (ROOT / "tools" / name).read_text()
+    files = sorted((ROOT / "tools").glob("*certificate*.py"))
+    assert len(files) == 4
+    for file in files:
+        text = file.read_text(encoding="utf-8")
         assert "import gcrules" not in text
         assert "from gcrules" not in text
         assert len(text.splitlines()) <= 400
@@ -182,6 +193,56 @@ def test_a_singular_pose_needs_both_signs_within_the_range() -> None:
 
 
 def test_robots_without_a_checker_are_told() -> None:
-    found = gc.certify("delta", ["x -0.1:0.1"], boxes=100).to_json()
     with pytest.raises(checker().Refused, match="no independent checker yet"):
-        checker().checked(found)
+        checker().checked({**json.loads(certificate("delta")), "geometry": None})
+
+
+@pytest.mark.parametrize("name", JOINTS)
+def test_margins_of_joints_are_those_of_their_poses(name: str) -> None:
+    """At places of the range as `gcrules pose` has them; and boxes around them hold less than their middles."""
+    c, data, rng = checker(), json.loads(certificate(name)), random.Random(5)
+    robot, over = c.robot_of(data), data["question"]["over"]
+    units = [math.pi / 180 if r["unit"] == "deg" else 1.0 for r in over]
+    low, high = ([float(Fraction(r[end])) * u for r, u in zip(over, units, strict=True)] for end in ("low", "high"))
+    for _ in range(4):
+        place = [rng.uniform(a, b) for a, b in zip(low, high, strict=True)]
+        _, _, lines = robot.look(c.Box(place, place))
+        assert lines is not None
+        margin = float(np.linalg.svd(np.array(robot.holds(lines, 0.0)[2]), compute_uv=False)[-1])
+        here = dict(zip([r["coordinate"] for r in over], place, strict=True)) | data["question"]["rest"]
+        text = ", ".join(f"{n}={v}{'rad' if n in ('roll', 'pitch', 'yaw') else ''}" for n, v in here.items())
+        assert min(margin, 1.0) == pytest.approx(gc.pose(loaded(JOINTS[name][0]), text, nearest=False).margin, abs=1e-9)
+        assert robot.holds(lines, margin * 0.999)[0] or margin < 1e-3
+        for half in (0.02, 0.005, 0.001):
+            _, _, wide = robot.look(c.Box([x - half for x in place], [x + half for x in place]))
+            if wide is not None:
+                assert not robot.holds(wide, margin * 1.001)[0]
+
+
+def _constant(data: dict[str, Any], program: str, place: int) -> None:
+    lines = [line for line in data["geometry"][program]["lines"] if line[0] == "scale"]
+    lines[place % len(lines)][-1] = str(Fraction(lines[place % len(lines)][-1]) + Fraction(1, 7))
+
+
+def _screw(data: dict[str, Any], limb: int) -> None:
+    data["geometry"]["limbs"][limb]["screws"][1][4] += 0.1
+
+
+CHANGES = {
+    "a wrench": lambda data: _constant(data, "wrenches", 2),
+    "another wrench": lambda data: _constant(data, "wrenches", 5),
+    "an actuator": lambda data: _constant(data, "amounts", 1),
+    "a joint": lambda data: _screw(data, 1),
+    "how many wrenches": lambda data: data["geometry"]["limbs"][0].update(wrenches=1),
+    "what is driven": lambda data: data["geometry"]["actuators"].pop(),
+    "the margin": lambda data: (data["claim"].update({"margin at least": 0.9}), data.update(bounds=[0.9])),
+    "an operation": lambda data: data["geometry"]["wrenches"]["lines"][3].__setitem__(0, "tan"),
+}
+
+
+@pytest.mark.parametrize("change", CHANGES)
+def test_joints_that_were_changed_are_refused(change: str) -> None:
+    data = json.loads(certificate("delta"))
+    CHANGES[change](data)
+    with pytest.raises((checker().Refused, KeyError, IndexError)):
+        checker().checked(data)

@@ -1,14 +1,26 @@
-"""What a checker of certificates needs of a robot's geometry, without the means that made them: points and axes."""
+"""What a checker of certificates needs of a robot's geometry, without the means that made it.
+
+Of six legs or rods these are points and axes, from which the checker makes all else. Of other robots of joints they are
+the screws of the joints at home, with the closed forms of wrenches and actuators, which it compares with the joints.
+"""
 
 from __future__ import annotations
 
+from fractions import Fraction
 from typing import Any
 
 import numpy as np
 
+from gcrules.mechanisms.kinematics.targets import Target
 from gcrules.mechanisms.limbs import Limbs
 from gcrules.mechanisms.six_legs import SixLegs
+from gcrules.poses.boxes.forms import turned_by
 from gcrules.poses.certificates.asked import Asked
+from gcrules.poses.compiling.limb_amounts import amounts
+from gcrules.poses.compiling.limb_programs import limb_places
+from gcrules.poses.compiling.limb_wrenches import limb_lines
+from gcrules.poses.compiling.roots import NoForm
+from gcrules.poses.compiling.tape import Program, lower
 from gcrules.poses.methods import Methods, method
 
 __all__ = ["geometry"]
@@ -16,20 +28,24 @@ __all__ = ["geometry"]
 
 def geometry(asked: Asked) -> dict[str, Any] | None:
     """Six legs or rods at home: of each its two `ends`, the point on the platform last, and its drive, a leg that
-    stretches, a turn about an axis or a slide along a direction; the `centre` about which the platform turns. None for
-    robots of which the checker knows nothing.
+    stretches, a turn about an axis or a slide along a direction; the `centre` about which the platform turns. Of other
+    robots their `joints`. None for robots of which the checker knows nothing.
     """
-    found: dict[str, Any] | None = method(_GEOMETRY, asked.mechanism, "a certificate")()
+    found: dict[str, Any] | None = method(_GEOMETRY, asked.mechanism, "a certificate")(asked.task.question.names)
     return found
 
 
-def _of_legs(m: SixLegs) -> dict[str, Any]:
+def _of_legs(m: SixLegs, _: tuple[str, ...]) -> dict[str, Any]:
     points = {n: [float(c) for c in p] for n, p in m.rig.points.items()}
     rods = [{"names": [a, b], "ends": [points[a], points[b]], "drive": "leg"} for a, b in m.rig.legs]
     return {"centre": _plain(m.rig.centre), "rods": rods}
 
 
-def _of_limbs(m: Limbs) -> dict[str, Any] | None:
+def _of_limbs(m: Limbs, names: tuple[str, ...]) -> dict[str, Any] | None:
+    return _rods(m) or _joints(m, names)
+
+
+def _rods(m: Limbs) -> dict[str, Any] | None:
     k, rods = m.linkage, []
     driven = {a.place: a for a in k.actuators if a.coordinate == 0}
     for limb, structure in enumerate(m.analysis.structure.limbs):
@@ -54,6 +70,57 @@ def _of_limbs(m: Limbs) -> dict[str, Any] | None:
             rods.append({**found, "drive": "slide", "axis": _plain(screw[3:])})
         rods[-1]["actuator"] = driven[limb].name
     return {"centre": _plain(k.centre), "rods": rods} if len(rods) == 6 else None
+
+
+def _joints(m: Limbs, names: tuple[str, ...]) -> dict[str, Any] | None:
+    k = m.linkage
+    if k.looped or any(c.runs for c in k.home.chains):
+        return None
+    places = limb_places(m, Target(names, np.zeros(len(names)), text="home"), turned_by)
+    if places is None:
+        return None
+    try:
+        lines, counts = limb_lines(m, places)
+    except NoForm:
+        return None
+    try:
+        driven = _tape(lower(places.graph, *amounts(places)))
+    except NoForm:
+        driven = None
+    limbs = [
+        {
+            "screws": [_plain(s) for s in chain.screws],
+            "coordinates": list(chain.uses),
+            "signs": _plain(chain.signs),
+            "held": [at for limb, at, *_ in k.locked if limb == n],
+            "end": _plain(k.ends[n]),
+            "ball": bool(k.ball_ended[n]),
+            "wrenches": counts[n],
+        }
+        for n, chain in enumerate(k.home.chains)
+    ]
+    actuators = [
+        {"name": a.name, "limb": a.place, "coordinate": a.coordinate, "turns": bool(a.angle)} for a in k.actuators
+    ]
+    return {
+        "centre": _plain(k.centre),
+        "names": list(names),
+        "size": float(k.size),
+        "plane": bool(m.robot.family.plane),
+        "limbs": limbs,
+        "actuators": actuators,
+        "wrenches": _tape(lines),
+        "amounts": driven,
+    }
+
+
+def _tape(program: Program) -> dict[str, Any]:
+    """Lines as [operation, operands …, constant], and the results: numbers of lines, or constants as text."""
+    lines: list[list[Any]] = []
+    for line in program.lines:
+        constant = [str(line.constant)] if line.op in ("shift", "scale") else []
+        lines.append([line.op, *line.args, *constant])
+    return {"lines": lines, "results": [str(r) if isinstance(r, Fraction) else r for r in program.results]}
 
 
 def _plain(v: Any) -> list[float]:

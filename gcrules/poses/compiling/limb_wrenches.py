@@ -23,7 +23,7 @@ from gcrules.poses.compiling.scalars import Ring, Scalar
 from gcrules.poses.compiling.tape import Program, lower
 from gcrules.poses.compiling.vectors import Vector, add, cross, exact, scaled, sub, total
 
-__all__ = ["BalancedLines", "balanced_lines", "balanced_wrenches", "dot_rows", "plain_wrenches"]
+__all__ = ["BalancedLines", "balanced_lines", "balanced_wrenches", "dot_rows", "limb_lines", "plain_wrenches"]
 
 _ROUNDING = 1e-14  # of entries of the balance, which is near 1
 
@@ -58,6 +58,14 @@ def balanced_lines(m: Limbs, places: LimbPlaces) -> BalancedLines:
     products = [dot_rows(a, b) for limb in limbs for a in limb.lines for b in limb.lines]
     groups = tuple(len(limb.lines) for limb in limbs)
     return BalancedLines(lower(places.graph, *rows), lower(places.graph, *products), groups)
+
+
+def limb_lines(m: Limbs, places: LimbPlaces) -> tuple[Program, tuple[int, ...]]:
+    """The entries of each limb's wrenches, six each, (f; m / size) of any length about the limb's end and seen from the
+    platform, and how many wrenches each limb has. Raises NoForm, too.
+    """
+    limbs = [limb.lines for limb in _limbs(m, places)]
+    return lower(places.graph, *(c for lines in limbs for row in lines for c in row)), tuple(map(len, limbs))
 
 
 @dataclass(frozen=True, eq=False)

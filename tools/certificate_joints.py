@@ -1,0 +1,397 @@
+r"""Robots given by joints, for `check_certificate.py`: closed forms of wrenches in a box, compared with the joints.
+
+The file has the screws (w; v) of each limb's joints at home, from the base to the platform; the platform moves by the
+product of their exponentials. It has programs of the coordinates too: of each limb's wrenches (f; m / size) about its
+end, seen from the platform, and of the amounts of the actuators. That these are what the joints make of them is seen
+where all loops are closed, by Newton's method, at random places around home: the wrenches have no power on the twists
+of the limb's undriven joints there, and are as many as these leave. It is no proof, but both sides are analytic: where
+they agree in a neighbourhood they do wherever the roots of the programs exist.
+
+In a box the entries are Values (`certificate_bounds`). With G the products of a limb's wrenches with each other, and C
+the inverse of a lower factor of it in the middle, C G C^T has no eigenvalue above g there: the margin, measured with
+wrenches that are orthonormal in each limb, is at least 1 / sqrt(g) times the least singular value of all C W K, where K
+is the balance, of the velocities of all ends, and of turns as well at ends that are no balls.
+"""
+
+from __future__ import annotations
+
+import math
+import random
+from fractions import Fraction
+
+from certificate_bounds import (
+    INF,
+    NAMES,
+    Beyond,
+    Refused,
+    U,
+    Undefined,
+    Value,
+    balance_of,
+    cholesky,
+    cosine_of,
+    cross,
+    dot,
+    holds_matrix,
+    inverse,
+    minus,
+    mix,
+    times,
+    turns,
+)
+
+PLACES = 12  # where the programs are compared with the joints
+EQUAL = 1e-8
+OPERATIONS = {"add": 2, "sub": 2, "mul": 2, "shift": 1, "scale": 1, "inv": 1, "sqrt": 1, "cos": 1, "sin": 1}
+
+
+class Tape:
+    """A program: lines of an operation on earlier lines, and of its results the numbers of lines, or constants."""
+
+    def __init__(self, data, inputs):
+        self.lines = []
+        for n, (op, *args) in enumerate(data["lines"]):
+            count = 0 if op == "input" else OPERATIONS.get(op)
+            constant = float(Fraction(args.pop())) if op in ("shift", "scale") else 0.0
+            if count is None or len(args) != max(count, 1):
+                raise Refused(f"an unknown line {op!r} of a program")
+            if any(type(k) is not int or not 0 <= k < (n if count else inputs) for k in args):
+                raise Refused("a line of a program that reads what is not there")
+            self.lines.append((op, args, constant))
+        self.results = [r if type(r) is int else float(Fraction(r)) for r in data["results"]]
+        if any(type(r) is int and not 0 <= r < len(self.lines) for r in self.results):
+            raise Refused("a result of a program that is not there")
+
+    def values(self, inputs):
+        """Its results for inputs that are Values. Raises Undefined and Beyond."""
+        none, done = Value(0.0, [0.0] * len(inputs[0].a), 0.0), []
+        for op, args, constant in self.lines:
+            if op == "input":
+                done.append(inputs[args[0]])
+                continue
+            a = done[args[0]]
+            if op == "add":
+                done.append(a + done[args[1]])
+            elif op == "sub":
+                done.append(a + done[args[1]] * -1.0)
+            elif op == "mul":
+                done.append(a * done[args[1]])
+            elif op == "shift":
+                done.append(a + constant)
+            elif op == "scale":
+                done.append(a * constant)
+            elif op == "inv":
+                done.append(a.inverse() if a.c > 0 else (a * -1.0).inverse() * -1.0)
+            elif op == "sqrt":
+                done.append(a.root())
+            else:
+                done.append(wave(a, op == "sin"))
+        return [done[r] if type(r) is int else none + r for r in self.results]
+
+
+def wave(a, sine):
+    """The sine or the cosine of a Value."""
+    s, c = math.sin(a.c), math.cos(a.c)
+    value, slope = (s, c) if sine else (c, -s)
+    far = a.reach
+    e = far * far / 2 * min(1.0, abs(value) + far) + abs(slope) * a.e + U * (1 + abs(slope) * far)
+    return Value(value, [slope * x for x in a.a], e)
+
+
+class Joints:
+    """A robot of joints from a certificate."""
+
+    def __init__(self, data):
+        q, g = data["question"], data["geometry"]
+        self.names = g["names"]
+        over = [r["coordinate"] for r in q["over"]]
+        if len(set(over)) != len(over) or any(n not in self.names for n in over) or not set(self.names) <= set(NAMES):
+            raise Refused("coordinates that are none")
+        self.free = [NAMES.index(n) for n in over]
+        self.at = {n: k for k, n in enumerate(over)}
+        self.rest = {n: float(q["rest"].get(n, 0.0)) for n in self.names if n not in self.at}
+        if any(n not in q["rest"] for n in self.rest):
+            raise Refused("the rest of the pose is missing")
+        if q["cones"]:
+            raise Refused("no independent checker yet for cones of this robot")
+        self.tilt = None if q["tilt"] is None else cosine_of(q["tilt"])
+        self.limbs, self.size, self.centre = g["limbs"], float(g["size"]), [float(c) for c in g["centre"]]
+        self.keep = (0, 1, 5) if g["plane"] else tuple(range(6))
+        self.wrenches = Tape(g["wrenches"], len(self.names))
+        if len(self.wrenches.results) != 6 * sum(limb["wrenches"] for limb in self.limbs):
+            raise Refused("wrenches that are not six numbers each")
+        self.amounts = None if g["amounts"] is None else Tape(g["amounts"], len(self.names))
+        self.actuators, self.limits = g["actuators"], []
+        names = [a["name"] for a in self.actuators]
+        if q["limits"]:
+            if len(set(names)) != len(names) or set(names) != set(q["limits"]) or self.amounts is None:
+                raise Refused("the limits are not those of the actuators")
+            for name in names:
+                low, high = (s if v is None else v for v, s in zip(q["limits"][name], (-INF, INF)))
+                if not low < high:
+                    raise Refused(f"limits of {name} that are none")
+                self.limits.append((low, high))
+        ends = [limb["end"] for limb in self.limbs]
+        mean = [sum(e[j] for e in ends) / len(ends) for j in range(3)]
+        self.arms = [[c / self.size for c in minus(e, mean)] for e in ends]
+        rows = []
+        for limb, (x, y, z) in zip(self.limbs, self.arms):
+            rows += [[1, 0, 0, 0, z, -y], [0, 1, 0, -z, 0, x], [0, 0, 1, y, -x, 0]]
+            rows += [] if limb["ball"] else [[0] * (3 + k) + [1] + [0] * (2 - k) for k in range(3)]
+        self.scale = balance_of([[row[k] for k in self.keep] for row in rows])
+        self._compare()
+
+    # --- in boxes -----------------------------------------------------------------------------------------------------
+
+    def inputs(self, box):
+        none = [0.0] * len(self.free)
+        found = []
+        for n in self.names:
+            k = self.at.get(n)
+            slope = [box.half[j] if j == k else 0.0 for j in range(len(none))]
+            found.append(Value(self.rest[n] if k is None else box.middle[k], slope, 0.0))
+        return found
+
+    def look(self, box):
+        """Whether all poses of a box are outside, whether all are inside, and the limbs' wrenches there."""
+        inputs, inside = self.inputs(box), True
+        if self.tilt is not None:
+            tilted = [wave(v, False) for n, v in zip(self.names, inputs) if n in ("roll", "pitch")]
+            low, high = (tilted[0] * tilted[1] + -self.tilt).ends()
+            if high < -U:
+                return True, False, None
+            inside = low > U
+        try:
+            if self.limits:
+                values = iter(self.amounts.values(inputs))
+                for a, (least, most) in zip(self.actuators, self.limits):
+                    away, within = True, False
+                    for low, high in turns(next(values), next(values)) if a["turns"] else [next(values).ends()]:
+                        away &= high < least - U * 8 or low > most + U * 8
+                        within |= low > least + U * 8 and high < most - U * 8
+                    if away:
+                        return True, False, None
+                    inside &= within
+            flat = self.wrenches.values(inputs)
+        except Beyond:
+            return True, False, None
+        except Undefined:
+            return False, False, None
+        return False, inside, [flat[k : k + 6] for k in range(0, len(flat), 6)]
+
+    def holds(self, lines, margin):
+        """Whether the margin is at least this one in a box (0: it is regular); what keeps from it by coordinates."""
+        at, matrix, longest = 0, [], 1.0
+        for limb, arm in zip(self.limbs, self.arms):
+            own = lines[at : at + limb["wrenches"]]
+            at += limb["wrenches"]
+            products = [[total(a, b) for b in own] for a in own]
+            low = cholesky([[p.c for p in row] for row in products], 0.0)
+            if low is None:
+                return False, None, None
+            back = inverse(low)
+            changed = [[mix([p for row in products for p in row], outer(a, b)) for b in back] for a in back]
+            longest = max(longest, *(sum(abs(v.c) + v.reach for v in row) for row in changed))
+            for row in back:
+                whole = [mix([line[k] for line in own], row) for k in range(6)]
+                turned = [whole[3 + k] + mix(whole[:3], cross_row(arm, k)) for k in range(3)]
+                wrench = [*whole[:3], *turned]
+                kept = [wrench[k] for k in self.keep]
+                matrix.append([mix(kept, column) for column in zip(*self.scale)])
+        return holds_matrix(matrix, margin * math.sqrt(longest) * (1 + 1e-9))
+
+    # --- compared with the joints -------------------------------------------------------------------------------------
+
+    def _compare(self):
+        """Raises Refused where the programs are not what the joints make."""
+        rng, seen, sizes = random.Random(7), 0, (0.1, 0.03, 0.01)
+        for trial in range(4 * PLACES):
+            there = self._closed(rng, sizes[trial % 3])
+            if there is None:
+                continue
+            amounts, platform = there
+            pose = self._pose(platform)
+            inputs = [Value(pose[n], [0.0] * len(self.free), 0.0) for n in self.names]
+            try:
+                flat = [v.c for v in self.wrenches.values(inputs)]
+                driven = None if self.amounts is None else [v.c for v in self.amounts.values(inputs)]
+            except (Undefined, Beyond):
+                raise Refused("a closed form does not exist where the joints are closed") from None
+            self._same(amounts, platform, flat, driven)
+            seen += 1
+            if seen == PLACES:
+                return
+        raise Refused("the loops could not be closed around home")
+
+    def _same(self, amounts, platform, flat, driven):
+        rotation, _ = platform
+        if driven is not None:
+            values = iter(driven)
+            for a in self.actuators:
+                amount = amounts[a["limb"]][a["coordinate"]]
+                if a["turns"]:
+                    c, s = next(values), next(values)
+                    off = abs(c * math.sin(amount) - s * math.cos(amount)) / math.hypot(c, s)
+                    off += c * math.cos(amount) + s * math.sin(amount) <= 0
+                else:
+                    off = abs(next(values) - amount) / self.size
+                if off > EQUAL:
+                    raise Refused(f"the closed form of {a['name']} is not what its joint does")
+        for k, limb in enumerate(self.limbs):
+            count = limb["wrenches"]
+            rows, flat = [flat[6 * n : 6 * n + 6] for n in range(count)], flat[6 * count :]
+            driven_ones = {a["coordinate"] for a in self.actuators if a["limb"] == k}
+            end = moved(platform, limb["end"])
+            twists = [t for c, t in enumerate(self._twists(k, amounts[k], end)) if c not in driven_ones]
+            passive = [[dot(column, part) for part in (t[:3], t[3:]) for column in zip(*rotation)] for t in twists]
+            own = [[x[j] for j in (3, 4, 5, 0, 1, 2)] for x in rows]  # (m; f) beside (w; v)
+            powers = [abs(sum(a * b for a, b in zip(r, t))) / length(r) for r in own for t in passive]
+            if max(powers, default=0.0) > EQUAL:
+                raise Refused("a wrench is none of its limb: it has power on the undriven joints")
+            kept = [(k + 3) % 6 for k in self.keep]  # the places of what is kept of (f; m) in (m; f), and in (w; v)
+            wrenches, freedoms = (rank([[r[j] for j in kept] for r in rows]) for rows in (own, passive))
+            if wrenches != count:
+                raise Refused("the wrenches of a limb depend on each other")
+            if freedoms + count != len(self.keep):
+                raise Refused("a limb has not as many wrenches as its undriven joints leave")
+
+    def _motions(self, k, amounts):
+        """The motions of the links of a limb, from the first joint's to the platform's."""
+        limb, found, now = self.limbs[k], [], None
+        for screw, c, s in zip(limb["screws"], limb["coordinates"], limb["signs"]):
+            step = exponential(screw, s * amounts[c])
+            now = step if now is None else after(now, step)
+            found.append(now)
+        return found
+
+    def _twists(self, k, amounts, about):
+        """For each coordinate the twist (w; v / size) of the platform, v at a point."""
+        limb, motions = self.limbs[k], self._motions(k, amounts)
+        found = [[0.0] * 6 for _ in range(1 + max(limb["coordinates"]))]
+        before = (((1, 0, 0), (0, 1, 0), (0, 0, 1)), (0.0, 0.0, 0.0))
+        for screw, c, s, motion in zip(limb["screws"], limb["coordinates"], limb["signs"], motions):
+            rotation, shift = before
+            w, v = ([dot(row, part) for row in rotation] for part in (screw[:3], screw[3:]))
+            v = [a + b for a, b in zip(v, cross(shift, w))]
+            there = [(a + b) / self.size for a, b in zip(v, cross(w, about))]
+            found[c] = [x + s * y for x, y in zip(found[c], (*w, *there))]
+            before = motion
+        return found
+
+    def _closed(self, rng, far):
+        """Amounts of all limbs in which all platforms are in one place, and that place; None where it was not found."""
+        counts = [1 + max(limb["coordinates"]) for limb in self.limbs]
+        units = [self._units(k, n) for k, n in enumerate(counts)]
+        amounts = [
+            [0.0 if c in limb["held"] else rng.uniform(-far, far) * u for c, u in enumerate(own)]
+            for limb, own in zip(self.limbs, units)
+        ]
+        unknown = [(k, c) for k, n in enumerate(counts) for c in range(n) if c not in self.limbs[k]["held"]]
+        for _ in range(30):
+            places = [self._motions(k, own)[-1] for k, own in enumerate(amounts)]
+            about = moved(places[0], self.centre)
+            rest = [x for place in places[1:] for x in apart(places[0], place, self.centre, self.size)]
+            if max(map(abs, rest)) < 1e-13:
+                return amounts, places[0]
+            twists = [self._twists(k, own, about) for k, own in enumerate(amounts)]
+            rows = []
+            for k, c in unknown:
+                t = [x * units[k][c] for x in twists[k][c]]
+                by = [(k == n) - (k == 0) for n in range(1, len(places))]
+                rows.append([b * x for b in by for x in t])
+            normal = times(rows, list(zip(*rows)))
+            for i in range(len(normal)):
+                normal[i][i] += 1e-9  # the robot can move: of all steps a short one
+            back = inverse(normal)
+            if back is None:
+                return None
+            step = [sum(b * sum(r * x for r, x in zip(row, rest)) for b, row in zip(line, rows)) for line in back]
+            for (k, c), x in zip(unknown, step):
+                amounts[k][c] -= x * units[k][c]
+        return None
+
+    def _units(self, k, n):
+        """What an amount of each coordinate is measured in: rad, or the size."""
+        found = [self.size] * n
+        for screw, c in zip(self.limbs[k]["screws"], self.limbs[k]["coordinates"]):
+            if any(screw[:3]):
+                found[c] = 1.0
+        return found
+
+    def _pose(self, platform):
+        """The coordinates of a motion of the platform by their names."""
+        r, _ = platform
+        shift = minus(moved(platform, self.centre), self.centre)
+        turn = (math.atan2(r[2][1], r[2][2]), -math.asin(max(-1.0, min(1.0, r[2][0]))), math.atan2(r[1][0], r[0][0]))
+        return dict(zip(NAMES, (*shift, *turn)))
+
+
+def total(a, b):
+    """The product of two rows of Values."""
+    found = a[0] * b[0]
+    for x, y in zip(a[1:], b[1:]):
+        found = found + x * y
+    return found
+
+
+def outer(a, b):
+    return [x * y for x in a for y in b]
+
+
+def cross_row(arm, k):
+    """What the moment's component k of arm x f is in the components of f."""
+    x, y, z = arm
+    return ((0, -z, y), (z, 0, -x), (-y, x, 0))[k]
+
+
+def length(v):
+    return math.sqrt(sum(x * x for x in v))
+
+
+def rank(rows):
+    """The rank of rows of numbers, those of length 1e-6 beside the others being none."""
+    rows, found = [[x / max(length(r), 1e-300) for x in r] for r in rows], 0
+    while rows:
+        best = max(rows, key=length)
+        if length(best) < 1e-6:
+            break
+        unit = [x / length(best) for x in best]
+        rows = [[x - u * sum(p * q for p, q in zip(r, unit)) for x, u in zip(r, unit)] for r in rows if r is not best]
+        found += 1
+    return found
+
+
+def exponential(screw, amount):
+    """The motion (rotation, shift) by an amount of a screw (w; v) with w of length 1, or 0 for a slide."""
+    w, v = screw[:3], screw[3:]
+    if not any(w):
+        return ((1, 0, 0), (0, 1, 0), (0, 0, 1)), [amount * c for c in v]
+    s, c = math.sin(amount), 1 - math.cos(amount)
+    rows = []
+    for i in range(3):
+        unit = [float(i == j) for j in range(3)]
+        turned, twice = cross(w, unit), cross(w, cross(w, unit))
+        rows.append([u + s * a + c * b for u, a, b in zip(unit, turned, twice)])  # columns of the rotation
+    along = dot(w, v)
+    around = cross(w, v)
+    shift = [amount * along * a + s * (x - along * a) + c * y for a, x, y in zip(w, v, around)]
+    return list(zip(*rows)), shift
+
+
+def after(first, second):
+    """The motion of `second`, and then of `first`."""
+    (r, t), (s, u) = first, second
+    return times(r, s), [dot(row, u) + c for row, c in zip(r, t)]
+
+
+def moved(motion, point):
+    rotation, shift = motion
+    return [dot(row, point) + c for row, c in zip(rotation, shift)]
+
+
+def apart(one, other, centre, size):
+    """The small turn, and the shift of the centre in parts of the size, that lead from one motion to another."""
+    (r, _), (s, _) = one, other
+    turn = times(s, list(zip(*r)))
+    w = [(turn[2][1] - turn[1][2]) / 2, (turn[0][2] - turn[2][0]) / 2, (turn[1][0] - turn[0][1]) / 2]
+    return [*w, *((a - b) / size for a, b in zip(moved(other, centre), moved(one, centre)))]
