@@ -11,6 +11,7 @@ import re
 import sys
 from fractions import Fraction
 from functools import cache
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -184,4 +185,15 @@ def test_a_singular_pose_needs_both_signs_within_the_range() -> None:
 def test_robots_without_a_checker_are_told() -> None:
     found = gc.certify("delta", ["x -0.1:0.1"], boxes=100).to_json()
     with pytest.raises(checker().Refused, match="no independent checker yet"):
+        checker().checked(found)
+
+
+def test_lengths_are_in_the_unit_of_a_file_of_joints(tmp_path: Path) -> None:
+    file = tmp_path / "robot.yaml"
+    file.write_text(f"units: mm\n{(ROOT / 'plugins' / '6-rus' / 'robot.yaml').read_text('utf-8')}", "utf-8")
+    found = json.loads(json.dumps(gc.certify(file, ["z -0.05..0.05 mm"], boxes=100).to_json()))
+    assert found["question"]["over"][0]["unit"] == "mm"
+    assert "100 %" in checker().checked(found)
+    found["question"]["over"][0]["unit"] = "m"
+    with pytest.raises(checker().Refused, match="another unit"):
         checker().checked(found)
