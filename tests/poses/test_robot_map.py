@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 import pytest
 from click.testing import CliRunner
-from places import DATA
+from places import DATA, ROOT
 
 import gcrules as gc
 from gcrules.apps.cli import cli
@@ -264,6 +264,13 @@ def test_faults(name: str, over: list[str], at: str | None, more: dict[str, str]
     with pytest.raises((InputError, gc.LimitReached), match=message) as fault:
         gc.singular_map(name, over, at, **more)
     assert fault.value.hint
+
+
+def test_only_angles_end_after_a_turn(tmp_path: Path) -> None:
+    file = tmp_path / "robot.yaml"
+    file.write_text(f"units: mm\n{(ROOT / 'plugins' / '3-rpr' / 'robot.yaml').read_text('utf-8')}", "utf-8")
+    task = limbs_task(Limbs.of(gc.load(file)), ["x -20:20:3 mm", "yaw -180:180:3 deg"])
+    assert task.grid.shape == (3, 3)
 
 
 def test_the_command(tmp_path: Path) -> None:

@@ -9,8 +9,10 @@ import math
 import random
 import re
 import sys
+from collections.abc import Callable
 from fractions import Fraction
 from functools import cache
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -228,7 +230,7 @@ def _screw(data: dict[str, Any], limb: int) -> None:
     data["geometry"]["limbs"][limb]["screws"][1][4] += 0.1
 
 
-CHANGES = {
+CHANGES: dict[str, Callable[[dict[str, Any]], Any]] = {
     "a wrench": lambda data: _constant(data, "wrenches", 2),
     "another wrench": lambda data: _constant(data, "wrenches", 5),
     "an actuator": lambda data: _constant(data, "amounts", 1),
@@ -246,3 +248,14 @@ def test_joints_that_were_changed_are_refused(change: str) -> None:
     CHANGES[change](data)
     with pytest.raises((checker().Refused, KeyError, IndexError)):
         checker().checked(data)
+
+
+def test_lengths_are_in_the_unit_of_a_file_of_joints(tmp_path: Path) -> None:
+    file = tmp_path / "robot.yaml"
+    file.write_text(f"units: mm\n{(ROOT / 'plugins' / '6-rus' / 'robot.yaml').read_text('utf-8')}", "utf-8")
+    found = json.loads(json.dumps(gc.certify(file, ["z -0.05..0.05 mm"], boxes=100).to_json()))
+    assert found["question"]["over"][0]["unit"] == "mm"
+    assert "100 %" in checker().checked(found)
+    found["question"]["over"][0]["unit"] = "m"
+    with pytest.raises(checker().Refused, match="another unit"):
+        checker().checked(found)

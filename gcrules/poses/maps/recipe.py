@@ -41,8 +41,9 @@ def _of_legs(m: SixLegs) -> dict[str, Any]:
 
 
 def _of_limbs(m: Limbs) -> dict[str, Any]:
-    """A robot of joints by the text of its file and its home, which a mode may have changed."""
-    return {"id": m.robot.id, "text": m.robot.text, "home": _plain(m.robot.home)}
+    """A robot of joints by the text of its file, the unit in that, and its home, which a mode may have changed."""
+    unit = {"units": m.unit} if m.unit else {}
+    return {"id": m.robot.id, "text": m.robot.text, "home": _plain(m.robot.home), **unit}
 
 
 _DESCRIBED: Methods[dict[str, Any]] = {SixLegs: _of_legs, Limbs: _of_limbs}
