@@ -16,11 +16,11 @@ import sys
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import replace
 from functools import cache
-from importlib import metadata, util
+from importlib import util
 from os import PathLike
 from pathlib import Path
 from types import ModuleType
-from typing import TypeVar
+from typing import TYPE_CHECKING, TypeVar
 
 from gcrules.core.arguments import ANYTHING, FILE, TEXT, listed, read
 from gcrules.core.dataclass import dataclass
@@ -30,6 +30,9 @@ from gcrules.core.frozen import FrozenMap
 from gcrules.rules.foreign import foreign
 from gcrules.rules.identity import Identity
 from gcrules.rules.rule import ConditionRule, Rule
+
+if TYPE_CHECKING:
+    from importlib.metadata import EntryPoint
 
 __all__ = [
     "CATALOG_FILE",
@@ -44,6 +47,7 @@ __all__ = [
 ]
 
 load_rule_file = deferred("gcrules.rules.rule_file:load_rule_file")  # takes the parser, which few runs need
+entry_points = deferred("importlib.metadata:entry_points")  # loads what reads e-mail
 
 GROUP = "gcrules.plugins"
 """The entry point group of installed packages: the value is a `Plugin`."""
@@ -160,10 +164,33 @@ def _names_in(folder: Path) -> dict[str, bool]:
 @cache
 def installed() -> tuple[Plugin, ...]:
     """The plugins of installed packages. Raises FileError where one is broken."""
-    return tuple(_of_entry(entry) for entry in sorted(metadata.entry_points(group=GROUP), key=lambda e: e.name))
+    if not any(map(_may_name_plugins, sys.path)):
+        return ()
+    return tuple(_of_entry(entry) for entry in sorted(entry_points(group=GROUP), key=lambda e: e.name))
 
 
-def _of_entry(entry: metadata.EntryPoint) -> Plugin:
+def _may_name_plugins(folder: str) -> bool:
+    """Whether a package that is installed in a folder of the path names the group; True where it is no folder."""
+    try:
+        with os.scandir(folder or ".") as entries:
+            about = [e.path for e in entries if e.name.endswith((".dist-info", ".egg-info", ".egg"))]
+    except FileNotFoundError:
+        return False
+    except OSError:
+        return True
+    return any(map(_mentions, about))
+
+
+def _mentions(package: str) -> bool:
+    folder = os.path.join(package, "EGG-INFO") if package.endswith(".egg") else package
+    try:
+        with open(os.path.join(folder, "entry_points.txt"), "rb") as file:
+            return GROUP.encode() in file.read()
+    except OSError:  # most packages have none
+        return package.endswith(".egg") and os.path.isfile(package)
+
+
+def _of_entry(entry: EntryPoint) -> Plugin:
     package = entry.dist.name if entry.dist else entry.value
     owner = f"package {package}"
     with foreign(f"{owner} cannot be loaded", f"{owner} (entry point {entry.name} = {entry.value})"):

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from gcrules.core.dataclass import dataclass
 from gcrules.screws.margin import LegJacobians
 
-__all__ = ["DIGITS", "ROUNDING", "Guarantees", "Measured", "guarantees", "noise"]
+__all__ = ["DIGITS", "ROUNDING", "Guarantees", "Measured", "guarantees", "noise", "sigma_for"]
 
 Floats = NDArray[np.float64]
 
@@ -28,6 +28,8 @@ DIGITS = 4 * float(np.finfo(np.float64).eps)
 
 _ROUNDING = 1e-13  # of σ, in floats
 _LESS = 1 - 1e-12  # rounding of the bounds themselves, to the safe side
+_SAFE = 1e-12
+_NEWTON = 8  # steps, each of which doubles the digits
 
 
 @dataclass(frozen=True, eq=False)
@@ -86,6 +88,20 @@ def guarantees(j: Measured) -> Guarantees:
         rotation=turn / per_angle.max(axis=1) * _LESS,
         combined=turn / rate.max(axis=1) * _LESS,
     )
+
+
+def sigma_for(rotation: float, lengths: Floats, reach: Floats) -> Floats:
+    """From which σ on more than this `rotation` is guaranteed, by the legs' lengths (N, 6); 2 where by none.
+
+    The turn t of the legs has to be so large that 1/t + (1/sin t) max r/l is less than 1/φ. Newton's method comes to
+    it from below.
+    """
+    most, limit = (reach / lengths).max(axis=1), _LESS / rotation
+    t = np.minimum((1 + most) / limit, np.pi / 2)
+    for _ in range(_NEWTON):
+        s = np.sin(t)
+        t = np.minimum(t + (1 / t + most / s - limit) / (1 / t**2 + most * np.cos(t) / s**2), np.pi / 2)
+    return np.where(t < np.pi / 2, np.sin(t) * (1 + _SAFE) + _ROUNDING, 2.0)
 
 
 def noise(j: LegJacobians, accuracy: float) -> Floats:

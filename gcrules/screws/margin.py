@@ -7,6 +7,7 @@ softest motion the legs notice. 0 ≤ σ ≤ 1, and σ = 0 exactly where the rob
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from functools import cached_property
 
 import numpy as np
@@ -83,14 +84,32 @@ class LegJacobians:
 
         Seen from the platform its ends and their inertia stay; σ² is the least eigenvalue of the rows' products.
         """
+        products, lengths = self._products(rotations, base)
+        squares = np.linalg.eigvalsh(products)[:, 0]
+        return np.sqrt(np.clip(squares - _OFF, 0.0, 1.0)), lengths
+
+    def keeps(self, rotations: Floats, base: Floats, least: Callable[[Floats], Floats]) -> NDArray[np.bool_]:
+        """Where the same σ is at least that which `least` gives for the legs' lengths: by elimination, many times as
+        fast as eigenvalues.
+        """
+        products, lengths = self._products(rotations, base)
+        m = np.ascontiguousarray(np.moveaxis(products, 0, 2))
+        m[np.arange(6), np.arange(6)] -= least(lengths) ** 2 + _OFF
+        positive = np.ones(len(lengths), dtype=bool)
+        for k in range(6):
+            positive &= m[k, k] > 0
+            m[k + 1 :, k + 1 :] -= m[k + 1 :, k, None] * (m[k, k + 1 :] / np.where(positive, m[k, k], 1.0))
+        return positive
+
+    def _products(self, rotations: Floats, base: Floats) -> tuple[Floats, Floats]:
+        """The products (N, 6, 6) of the balanced rows, seen from the platform, and the legs' lengths."""
         along = self.arms[0] + (self.centroid[0] - base) @ rotations
         lengths = np.linalg.norm(along, axis=2)
         u = along / lengths[:, :, None]
         (a, b, c), (x, y, z) = (self.arms[0] / self.radius).T, np.moveaxis(u, 2, 0)
         moments = np.stack([b * z - c * y, c * x - a * z, a * y - b * x], axis=2)
         rows = np.concatenate([u / np.sqrt(6), moments @ self._turn[0]], axis=2)
-        squares = np.linalg.eigvalsh(rows @ np.swapaxes(rows, 1, 2))[:, 0]
-        return np.sqrt(np.clip(squares - _OFF, 0.0, 1.0)), lengths
+        return rows @ np.swapaxes(rows, 1, 2), lengths
 
     @property
     def condition_number(self) -> Floats:

@@ -92,16 +92,14 @@ def test_kinds(rank: int, assumption: str, claim: str, verdict: str, verdicts: l
 def check_kinds(proof: Proof, at: Context, names: Sequence[str]) -> None:
     """Each kind by itself over F_7: what is proved for it holds at its positions, and together they are all."""
     wanted, difference = everything(at), ex.sub(proof.left, proof.right, rank=at.rank)
-    said = [(k.verdict, k.where, [parse(t, context=at) for t in k.assumed]) for k in proof.kinds]
-    said = said or [(proof.verdict, (), [parse(t, context=at) for t in proof.assumed])]
-    for points in positions(names, at, 7, 11, 4000):
+    said = [
+        (k.verdict, *([parse(t, context=at) for t in texts] for texts in (k.where, k.assumed))) for k in proof.kinds
+    ]
+    said = said or [(proof.verdict, [], [parse(t, context=at) for t in proof.assumed])]
+    for points in positions(names, at, 7, 11, 2000):
         if not vanish(wanted, points, at.rank, 7):
             continue
-        here = [
-            (verdict, assumed)
-            for verdict, where, assumed in said
-            if vanish([parse(t, context=at) for t in where], points, at.rank, 7)
-        ]
+        here = [(verdict, assumed) for verdict, where, assumed in said if vanish(where, points, at.rank, 7)]
         assert here or any(vanish([e], points, at.rank, 7) for *_, assumed in said for e in assumed), points
         for verdict, assumed in here:
             if verdict == "proved" and not any(vanish([e], points, at.rank, 7) for e in assumed):

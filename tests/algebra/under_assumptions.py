@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import random
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from functools import cache
 from itertools import product
 
 from gcrules.algebra import expr as ex
@@ -173,12 +174,15 @@ def vanish(es: Sequence[Expr], points: Mapping[str, Sequence[int]], rank: int, m
     """Whether expressions are zero; points that have no coordinates run through a basis."""
     basis = [tuple(int(i == j) for j in range(rank)) for i in range(rank)]
     for e in es:
-        others = [n for n in points_of(e) if n not in points]
+        others = [n for n in _names(e) if n not in points]
         for chosen in product(basis, repeat=len(others)):
             at = {**points, **dict(zip(others, chosen, strict=True))}
             if any(v % modulus if modulus else v for v in Evaluator(at, rank, modulus).value(e)):
                 return False
     return True
+
+
+_names = cache(points_of)
 
 
 def everything(at: Context) -> list[Expr]:

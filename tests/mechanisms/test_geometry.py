@@ -101,6 +101,7 @@ def test_no_file(tmp_path: Path, name: str, words: str) -> None:
 EXAMPLES = {
     "octahedral": "ab af cb cd ed ef",
     "octahedral-singular": "ab af cb cd ed ef",
+    "two-tripods": "aA bA cA dB eB fC",
     "platform-6-3": "Aa Ba Cb Db Ec Fc",
     "platform-6-4": "Aa Ab Bc Bd Ce Df",
     "platform-6-6": "Aa Bb Cc Dd Ee Ff",

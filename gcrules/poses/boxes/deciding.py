@@ -30,6 +30,7 @@ Places = NDArray[np.intp]
 
 _BLOCK = 512
 _ROUNDED = 1e-12  # of a cosine and a sine
+_NOISE = 1e-12  # of the product of the rows' lengths: smaller changes of a determinant have no direction
 _WIDE = 1e12  # of amounts that have no bound
 
 
@@ -229,19 +230,32 @@ class Decider:
         return outside, inside & ~outside
 
     def _changes(self, boxes: Boxes) -> Truths:
-        """Whether the determinant has both signs at two places of each box."""
+        """Whether the determinant has both signs among the places of each box."""
+        every = self.tried(boxes)[1]
+        return np.asarray(every.min(axis=0) * every.max(axis=0) < 0)
+
+    def tried(self, boxes: Boxes) -> tuple[Floats, NDArray[np.int8]]:
+        """Places (4, N, n) of boxes and the signs (4, N) of the determinant there: the middle, two corners towards
+        which it changes most, and between these where it is extreme, which is between two sheets near each other.
+        """
         here = self.inputs(boxes.middles)
         rows = self._rows(run(self.forms.wrenches, "numpy", here))
         step = np.zeros_like(boxes.middles)
+        noise = _NOISE * np.prod(np.linalg.norm(rows, axis=2), axis=1)
         for k, at in enumerate(self.free):  # the direction in which the determinant changes most
             there = here.copy()
             there[:, at] += boxes.halves[:, k] * 1e-3
-            step[:, k] = np.linalg.det(self._rows(run(self.forms.wrenches, "numpy", there))) - np.linalg.det(rows)
-        every = [signs(rows)]
-        for way in (-1, 1):
-            places = self.inputs(boxes.middles + way * np.sign(step) * boxes.halves)
-            every.append(signs(self._rows(run(self.forms.wrenches, "numpy", places))))
-        return np.asarray(np.min(every, axis=0) * np.max(every, axis=0) < 0)
+            change = np.linalg.det(self._rows(run(self.forms.wrenches, "numpy", there))) - np.linalg.det(rows)
+            step[:, k] = np.where(np.abs(change) > noise, np.sign(change), 0.0)
+        step *= boxes.halves
+        places, every = [boxes.middles, boxes.middles - step, boxes.middles + step], [rows]
+        every += [self._rows(run(self.forms.wrenches, "numpy", self.inputs(p))) for p in places[1:]]
+        middle, low, high = (np.linalg.det(m) for m in every)
+        bent = low + high - 2 * middle  # of the parabola through the three values
+        extreme = np.clip(np.divide(low - high, 2 * bent, out=np.zeros_like(bent), where=bent != 0), -1, 1)
+        places.append(boxes.middles + extreme[:, None] * step)
+        every.append(self._rows(run(self.forms.wrenches, "numpy", self.inputs(places[-1]))))
+        return np.stack(places), np.stack([signs(m) for m in every])
 
 
 def _turned(found: Models, row: int, least: float, most: float) -> tuple[Truths, Truths]:

@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 from gcrules.core.errors import GcrulesError, InputError
 from gcrules.mechanisms.load import Source
 from gcrules.mechanisms.mechanism import mechanism
+from gcrules.poses.boxes.deciding import Boxes
 from gcrules.poses.boxes.ties import upwards
 from gcrules.poses.certificates.asked import Asked, asked, share_of
 from gcrules.poses.certificates.certificate import Bad, Certificate, parts_of, read_certificate, restored
@@ -129,7 +130,8 @@ def _bad(found: Asked, search: Search, k: int) -> Bad:
         return decider.sign_at(decider.inputs(place[None])[0])
 
     steps = np.array(np.meshgrid(*[(-1.0, 1.0)] * len(middle), indexing="ij")).reshape(len(middle), -1).T
-    places = [middle, *(middle + step * half for step in steps)]
+    tried = decider.tried(Boxes(middle[None], half[None]))[0][:, 0]
+    places = [*tried, *(middle + step * half for step in steps)]
     signs = [sign(p) for p in places]
     place = middle
     ends: tuple[tuple[float, ...], ...] = ()

@@ -8,6 +8,7 @@ cube are free if that stays below Î¸ with d = 0, and all shifts |d| below some Î
 
 from __future__ import annotations
 
+from functools import partial
 from itertools import product
 
 import numpy as np
@@ -16,7 +17,7 @@ from numpy.typing import NDArray
 from gcrules.core.budget import checkpoint
 from gcrules.core.dataclass import dataclass
 from gcrules.poses.numbers.arrays import from_vectors, matrices
-from gcrules.screws.guarantees import guarantees
+from gcrules.screws.guarantees import guarantees, sigma_for
 from gcrules.screws.margin import LegJacobians, jacobian
 
 __all__ = ["MAX_POSES", "free_angle", "free_distance"]
@@ -48,7 +49,7 @@ def free_angle(base: Floats, j: LegJacobians, target: float, limit: int = MAX_PO
         cubes = cubes[order]
         seen += len(cubes)
         if len(cubes):
-            cubes = cubes[~(_free_shift(_quick(base, j, cubes), half)[0] > 0)]
+            cubes = cubes[~_free(base, j, cubes, half)]
         half /= 2
         cubes = _halved(cubes, half)
     return free
@@ -65,6 +66,9 @@ def free_distance(base: Floats, j: LegJacobians, target: float, limit: int = MAX
     cubes, seen, best = np.zeros((1, 3)), 0, target
     while len(cubes):
         checkpoint()
+        cubes = cubes[rho * _nearest(cubes, half) < _ENOUGH * best]  # in the others no pose is near enough
+        if not len(cubes):
+            break
         seen += len(cubes)
         shifts, centres = _free_shift(_quick(base, j, cubes), half)
         # No cube can do better than its centre, so `best` bounds what can be proved at all.
@@ -96,13 +100,25 @@ class _Turned:
     gone: NDArray[np.bool_]
 
 
+def _free(base: Floats, j: LegJacobians, cubes: Floats, half: float) -> NDArray[np.bool_]:
+    """Whether all rotations of cubes are free."""
+    rotations, gone = _rotations(base, j, cubes)
+    least = partial(sigma_for, np.sqrt(3) * half, reach=j.reach)
+    return j.keeps(rotations, base, least) & ~gone
+
+
 def _quick(base: Floats, j: LegJacobians, cubes: Floats) -> _Turned:
-    rotations = matrices(from_vectors(cubes))
-    along = j.arms[0] + (j.centroid[0] - base) @ rotations
-    gone = _without_length(along, j)
-    rotations[gone] = np.eye(3)  # their bounds are set to 0 below
+    rotations, gone = _rotations(base, j, cubes)
     sigma, lengths = j.turned(rotations, base)
     return _Turned(sigma, lengths, j.reach, j.radius, gone)
+
+
+def _rotations(base: Floats, j: LegJacobians, cubes: Floats) -> tuple[Floats, NDArray[np.bool_]]:
+    """Those at the middles of cubes, and which leave a leg without length: they are replaced by none."""
+    rotations = matrices(from_vectors(cubes))
+    gone = _without_length(j.arms[0] + (j.centroid[0] - base) @ rotations, j)
+    rotations[gone] = np.eye(3)
+    return rotations, gone
 
 
 def _thorough(base: Floats, j: LegJacobians, cubes: Floats) -> _Turned:

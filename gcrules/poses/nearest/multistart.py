@@ -79,11 +79,7 @@ def best_zero(
 
     `more` are further zeros to start from, shape (N, dimension); within `free` there is proved to be none.
     """
-    if dimension == 3:
-        directions = fibonacci(_ROTATIONS)
-    else:
-        directions = np.random.default_rng(0).normal(size=(_BOTH, dimension))
-        directions /= np.linalg.norm(directions, axis=1, keepdims=True)
+    directions = fibonacci(_ROTATIONS) if dimension == 3 else _spread(_BOTH)
     starts = _along_rays(f, directions, reach, free)
     if more is not None:
         starts = np.concatenate([more, starts])
@@ -94,6 +90,17 @@ def best_zero(
     polished = _polished(f, starts[order[:_STARTS]] / size, size) * size
     found: Floats = polished[int(np.argmin(np.linalg.norm(polished, axis=1)))]
     return found
+
+
+def _spread(number: int) -> Floats:
+    """Unit vectors spread evenly over the sphere in six dimensions, shape (number, 6): points of Roberts's sequence, in
+    pairs of coordinates turned into normal ones (Box and Muller).
+    """
+    root = 1.1127756842787055  # of x⁷ = x + 1
+    u = (0.5 + np.arange(1, number + 1)[:, None] / root ** np.arange(1, 7)) % 1
+    length, angle = np.sqrt(-2 * np.log(1 - u[:, :3])), 2 * np.pi * u[:, 3:]
+    found = np.concatenate([length * np.cos(angle), length * np.sin(angle)], axis=1)
+    return np.asarray(found / np.linalg.norm(found, axis=1, keepdims=True))
 
 
 def _along_rays(f: Callable[[Floats], Floats], directions: Floats, reach: float, free: float = 0.0) -> Floats:

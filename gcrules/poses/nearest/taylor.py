@@ -59,14 +59,8 @@ class Taylor:
         c1 = directions @ self.gradient / self.constant
         c2 = (directions @ self.hessian * directions).sum(axis=1) / 2 / self.constant
         c3 = (self._third(directions, directions) * directions).sum(axis=1) / 6 / self.constant
-        companion = np.zeros((len(directions), 3, 3))
-        companion[:, 0] = -np.stack([c1, c2, c3], axis=1)
-        companion[:, 1, 0] = companion[:, 2, 1] = 1.0
-        roots = np.linalg.eigvals(companion)
-        real = (np.abs(roots.imag) <= 1e-6 * np.abs(roots)) & (roots.real > 0)
-        largest = np.where(real, roots.real, 0.0).max(axis=1)
         with np.errstate(divide="ignore"):
-            found: Floats = 1 / largest
+            found: Floats = 1 / np.maximum(_largest_real(c1, c2, c3), 0.0)
         return found
 
     def _third(self, x: Floats, y: Floats) -> Floats:
@@ -86,3 +80,37 @@ def taylor(f: Cubic, size: Fraction) -> Taylor:
             if axes:
                 (gradient, hessian, third)[len(axes) - 1][order] = derivative
     return Taylor(1.0, gradient, hessian, third)
+
+
+def _largest_real(a: Floats, b: Floats, c: Floats) -> Floats:
+    """The largest root that is real, or within 1e-6 of it, of each s³ + a s² + b s + c, to some ten digits: a hundred
+    times as fast as the eigenvalues of companion matrices.
+
+    One real root by Viète's and Cardano's formulas, after Newton's method; what is left is a quadratic.
+    """
+    p, q = b / 3 - a * a / 9, (a * b / 3 - c) / 2 - a**3 / 27  # of s = t − a/3: t³ + 3 p t = 2 q
+    square = q * q + p**3
+    root = np.sqrt(np.abs(square))
+    size = np.cbrt(np.abs(q) + root)  # one root is real, of the sign of q
+    far = np.sqrt(np.maximum(-p, 0.0))
+    with np.errstate(divide="ignore", invalid="ignore"):
+        alone = np.where(size > 0, size - p / size, 0.0)
+        turned = 2 * far * np.cos(np.arccos(np.clip(np.abs(q) / far**3, -1, 1)) / 3)
+    t = np.copysign(np.where(square > 0, alone, np.where(far > 0, turned, 0.0)), q)
+    s = t - a / 3
+    value = ((s + a) * s + b) * s + c
+    for _ in range(3):
+        slope = (3 * s + 2 * a) * s + b
+        new = s - np.divide(value, slope, out=np.zeros_like(s), where=slope != 0)
+        there = ((new + a) * new + b) * new + c
+        better = np.abs(there) < np.abs(value)
+        s, value = np.where(better, new, s), np.where(better, there, value)
+    large = np.abs(s) ** 3 > np.abs(c)  # then the division from the lowest coefficient is the stable one
+    with np.errstate(divide="ignore", invalid="ignore"):
+        product = np.where(large, -c / s, b + s * (a + s))
+        half = np.where(large, (product - b) / s, a + s) / 2  # of the quadratic s² + 2 half s + product
+    left = half * half - product
+    imaginary = np.sqrt(np.maximum(-left, 0.0))
+    other = -half + np.sqrt(np.maximum(left, 0.0))
+    is_real = imaginary <= 1e-6 * np.hypot(half, imaginary)
+    return np.where(is_real, np.maximum(s, other), s)
