@@ -129,10 +129,36 @@ def _paired(chains: list[Chain], ends: tuple[str, str], poses: Poses) -> list[Ch
         for other in chains[:k]:
             second = other.between(one.start, one.end)
             bars = _bars(second, one, poses) if second else None
-            if bars is not None:
+            items = (bars,) if bars else _crossed(second, one, poses) if second else None
+            if items is not None:
                 rest = [c for c in chains if c is not one and c is not other]
-                return [*rest, Chain(one.start, one.end, (bars,))]
+                return [*rest, Chain(one.start, one.end, items)]
     return None
+
+
+def _crossed(one: Chain, other: Chain, poses: Poses) -> tuple[Item, ...] | None:
+    """Two bars with crosses at both ends, those of each side about one line: where the crosses of a side turn together
+    in all configurations, they are one hinge, a parallelogram, and one hinge.
+    """
+    ours = [i for i in one.items if isinstance(i, Motion) and i.kind == "R" and not i.driven]
+    theirs = [i for i in other.items if isinstance(i, Motion) and i.kind == "R" and not i.driven]
+    if not len(ours) == len(theirs) == len(one.items) == len(other.items) == 4:
+        return None
+    (first, near, far, last), (second, *between, third) = ours, theirs
+    if not (_on_one_line(first, second) and _on_one_line(last, third)):
+        return None
+    for at in poses:
+        if max(np.abs(at[m.end] - at[n.end]).max() for m, n in ((first, second), (far, between[1]))) > _SAME:
+            return None
+    beside = (replace(between[0], start=first.end), replace(between[1], end=last.start))
+    bars = _bars(Chain(first.end, last.start, (near, far)), Chain(first.end, last.start, beside), poses)
+    return None if bars is None else (first, replace(bars, inner=(near, far, *theirs)), last)
+
+
+def _on_one_line(one: Motion, other: Motion) -> bool:
+    away = np.cross(other.at - one.at, one.axis)
+    size = 1 + float(np.linalg.norm(other.at - one.at))
+    return bool(np.linalg.norm(np.cross(one.axis, other.axis)) < _SAME and np.linalg.norm(away) < _SAME * size)
 
 
 def _joined(chains: list[Chain], ends: tuple[str, str], poses: Poses) -> list[Chain] | None:
@@ -170,8 +196,10 @@ def _bars(one: Chain, other: Chain, poses: Poses) -> Bars | None:
     return found
 
 
-def _as_bars(one: Chain, other: Chain) -> Bars | None:
-    """Two chains that each hold no more than a length between two points, or two hinges, whatever the lengths are."""
+def _as_bars(one: Chain, other: Chain, least: int = 5) -> Bars | None:
+    """Two chains that each hold no more than a length between two points, or two hinges, whatever the lengths are; with
+    `least` 4 also bars with crosses at both ends.
+    """
     if not all(isinstance(i, Motion) for c in (one, other) for i in c.items):
         return None
     motions = [i for c in (one, other) for i in c.items if isinstance(i, Motion)]
@@ -183,7 +211,7 @@ def _as_bars(one: Chain, other: Chain) -> Bars | None:
             return None
         near, far, second, last = motions
         return Bars("Pa", one.start, one.end, (near, second), (far, last), tuple(motions), driven)
-    ends = [_ball_ends(c) for c in (one, other)]
+    ends = [_ball_ends(c, least) for c in (one, other)]
     if driven or ends[0] is None or ends[1] is None:
         return None
     (near, far), (second, last) = ends[0], ends[1]
@@ -197,19 +225,20 @@ def pairs_of_bars(motions: Sequence[Motion], base: str, platform: str) -> Iterat
         for k, one in enumerate(chains):
             for other in chains[:k]:
                 second = other.between(one.start, one.end)
-                bars = _as_bars(second, one) if second else None
+                bars = _as_bars(second, one, 4) if second else None
                 if bars is not None:
                     yield bars
 
 
-def _ball_ends(chain: Chain) -> tuple[Motion, Motion] | None:
-    """The joints at the ends of a bar that holds a length alone: ball joints, of which one may be a cross, which leaves
-    out the spin of the bar; several turns through one point are such a joint.
+def _ball_ends(chain: Chain, least: int) -> tuple[Motion, Motion] | None:
+    """The joints at the ends of a bar that have so many freedoms. With 5 of them the bar holds a length alone: ball
+    joints, of which one may be a cross, which leaves out the spin of the bar; several turns through one point are such
+    a joint.
     """
     motions = tuple(i for i in chain.items if isinstance(i, Motion))
     for k in range(1, len(motions)):
         near, far = _end(*motions[:k]), _end(*motions[k:])
-        if near is not None and far is not None and near[1] + far[1] > 4:
+        if near is not None and far is not None and near[1] + far[1] >= least:
             return near[0], far[0]
     return None
 

@@ -240,10 +240,11 @@ class _Import:
 
     def _account(self, robot: Robot, text: str, drawn: Sequence[Drawn], most: float, words: str) -> Imported:
         used = {m.joint for m in self.motions}
-        count = next((len(s.values) for d in drawn for p in d.parts for s in p.slots if p.kind == "4S"), 0)
-        if count:
+        bars = [p for d in drawn for p in d.parts if p.kind in ("4S", "Pa") and len(p.joints) > 2]
+        if bars:
+            kinds, count = " and ".join(sorted({p.kind for p in bars})), len(bars[0].slots[0].values)
             self.notes.append(
-                f"4S are bars that stay parallel, as they do in the {count} configurations that were computed;"
+                f"{kinds} are bars that stay parallel, as they do in the {count} configurations that were computed;"
                 " what is said of the robot holds while they do"
             )
         limbs = tuple(

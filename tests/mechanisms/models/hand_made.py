@@ -25,7 +25,9 @@ def around(k: int, radius: float, height: float, *, of: int = 3, turn: float = 0
 
 
 def delta(noise: float = 0.0, elbow: str = "ball") -> Model:
-    """Motors, arms, and two rods with ball ends to each of them, at the elbow a ball, a cross or three turns."""
+    """Motors, arms, and two rods with ball ends to each of them, at the elbow a ball, a cross or three turns; or with
+    crosses at both ends.
+    """
     rng = np.random.default_rng(0)
     joints = []
     for k in range(3):
@@ -42,13 +44,17 @@ def delta(noise: float = 0.0, elbow: str = "ball") -> Model:
             end = 0.06 * np.array([c, s, 0]) + off * side + [0, 0, -0.5] + noise * 0.5 * rng.normal(size=3)
             up, down = tuple(map(float, top)), tuple(map(float, end))
             across = (float(side[0]), float(side[1]), 0.0)
+            swing = np.cross(side, [-0.34 * c, -0.34 * s, -0.5])
+            turn = (float(swing[0]), float(swing[1]), float(swing[2]))
             kinds: dict[str, list[tuple[tuple[float, float, float], ...]]]
-            kinds = {"ball": [()], "cross": [(across, X)], "turns": [(Z,), (X,), (Y,)]}
+            kinds = {"ball": [()], "cross": [(across, X)], "crosses": [(across, turn)], "turns": [(Z,), (X,), (Y,)]}
             axes = kinds[elbow]
             kind = {0: "ball", 1: "revolute", 2: "universal"}[len(axes[0])]
             ends = (f"arm{k}", f"rod{k}{n}")
             joints += chain_of([(f"e{m}", kind, up, a) for m, a in enumerate(axes)], ends, f"elbow{k}{n}")
-            joints.append(ModelJoint(f"wrist{k}{n}", "ball", f"rod{k}{n}", "plate", down, closing=k + n > 0))
+            ends = (f"rod{k}{n}", "plate")
+            wrist = ("universal", (turn, across)) if elbow == "crosses" else ("ball", ())
+            joints.append(ModelJoint(f"wrist{k}{n}", wrist[0], *ends, down, wrist[1], closing=k + n > 0))
     return model(joints, tuple(f"motor{k}" for k in range(3)))
 
 

@@ -56,9 +56,29 @@ def test_rods_of_a_delta_are_parallel_again(elbow: str) -> None:
     assert np.ptp(rods) < 1e-10
 
 
-def test_a_delta_with_decimals_has_a_certificate() -> None:
+@pytest.mark.parametrize("amount", [0.0, 1e-5])
+def test_rods_with_crosses_are_a_parallelogram_between_hinges(amount: float) -> None:
+    found = import_model(delta(amount, "crosses"))
+    assert found.robot.chain == "3-R*RPaR"
+    assert found.robot.mobility == 3
+    assert "n%: perpendicular to r%, B% C%" in found.yaml
+    assert ("3 pairs of equal bars" in found.exact) == (amount > 0)
+    assert any(note.startswith("Pa are bars that stay parallel") for note in found.notes)
+
+
+def test_crosses_that_do_not_turn_together_stay_crosses() -> None:
+    """Those of one arm stand off one line, so that it is no parallelogram between hinges."""
+    own = delta(0.0, "crosses")
+    up = {"elbow01_e0", "wrist01"}
+    joints = [replace(j, at=(j.at[0], j.at[1], j.at[2] + 0.02)) if j.name in up else j for j in own.joints]
+    found = import_model(replace(own, joints=tuple(joints)), actuators=("motor0", "motor1", "motor2"))
+    assert "UU | UU" in found.robot.chain
+
+
+@pytest.mark.parametrize("elbow", ["ball", "crosses"])
+def test_a_delta_with_decimals_has_a_certificate(elbow: str) -> None:
     """As one has that comes with gcrules."""
-    found = import_model(delta(1e-5))
+    found = import_model(delta(1e-5, elbow))
     sure = gc.certify(found.robot, over=["x -0.01..0.01", "y -0.01..0.01"], boxes=64)
     assert sure.verdict == "free"
     assert sure.bound is not None
