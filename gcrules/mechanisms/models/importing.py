@@ -294,7 +294,7 @@ class _Import:
         own = [f"{n} from {low:.6g} to {high:.6g}" for n, (low, high) in self._limits() if n not in written]
         limits = f"; limits of the model from home, in metres and radians: {', '.join(own)}" if own else ""
         name = PurePath(self.model.filename).name
-        return f"imported from {name}, with {self.ends.platform} as the platform; lengths in metres{limits}"
+        return f"imported from {name}, with {self.ends.platform} as the platform{limits}"
 
 
 def _lengths(poses: dict[str, Floats], size: float) -> dict[str, Floats]:
