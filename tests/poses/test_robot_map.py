@@ -269,8 +269,14 @@ def test_faults(name: str, over: list[str], at: str | None, more: dict[str, str]
 def test_only_angles_end_after_a_turn(tmp_path: Path) -> None:
     file = tmp_path / "robot.yaml"
     file.write_text(f"units: mm\n{(ROOT / 'plugins' / '3-rpr' / 'robot.yaml').read_text('utf-8')}", "utf-8")
-    task = limbs_task(Limbs.of(gc.load(file)), ["x -20:20:3 mm", "yaw -180:180:3 deg"])
+    task = limbs_task(Limbs.of(gc.load(file)), ["x -20:20:3 mm", "yaw -180:180:3 deg"], "y=0.1")
     assert task.grid.shape == (3, 3)
+    assert task.grid.rest == "y = 0.1 mm"
+
+
+def test_actuators_that_are_given_bear_their_unit() -> None:
+    task = limbs_task(robot("3-rrr"), ["q1 -2:2:3 deg", "q2 -10:10:3 deg"], "q3=5deg")
+    assert task.grid.rest == "q3 = 5°"
 
 
 def test_the_command(tmp_path: Path) -> None:

@@ -32,7 +32,7 @@ __all__ = ["Question", "question"]
 @dataclass(frozen=True)
 class Question:
     """Poses over the `axes`, whose nodes are the borders of tiles; `names` are all coordinates that determine a pose,
-    `values` what they are where no axis stands for them (in radians and the file's unit), `size` is the robot's,
+    `values` what they are where no axis stands for them (in radians and the file's `unit`), `size` is the robot's,
     `chosen` says that of several configurations home's is meant, `sentence` is the condition.
     """
 
@@ -41,6 +41,7 @@ class Question:
     values: tuple[float, ...]
     limits: LengthLimits | None
     size: float
+    unit: str
     chosen: bool
     sentence: str
 
@@ -62,7 +63,7 @@ class Question:
     @property
     def rest(self) -> str:
         """What the other coordinates are, in words."""
-        return in_words(self.others)
+        return in_words(self.others, self.unit)
 
     @property
     def others(self) -> dict[str, float]:
@@ -98,7 +99,7 @@ def _of_legs(m: SixLegs, axes: tuple[GridAxis, ...], at: Any, limits: str | None
         raise InputError(f"a pose is more than {FAR:g} times the robot's size away", hint="check the unit")
     reach = limits_of(m, limits)
     return Question(
-        axes, (*TRANSLATION, *reversed(TURNS)), values, reach, m.rig.size, False, m.analysis.condition.sentence
+        axes, (*TRANSLATION, *reversed(TURNS)), values, reach, m.rig.size, m.unit, False, m.analysis.condition.sentence
     )
 
 
@@ -109,7 +110,7 @@ def _of_limbs(m: Limbs, axes: tuple[GridAxis, ...], at: Any, limits: str | None)
     reach = limits_of(m, limits)
     if reach is not None:
         _check_whole_turns(reach)
-    return Question(axes, names, values, reach, k.size, True, m.analysis.statement)
+    return Question(axes, names, values, reach, k.size, m.unit, True, m.analysis.statement)
 
 
 def _check_whole_turns(reach: LengthLimits) -> None:

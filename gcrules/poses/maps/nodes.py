@@ -6,14 +6,14 @@ r"""The nodes of a map: all combinations of the nodes of its axes; and what is s
 ((5, 4), 20)
 >>> nodes.coordinates(np.array([[0, 0], [4, 1.5]])).tolist()
 [[-2.0, 0.0], [2.0, 45.0]]
->>> in_words(others(nodes.axes, ("x", "y", "yaw"), (0.0, 0.25, 0.0)))
-'y = 0.25'
+>>> in_words(others(nodes.axes, ("x", "y", "yaw"), (0.0, 0.25, 0.0)), "mm")
+'y = 0.25 mm'
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Container, Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -57,6 +57,9 @@ def others(axes: Sequence[GridAxis], names: Sequence[str], values: Sequence[floa
     return {n: v for n, v in zip(names, values, strict=True) if n not in over}
 
 
-def in_words(values: Mapping[str, float]) -> str:
-    """Coordinates, in radians and the file's unit, as text: roll, pitch and yaw in degrees."""
-    return ", ".join(f"{n} = {math.degrees(v):.6g}°" if n in TURNS else f"{n} = {v:.6g}" for n, v in values.items())
+def in_words(values: Mapping[str, float], unit: str = "", angles: Container[str] = TURNS) -> str:
+    """Coordinates, in radians and the file's unit, as text: `angles` in degrees, the others in that unit, 0 without."""
+    return ", ".join(
+        f"{n} = {math.degrees(v):.6g}°" if n in angles else f"{n} = {v:.6g} {unit if v else ''}".rstrip()
+        for n, v in values.items()
+    )
