@@ -122,7 +122,9 @@ FORMS: dict[str, Forms] = {
         save=f"{_VIEWS}.plots.box_files:save",
         xarray=f"{_VIEWS}.plots.box_files:dataset",
     ),
-    "gcrules.poses.certificates.certificate.Certificate": _told("certificate"),
+    "gcrules.poses.certificates.certificate.Certificate": _told(
+        "certificate", svg=f"{_RESULTS}.certificate:picture_of"
+    ),
     "gcrules.poses.tiles.status.MapStatus": _result("tiles", formula=""),
     "gcrules.poses.stored_maps.verifying.MapVerified": _result(
         "tiles", text="verified_text", latex="verified_latex", formula=""

@@ -1,38 +1,60 @@
-r"""A certificate as text and as LaTeX: whether the whole range is free, how much of it is proved, and by what."""
+r"""A certificate as text, as LaTeX and as a picture: whether the whole range is free, how much of it is proved, and by
+what.
+"""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Iterator
 
+from gcrules.core.deferred import deferred
+from gcrules.core.english import listed
 from gcrules.poses.boxes.task import MODES
 from gcrules.poses.certificates.certificate import Certificate
+from gcrules.poses.certificates.checking import geometry
 from gcrules.views.formulas.latex_text import latex_quantity, latex_table, latex_words
 from gcrules.views.results.box_shares import (
     PROOF,
+    Share,
     latex_ranges,
     latex_shares,
     named_rows,
     parted,
+    parts_of,
     percent,
     place_words,
     share_rows,
 )
+from gcrules.views.results.certificate_place import shown_place
 from gcrules.views.results.result_account import Facts, ResultAccount
 from gcrules.views.text_tables import ASCII, wrapped
 
-__all__ = ["account", "as_latex", "as_text", "verdict"]
+__all__ = [
+    "account",
+    "as_latex",
+    "as_text",
+    "captioned",
+    "check",
+    "decided",
+    "parts",
+    "picture_of",
+    "seen",
+    "verdict",
+]
+
+picture = deferred("gcrules.views.plots.certificate_plot:picture")  # matplotlib, an extra of the installation
 
 
 def as_text(c: Certificate, *, unicode: bool = False) -> str:
     """The whole answer; without `unicode` in ASCII."""
-    found = "\n".join([*wrapped(verdict(c)), "", *named_rows(_rows(c))])
+    found = "\n".join([*wrapped(verdict(c)), "", *named_rows([*_question(c), *_answer(c)])])
     return found if unicode else found.translate(ASCII)
 
 
 def account(c: Certificate) -> ResultAccount:
     """What there is to say of it."""
-    return ResultAccount(verdict(c), (Facts(tuple(_rows(c))),))
+    asked, proved = Facts(tuple(_question(c)), "What was asked"), Facts(tuple(_answer(c)), "What is proved")
+    return ResultAccount(verdict(c), (asked, proved))
 
 
 def verdict(c: Certificate) -> str:
@@ -57,6 +79,9 @@ def verdict(c: Certificate) -> str:
     return f"Not decided: {proved} of the range is proved, {left} of it is undecided; no singular pose was found."
 
 
+_SUCH = "such a pose"
+
+
 def _parted(c: Certificate) -> str:
     return parted(c.shares, "leaves the range, or what is reached within the limits")
 
@@ -72,10 +97,9 @@ def _at(c: Certificate) -> str:
     )
 
 
-def _rows(c: Certificate) -> Iterator[tuple[str, str]]:
-    yield from _question(c)
+def _answer(c: Certificate) -> Iterator[tuple[str, str]]:
     *_, crossed, undecided = c.shares
-    yield from share_rows(c.shares, c.asked.limited, "such a pose")
+    yield from share_rows(c.shares, c.asked.limited, _SUCH)
     if c.bad is not None:
         yield "pose", f"{c.bad.at} (as gcrules pose --at takes it)"
         yield "", f"margin σ = {c.bad.margin:.3g} there"
@@ -115,3 +139,52 @@ def as_latex(c: Certificate) -> str:
     if c.bound is not None:
         rows.append(("margin $\\sigma$, at least", latex_quantity(c.bound)))
     return latex_table(rows)
+
+
+def picture_of(c: Certificate) -> str | None:
+    """The boxes, or slices through them, as SVG; None where matplotlib is missing."""
+    try:
+        svg: bytes = picture(c, "svg")
+    except ImportError:
+        return None
+    return svg.decode()
+
+
+def parts(c: Certificate) -> Iterator[Share]:
+    """Each kind of boxes that occurs."""
+    return parts_of(c.shares, _SUCH)
+
+
+def decided(c: Certificate) -> str:
+    """How much is decided, in one sentence."""
+    return f"{percent(c.decided)} of the volume is proved, with {c.boxes:,} boxes."
+
+
+def seen(c: Certificate) -> str:
+    """What the picture shows, in words."""
+    title = c.asked.mechanism.title or "the robot"
+    over, shares = listed([a.name for a in c.axes]), listed([words for _, _, words in parts(c)])
+    if len(c.axes) < 3:
+        return f"Boxes of poses of {title} over {over}: {shares}."
+    return f"{_slices(c)} Boxes of poses of {title}; of the whole range {shares}."
+
+
+def captioned(c: Certificate) -> str:
+    """What the picture shows, in short."""
+    return f"{'Boxes of poses.' if len(c.axes) < 3 else _slices(c)} What is proved stands above."
+
+
+def _slices(c: Certificate) -> str:
+    at = shown_place(c)
+    over = listed([a.name for a in c.axes])
+    return f"Slices over each pair of {over} through {at.words}: {place_words(c.axes, at.place)}."
+
+
+def check(c: Certificate) -> str:
+    """How the certificate can be checked again."""
+    if geometry(c.asked) is None:
+        return "Robots of this kind have no independent checker yet: the proof of each box is that of gcrules alone."
+    return (
+        "The file of the certificate has all boxes; `python tools/check_certificate.py FILE` proves each of them anew,"
+        " with bounds of its own: it needs Python alone and shares no code with gcrules."
+    )
