@@ -84,7 +84,7 @@ FORMS: dict[str, Forms] = {
     "gcrules.conditions.manual.outcome.ProposalOutcome": _in_ascii("manual", text="outcome", latex="outcome_latex"),
     # mechanisms
     "gcrules.mechanisms.conditions.robot_analysis.RobotAnalysis": _result("robot", formula=f"{_RESULTS}.robot:formula"),
-    "gcrules.mechanisms.models.imported.Imported": _result("imported", formula=""),
+    "gcrules.mechanisms.models.imported.Imported": _told("imported"),
     # poses: their LaTeX is a table
     "gcrules.poses.numbers.report.PoseReport": _result("pose", formula=""),
     "gcrules.poses.numbers.many.PoseNumbers": _result("pose_numbers", formula=""),

@@ -28,8 +28,8 @@ Parts = Mapping[str, tuple[Floats, Floats]]
 """Of each kind of boxes that occurs lower and upper ends (N, n) in the units of the axes."""
 
 COLOURS: Mapping[str, str] = {
-    "free": "#D8E6F2",
-    "other": "#7FB2D8",
+    "free": "#B5D3EC",
+    "other": "#5A98C8",
     "outside": "#ECECEC",
     "crossed": LIGHT["entity2"],
     "undecided": "#E69F00",

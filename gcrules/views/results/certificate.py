@@ -5,7 +5,7 @@ what.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from gcrules.core.deferred import deferred
 from gcrules.core.english import listed
@@ -38,6 +38,7 @@ __all__ = [
     "decided",
     "parts",
     "picture_of",
+    "place_text",
     "seen",
     "verdict",
 ]
@@ -69,10 +70,11 @@ def verdict(c: Certificate) -> str:
             return f"No pose of this range is {reached.removeprefix('that is ')} (proved)."
         case "singular":
             assert c.bad is not None
-            return f"There is a singular pose in range{inside} (proved by the sign of the determinant): {_at(c)}."
+            at = place_text(c, c.bad.place)
+            return f"There is a singular pose in range{inside} (proved by the sign of the determinant): {at}."
         case "below":
             assert c.bad is not None
-            return f"There is a pose in range{inside} whose margin is below {asked:g}: {_at(c)}."
+            return f"There is a pose in range{inside} whose margin is below {asked:g}: {place_text(c, c.bad.place)}."
     proved, left = percent(c.decided), percent(c.shares[4])
     if c.holds:
         return f"No singular pose in {proved} of the range (proved); the rest, {left}, is undecided."
@@ -90,11 +92,9 @@ def _between(c: Certificate) -> str:
     return f"smallest margin σ ≥ {c.bound or 0.0:.4g}"
 
 
-def _at(c: Certificate) -> str:
-    assert c.bad is not None
-    return ", ".join(
-        f"{a.name} = {value:.6g} {a.unit}".rstrip() for a, value in zip(c.asked.axes, c.bad.place, strict=True)
-    )
+def place_text(c: Certificate, place: Sequence[float]) -> str:
+    """A place in the units of the axes, with them."""
+    return ", ".join(f"{a.name} = {value:.6g} {a.unit}".rstrip() for a, value in zip(c.axes, place, strict=True))
 
 
 def _answer(c: Certificate) -> Iterator[tuple[str, str]]:
