@@ -123,7 +123,7 @@ FORMS: dict[str, Forms] = {
         xarray=f"{_VIEWS}.plots.box_files:dataset",
     ),
     "gcrules.poses.certificates.certificate.Certificate": _told(
-        "certificate", svg=f"{_RESULTS}.certificate:picture_of"
+        "certificate", svg=f"{_RESULTS}.certificate:picture_of", picture=f"{_VIEWS}.plots.certificate_plot:picture"
     ),
     "gcrules.poses.tiles.status.MapStatus": _result("tiles", formula=""),
     "gcrules.poses.stored_maps.verifying.MapVerified": _result(

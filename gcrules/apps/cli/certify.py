@@ -17,8 +17,9 @@ from gcrules.apps.cli.limits import Seconds
 from gcrules.apps.cli.map_options import at_option, limits_option
 from gcrules.apps.cli.question_options import cone_option, tilt_option
 from gcrules.apps.cli.sources import mode_option, read_source, warn
-from gcrules.poses.certificates.certificate import check_suffix
+from gcrules.poses.certificates.certificate import PICTURES, check_suffix
 from gcrules.poses.certificates.certify import certify as certified
+from gcrules.views.plots.map_formats import need
 
 __all__ = ["certify"]
 
@@ -50,7 +51,10 @@ _CODES = {True: 0, False: 1, None: 3}
 @json_option
 @latex_option
 @mathematics_option
-@files_option("Write the certificate, whatever is decided: .json or .json.gz, which tools/check_certificate.py checks.")
+@files_option(
+    "Write the certificate, whatever is decided: .json or .json.gz, which tools/check_certificate.py checks; or a picture"
+    " of it: .svg, .pdf, .png."
+)
 @click.pass_context
 def certify(
     ctx: click.Context,
@@ -84,7 +88,8 @@ def certify(
     """
     out = Output(json=as_json, latex=as_latex, mathematics=mathematics)
     for path in outputs:
-        check_suffix(path)
+        if check_suffix(path) in PICTURES:
+            need("matplotlib", "pictures need matplotlib")
     source = warn(read_source(file, mode=mode))
     with working("proving"):
         found = certified(

@@ -28,9 +28,11 @@ from gcrules.poses.certificates.search import OTHER, Search
 from gcrules.poses.maps.axes import GridAxis
 from gcrules.poses.maps.cells import CROSSED, FREE, OUTSIDE, UNDECIDED
 
-__all__ = ["FORMAT", "Bad", "Certificate", "read_certificate", "restored"]
+__all__ = ["FORMAT", "PICTURES", "Bad", "Certificate", "check_suffix", "read_certificate", "restored"]
 
 FORMAT = "gcrules certificate 1"
+PICTURES = ("svg", "pdf", "png")
+"""Kinds of pictures."""
 _LETTERS = {FREE: "f", OTHER: "g", OUTSIDE: "o", CROSSED: "x", UNDECIDED: "u"}
 _STATUS = {letter: status for status, letter in _LETTERS.items()}
 
@@ -163,19 +165,28 @@ class Certificate(HoldsArrays, Shown):
 
     @checked("certificate.save", path=FILE)
     def save(self, path: str) -> None:
-        """Write the file that the checker reads, .json, or .json.gz for less room. Raises FileError."""
-        check_suffix(path)
-        write_file(path, self.to_bytes(packed=path.lower().endswith(".gz")), at_once=True)
+        """Write the file that the checker reads, .json, or .json.gz for less room; or a picture of the boxes: .svg,
+        .pdf, .png. Raises FileError.
+        """
+        kind = check_suffix(path)
+        data = self._show("picture", kind=kind) if kind in PICTURES else self.to_bytes(packed=kind == "gz")
+        write_file(path, data, at_once=True)
 
     def __repr__(self) -> str:
         over = ", ".join(a.name for a in self.asked.axes)
         return f"<Certificate over {over}: {self.verdict}, {100 * self.decided:.4g} % decided>"
 
 
-def check_suffix(path: str) -> None:
-    """Raises FileError for a name of something else."""
-    if not path.lower().endswith((".json", ".json.gz")):
-        raise FileError("no name of a certificate", filename=path, hint="certificates end in .json or .json.gz")
+def check_suffix(path: str) -> str:
+    """The kind of a file by its name. Raises FileError for a name of something else."""
+    kind = path.lower().rpartition(".")[2]
+    if kind in PICTURES or path.lower().endswith((".json", ".json.gz")):
+        return kind
+    raise FileError(
+        "no name of a certificate",
+        filename=path,
+        hint=f"certificates end in .json or .json.gz, pictures of them in {', '.join(f'.{p}' for p in PICTURES)}",
+    )
 
 
 def parts_of(search: Search) -> tuple[str, tuple[float, ...]]:
