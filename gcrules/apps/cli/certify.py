@@ -52,8 +52,8 @@ _CODES = {True: 0, False: 1, None: 3}
 @latex_option
 @mathematics_option
 @files_option(
-    "Write the certificate, whatever is decided: .json or .json.gz, which tools/check_certificate.py checks; or a picture"
-    " of it: .svg, .pdf, .png."
+    "Write the certificate, whatever is decided: .json or .json.gz, which tools/check_certificate.py checks; or a"
+    " picture of it: .svg, .pdf, .png."
 )
 @click.pass_context
 def certify(

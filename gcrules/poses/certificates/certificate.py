@@ -96,6 +96,11 @@ class Certificate(HoldsArrays, Shown):
             return False
         return True if self.verdict in ("free", "outside") or self.decided >= self.target < 1 else None
 
+    @cached_property
+    def geometry(self) -> dict[str, Any] | None:
+        """What a checker needs of the robot; None for one of which it knows nothing."""
+        return geometry(self.asked)
+
     def coordinates(self, place: Sequence[float]) -> dict[str, float]:
         """All coordinates of the pose at a place in the units of the axes, in radians and the file's unit."""
         return self.asked.coordinates([float(c) for c in np.array(place) * self.task.units])
@@ -140,7 +145,7 @@ class Certificate(HoldsArrays, Shown):
             "made by": f"gcrules {__version__}",
             "title": self.asked.mechanism.title,
             "question": self.asked.to_json(),
-            "geometry": geometry(self.asked),
+            "geometry": self.geometry,
             "claim": {
                 "verdict": self.verdict,
                 "margin at least": self.bound,

@@ -11,7 +11,6 @@ from gcrules.core.deferred import deferred
 from gcrules.core.english import listed
 from gcrules.poses.boxes.task import MODES
 from gcrules.poses.certificates.certificate import Certificate
-from gcrules.poses.certificates.checking import geometry
 from gcrules.views.formulas.latex_text import latex_quantity, latex_table, latex_words
 from gcrules.views.results.box_shares import (
     PROOF,
@@ -181,10 +180,14 @@ def _slices(c: Certificate) -> str:
 
 
 def check(c: Certificate) -> str:
-    """How the certificate can be checked again."""
-    if geometry(c.asked) is None:
-        return "Robots of this kind have no independent checker yet: the proof of each box is that of gcrules alone."
-    return (
-        "The file of the certificate has all boxes; `python tools/check_certificate.py FILE` proves each of them anew,"
-        " with bounds of its own: it needs Python alone and shares no code with gcrules."
-    )
+    """How the certificate can be checked again, by what covers its robot and its verdict."""
+    known = c.geometry
+    if c.verdict == "below":
+        return "That a margin is below the one asked for shows `gcrules pose --at` at the pose; no other checker does."
+    if known is None or ("joints" in known and c.asked.cones is not None):
+        robot = "this robot with cones" if known else "this robot"
+        return f"There is no independent checker for {robot} yet: what is proved of boxes is proved by gcrules alone."
+    own = "with bounds of its own: it needs Python alone and shares no code with gcrules"
+    if "joints" in known:
+        own = f"{own}; the closed forms of the wrenches it compares with the joints at random places"
+    return f"The file has all boxes; `python tools/check_certificate.py FILE` proves each of them anew, {own}."
