@@ -43,8 +43,13 @@ PICTURES: dict[str, dict[str, Any]] = {
         "place": (0.62, 0.22),
     },
     "studio-where.png": {"scheme": "light", "open": ("example", "octahedral"), "mode": 2},
+    "studio-certificate.png": {
+        "scheme": "dark",
+        "open": ("robot", "reachy-mini-head"),
+        "certify": {"yaw": {"name": "yaw", "low": 0, "high": 95}},
+    },
 }
-"""Name: colours of the page, what is opened, the step, the map or the assembly mode, and how the platform is moved."""
+"""Name: colours of the page, what is opened, the step, map, assembly mode or certificate, how the platform is moved."""
 
 
 def take(desk: Desk, wanted: dict[str, Any]) -> bytes:
@@ -74,6 +79,15 @@ def take(desk: Desk, wanted: dict[str, Any]) -> bytes:
             desk.page.get_by_test_id(last).last.wait_for()
         desk.page.get_by_test_id("assembly").nth(wanted["mode"]).click()
         desk.page.wait_for_timeout(3000)
+    if "certify" in wanted:
+        desk.one("panel-where").click()
+        asked = {"kind": "certificate", "ranges": wanted["certify"]}
+        desk.run("asked => { const w = gcrules.roaming.whole$; w.value = {...w.value, ...asked} }", asked)
+        desk.one("boxes-go").click()
+        desk.one("certify-go").click()
+        desk.page.wait_for_timeout(3000)
+        desk.one("view-fit").click()
+        desk.one("certify-verdict").evaluate("verdict => verdict.scrollIntoView()")
     desk.answered()
     desk.page.mouse.move(2, 2)
     desk.page.evaluate("document.activeElement?.blur()")

@@ -301,10 +301,14 @@ def report(
     interactive: bool = True,
     path: str | PathLike[str] | Sequence[Any] | None = None,
     over: Sequence[Any] | None = None,
+    certify: Sequence[Any] | None = None,
     at: Any = None,
     limits: str | None = None,
     within: str | None = None,
+    cone: str | None = None,
+    tilt: str | None = None,
     margin: float = 0.0,
+    resume: str | PathLike[str] | None = None,
     about: str | Sequence[Any] = "centroid",
     threshold: Any = DEFAULT.text,
     modes: bool = False,
@@ -320,6 +324,8 @@ def report(
     `path`, poses or the name of a table as `gcrules.path` takes them, adds the singular places on that path; `over`,
     coordinates with their ranges as `gcrules.singular_map` takes them with `at` and `limits`, adds the map over them;
     ranges without a number of nodes, as `gcrules.box_map` takes them with `margin` too, that of whole boxes.
+    `certify`, ranges as `gcrules.certify` takes them with `at`, `limits`, `cone`, `tilt` and `margin`, adds the
+    certificate, which goes on from the file `resume` if there is one.
     `modes` adds the assembly modes (`gcrules.assembly_modes`, `at` a pose), of a robot of joints its working and
     operation modes too; `aspects` its aspects (`gcrules.aspects`); `plan`, a start and a goal or a start alone, a way
     without a singularity (`gcrules.plan`); `free`, "box" or "ball", the largest one that is proved free of singular
@@ -329,10 +335,14 @@ def report(
     asked = Questions(
         path=path,
         over=over,
+        certify=certify,
         at=at,
         limits=limits,
         within=within,
+        cone=cone,
+        tilt=tilt,
         margin=margin,
+        resume=resume,
         about=about,
         threshold=threshold,
         modes=modes,

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import errno
 import os
+import re
 import shutil
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
@@ -20,6 +21,7 @@ __all__ = [
     "check_name",
     "check_room",
     "check_target",
+    "file_name",
     "held",
     "remove_unfinished",
     "replacing",
@@ -39,6 +41,15 @@ SUFFIXES = frozenset(
 
 
 # --- names ---------------------------------------------------------------------------------------------------------
+
+
+def file_name(title: str, ending: str) -> str:
+    """A name for a file, made of the letters of a title.
+
+    >>> file_name("Reachy Mini head (6-RUS)", "json.gz")
+    'reachy-mini-head-6-rus.json.gz'
+    """
+    return f"{re.sub(r'[^a-z0-9]+', '-', title.lower()).strip('-')[:60] or 'robot'}.{ending}"
 
 
 def check_name(path: str) -> None:

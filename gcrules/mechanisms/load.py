@@ -44,6 +44,7 @@ __all__ = [
     "is_data",
     "is_model",
     "is_path",
+    "is_xml",
     "kind_of",
     "load",
     "read_class",
@@ -156,7 +157,7 @@ def read_text(text: str, filename: str = "<input>") -> Platform | Robot:
     """What the text of a geometry file or of a robot file says; its keys tell which it is; or that of a model. Raises
     FileError.
     """
-    if _is_xml(text):
+    if is_xml(text):
         return _robot(_robot_of_text(text, filename))
     if _describes_joints(Document.parse(text, filename)):
         return _robot(_parse_robot(text, filename))
@@ -223,10 +224,11 @@ def is_model(path: str) -> bool:
 
 def is_data(text: str) -> bool:
     """Whether a text is that of a file: legs have neither keys nor braces."""
-    return _is_xml(text) or _KEY.search(text) is not None
+    return is_xml(text) or _KEY.search(text) is not None
 
 
-def _is_xml(text: str) -> bool:
+def is_xml(text: str) -> bool:
+    """Whether a text is that of a model of links and joints."""
     return text.lstrip("\ufeff \t\r\n").startswith("<")
 
 

@@ -1,4 +1,5 @@
-"""What a report is asked for beside the analysis (path, map, modes, aspects, plan, free region) and the answers.
+"""What a report is asked for beside the analysis (path, map, certificate, modes, aspects, plan, free
+region) and the answers.
 
 Each answer is that of the function of its own, with the same arguments.
 """
@@ -23,6 +24,7 @@ path_of = deferred("gcrules.poses.path_report:path")
 map_of = deferred("gcrules.poses.maps.maps:singular_map")
 are_ranges = deferred("gcrules.poses.maps.axes:are_ranges")
 within_boxes = deferred("gcrules.poses.boxes.task:within_boxes")
+certificate_of = deferred("gcrules.poses.certificates.certify:certify")
 box_map = deferred("gcrules.poses.boxes.box_map:box_map")
 assembly_modes = deferred("gcrules.poses.modes.modes:assembly_modes")
 working_modes = deferred("gcrules.poses.modes.working:working_modes")
@@ -36,6 +38,8 @@ SHAPES = ("box", "ball")
 
 _BOXES = 131_072
 """Boxes of whole ranges in a report, in all: as a rule half a minute at most."""
+_CERTIFIED = 32_768
+"""Those of a certificate, which are looked at closer."""
 
 
 @dataclass(frozen=True)
@@ -49,14 +53,19 @@ class Unanswered:
 @dataclass(frozen=True)
 class Questions:
     """`path` are poses, or the name of a table; `over` the coordinates of a map over nodes, or of one of whole boxes
-    where they are ranges without a number, whose free poses have the `margin`; `modes` and `aspects` whether they are
-    asked for; `plan` the start and the goal, or the start of a way out; `free` the shape of a free region, one of
-    `SHAPES`. `at` is a pose: that of the modes and of the free region, and the rest of the map; `limits` are those of
-    map, aspects and plan, `within` those of the last two.
+    where they are ranges without a number, whose free poses have the `margin`; `certify` the ranges of a certificate,
+    with the `margin`, a `cone` and a `tilt`, which goes on from the file `resume`; `modes` and `aspects` whether they
+    are asked for; `plan` the start and the goal, or the start of a way out; `free` the shape of a free region, one of
+    `SHAPES`. `at` is a pose: that of the modes and of the free region, and the rest of map and certificate; `limits`
+    are those of map, certificate, aspects and plan, `within` those of the last two.
     """
 
     path: Any = None
     over: Sequence[Any] | None = None
+    certify: Sequence[Any] | None = None
+    cone: str | None = None
+    tilt: str | None = None
+    resume: Any = None
     at: Any = None
     limits: str | None = None
     within: str | None = None
@@ -70,23 +79,29 @@ class Questions:
 
     def check(self) -> None:
         """Raises InputError for what goes with questions that are not asked, and for an unknown shape."""
-        mapped, planned = bool(self.over), bool(self.plan)
-        if self.at is not None and not (mapped or self.modes or self.free):
+        mapped, planned, certified = bool(self.over), bool(self.plan), bool(self.certify)
+        if self.at is not None and not (mapped or certified or self.modes or self.free):
             raise InputError(
-                f"a pose is that of a map, of modes or of a free region, {_NOT_ASKED}",
-                hint=_ask("over", "modes", "free"),
+                f"a pose is that of a map, of a certificate, of modes or of a free region, {_NOT_ASKED}",
+                hint=_ask("over", "certify", "modes", "free"),
             )
-        if self.limits is not None and not (mapped or self.aspects or planned):
+        if self.limits is not None and not (mapped or certified or self.aspects or planned):
             raise InputError(
-                f"limits are those of a map, of aspects or of a plan, {_NOT_ASKED}",
-                hint=_ask("over", "aspects", "plan"),
+                f"limits are those of a map, of a certificate, of aspects or of a plan, {_NOT_ASKED}",
+                hint=_ask("over", "certify", "aspects", "plan"),
             )
         if self.within is not None and not (self.aspects or planned):
             raise InputError(
                 f"ranges of coordinates are those of aspects or of a plan, {_NOT_ASKED}", hint=_ask("aspects", "plan")
             )
-        if self.margin and not (mapped and are_ranges(self.over)):
-            raise InputError("a margin is that of a map of whole boxes", hint='give ranges without a number: "x -1:1"')
+        if self.margin and not (certified or (mapped and are_ranges(self.over))):
+            raise InputError(
+                "a margin is that of a map of whole boxes or of a certificate",
+                hint='give ranges without a number: "x -1:1"',
+            )
+        for name in ("cone", "tilt", "resume"):
+            if getattr(self, name) is not None and not certified:
+                raise InputError(f"{_OWN[name]} of a certificate, which is not asked for", hint=_ask("certify"))
         nodes = mapped and not are_ranges(self.over)
         default = isinstance(self.threshold, str) and self.threshold == DEFAULT.text
         if not (default or nodes or self.modes or self.path is not None):
@@ -114,6 +129,8 @@ class Questions:
             yield path_of(a, self.path, about=about, threshold=threshold)
         if self.over is not None:
             yield self._map(a)
+        if self.certify:
+            yield self._certificate(a)
         if self.modes:
             yield assembly_modes(a, self.at, about=about, threshold=threshold)
             if isinstance(a, RobotAnalysis):  # legs between two points have one working and one operation mode
@@ -132,10 +149,21 @@ class Questions:
         """Over nodes, or of whole boxes: what the coordinates are."""
         if not are_ranges(self.over):
             return map_of(a, self.over, self.at, about=self.about, limits=self.limits, threshold=self.threshold)
-        over = [self.over] if isinstance(self.over, str) else list(self.over or ())
+        over = _listed(self.over)
         tiles, boxes = within_boxes(len(over), _BOXES)
         given = {"about": self.about, "limits": self.limits, "margin": self.margin, "tiles": tiles, "boxes": boxes}
         return _answer("Whole ranges", partial(box_map, a, over, self.at, **given), SingularEverywhere)
+
+    def _certificate(self, a: Analysis | RobotAnalysis) -> Any:
+        given = {"about": self.about, "limits": self.limits, "margin": self.margin, "cone": self.cone}
+        given |= {"tilt": self.tilt, "resume": self.resume, "boxes": _CERTIFIED}
+        ask = partial(certificate_of, a, _listed(self.certify), self.at, **given)
+        try:
+            return _answer("A certificate", ask, SingularEverywhere)
+        except GcrulesError as fault:  # ranges are read as those of --over are
+            if fault.filename == "--over":
+                fault.filename = "--certify"
+            raise
 
     def _further_modes(self, a: RobotAnalysis) -> Iterator[Any]:
         """Those that not every robot of joints has."""
@@ -152,10 +180,18 @@ def _answer(question: str, ask: Callable[[], Any], no_answer: type[GcrulesError]
         return Unanswered(question, fault.message)
 
 
+def _listed(over: Any) -> list[Any]:
+    """Ranges, of which one may stand alone."""
+    return [over] if isinstance(over, str) else list(over or ())
+
+
+_OWN = {"cone": "cones of joints are those", "tilt": "a tilt is that", "resume": "a file to go on from is that"}
 _NOT_ASKED = "none of which is asked for"
 
 
 def _ask(*names: str) -> str:
     """How to ask for one of several things."""
-    options, arguments = (f"{', '.join(n[:-1])} or {n[-1]}" for n in ([f"--{n}" for n in names], names))
+    options, arguments = (
+        " or ".join(filter(None, (", ".join(n[:-1]), n[-1]))) for n in ([f"--{n}" for n in names], names)
+    )
     return f"add {options} (in Python {arguments})"

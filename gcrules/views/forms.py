@@ -84,7 +84,7 @@ FORMS: dict[str, Forms] = {
     "gcrules.conditions.manual.outcome.ProposalOutcome": _in_ascii("manual", text="outcome", latex="outcome_latex"),
     # mechanisms
     "gcrules.mechanisms.conditions.robot_analysis.RobotAnalysis": _result("robot", formula=f"{_RESULTS}.robot:formula"),
-    "gcrules.mechanisms.models.imported.Imported": _result("imported", formula=""),
+    "gcrules.mechanisms.models.imported.Imported": _told("imported"),
     # poses: their LaTeX is a table
     "gcrules.poses.numbers.report.PoseReport": _result("pose", formula=""),
     "gcrules.poses.numbers.many.PoseNumbers": _result("pose_numbers", formula=""),
@@ -122,7 +122,9 @@ FORMS: dict[str, Forms] = {
         save=f"{_VIEWS}.plots.box_files:save",
         xarray=f"{_VIEWS}.plots.box_files:dataset",
     ),
-    "gcrules.poses.certificates.certificate.Certificate": _told("certificate"),
+    "gcrules.poses.certificates.certificate.Certificate": _told(
+        "certificate", svg=f"{_RESULTS}.certificate:picture_of", picture=f"{_VIEWS}.plots.certificate_plot:picture"
+    ),
     "gcrules.poses.tiles.status.MapStatus": _result("tiles", formula=""),
     "gcrules.poses.stored_maps.verifying.MapVerified": _result(
         "tiles", text="verified_text", latex="verified_latex", formula=""

@@ -363,6 +363,12 @@ export interface BoxesArgs {
   boxes: number;
 }
 
+/** The same ranges, to be certified: joints of rods keep to a `cone` ("40 deg", "base 30 deg, C1 40 deg"), the platform to a `tilt` ("40 deg"). */
+export interface CertifyArgs extends BoxesArgs {
+  cone?: string;
+  tilt?: string;
+}
+
 /** The pose at a place of that map, in the units of its axes. */
 export interface PlaceArgs {
   source: Source;
@@ -481,6 +487,12 @@ export interface FactItem {
   value: string;
 }
 
+/** The answer in a sentence, and what it consists of, with how sure it is. */
+export interface Account {
+  verdict: string;
+  facts: FactItem[];
+}
+
 export interface FormulaItem {
   kind: "formula";
   left: Piece[];
@@ -569,6 +581,18 @@ export interface Robot {
   parts: Part[];
 }
 
+/** An actuator, the joint of the model that it is, and what it reaches from home ("", where there is no limit). */
+export interface Drive {
+  name: string;
+  joint: string;
+  limits: string;
+}
+
+/** How a model was read as a robot. */
+export interface Model extends Account {
+  drives: Drive[];
+}
+
 export interface Entry {
   id: string;
   name: string;
@@ -608,6 +632,8 @@ export interface Study {
   condition: Condition;
   readings: Condition[];
   robot: Robot | null;
+  /** What was made of the model of links and joints that was opened; null for other files. */
+  model: Model | null;
 }
 
 /** A working mode at home; its drives are from the home of the file. */
@@ -833,12 +859,6 @@ export interface PlacedPose {
   pose: Pose;
 }
 
-/** The answer in a sentence, and what it consists of, with how sure it is. */
-export interface Account {
-  verdict: string;
-  facts: FactItem[];
-}
-
 export interface AssemblyMode {
   number: number;
   /** It is the pose that was asked about. */
@@ -911,6 +931,30 @@ export interface BoxesAnswer extends Account {
   seen: string;
 }
 
+/** A pose that is singular, or has a margin below the one asked for; else the one with the smallest margin that was seen. */
+export interface CertifiedPlace {
+  kind: "singular" | "below" | "least";
+  /** Its coordinates over which the range goes. */
+  words: string;
+  margin: number;
+  causes: string[];
+  /** null where the sliders do not lead there. */
+  pose: Pose | null;
+  /** They end just short of it. */
+  short: boolean;
+}
+
+/** Whether the whole range is free, with the file that says so. */
+export interface CertificateAnswer extends BoxesAnswer {
+  answer: "free" | "outside" | "singular" | "below" | "undecided";
+  /** What the margin is at least in all boxes that are free, proved. */
+  bound: number | null;
+  place: CertifiedPlace | null;
+  file: Saved;
+  /** How it is checked again. */
+  check: string;
+}
+
 export interface Methods {
   hello: { args: NoArgs; result: Hello };
   gallery: { args: NoArgs; result: Gallery };
@@ -926,6 +970,7 @@ export interface Methods {
   aspects: { args: OpenArgs; result: AspectsAnswer };
   free: { args: FreeArgs; result: FreeAnswer };
   boxes: { args: BoxesArgs; result: BoxesAnswer };
+  certify: { args: CertifyArgs; result: CertificateAnswer };
   manual: { args: ManualArgs; result: Manual };
   bench: { args: BenchArgs; result: Bench };
   compose: { args: ComposeArgs; result: Composed };

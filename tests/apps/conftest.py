@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import warnings
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import pytest
 from commands import Run, invoke
@@ -14,6 +14,7 @@ from gcrules.apps.repl.interpreter import Interpreter
 if TYPE_CHECKING:
     from apps.studio_client import Page
     from starlette.testclient import TestClient
+    from studio_page import Desk, Server
 
 
 @pytest.fixture
@@ -48,3 +49,32 @@ def page(client: TestClient) -> Iterator[Page]:
 
     with client.websocket_connect("/ws", headers=KNOWN) as socket:
         yield Page(socket)
+
+
+@pytest.fixture(scope="module")
+def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Server]:
+    """A studio in a process of its own."""
+    from studio_page import studio
+
+    with studio(tmp_path_factory.mktemp("studio")) as running:
+        yield running
+
+
+@pytest.fixture
+def desk(chromium: Any, server: Server) -> Iterator[Desk]:
+    """The page as it opens for the first time; nothing may go wrong in it, and nothing may leave the machine."""
+    from studio_page import Desk
+
+    context = chromium.new_context(
+        viewport={"width": 1100, "height": 720},
+        reduced_motion="reduce",
+        accept_downloads=True,
+        permissions=["clipboard-read", "clipboard-write"],
+    )
+    made = Desk(context.new_page(), server)
+    made.visit()
+    yield made
+    faults, away = made.faults, made.away()
+    context.close()
+    assert faults == []
+    assert away == []

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import gzip
+import json
 import re
 from base64 import b64decode
 from typing import Any
@@ -161,5 +163,83 @@ def test_the_other_coordinates_are_those_of_the_pose(page: Page) -> None:
 )
 def test_faults_of_whole_ranges(page: Page, over: list[str], more: dict[str, Any], message: str) -> None:
     fault = page.fault("boxes", source=OCTAHEDRAL, over=over, pose=HOME, **BOXES | more)
+    assert fault["kind"] == "input"
+    assert re.search(message, str(fault))
+
+
+# --- certificates ---------------------------------------------------------------------------------------------------
+
+HEAD = {"kind": "robot", "id": "reachy-mini-head"}
+
+
+def certified(page: Page, source: dict[str, str], over: list[str], pose: Any = HOME, **more: Any) -> Any:
+    return page.ask("certify", source=source, over=over, pose=pose, **{"boxes": 4_000, **more})
+
+
+def test_a_certificate_is_that_of_the_library(page: Page) -> None:
+    over, more = ["x -50:50", "roll -10:10 deg"], {"cone": "60 deg", "tilt": "8 deg", "limits": "legs 300..900"}
+    found = certified(page, OCTAHEDRAL, over, AWAY, margin=0.05, **more)
+    same = gc.certify(FILE, over, "0 0 -30", margin=0.05, boxes=4_000, **more)
+    assert found["answer"] == same.verdict == "free"
+    assert found["verdict"] in told(same)
+    assert found["bound"] == same.bound
+    assert found["decided"] == same.decided == 1
+    assert sum(s["share"] for s in found["shares"]) == pytest.approx(1)
+    assert {f["value"] for f in found["facts"]} >= {"a margin of 0.05 at least", "tilt ≤ 8 deg in any direction"}
+    assert "check_certificate.py FILE" in found["check"]
+    assert found["place"]["kind"] == "least"
+    assert found["place"]["margin"] == same.least
+    there = page.ask("pose", source=OCTAHEDRAL, pose=found["place"]["pose"])
+    assert there["margin"] == pytest.approx(same.least)
+    assert any("decided" in words for words in page.progress)
+
+
+def test_the_file_of_a_certificate(page: Page) -> None:
+    over = ["x -50:50", "roll -10:10 deg"]
+    found = certified(page, OCTAHEDRAL, over)
+    file = found["file"]
+    assert (file["name"], file["binary"]) == ("octahedral-platform-3-3-certificate.json.gz", True)
+    same = json.loads(json.dumps(gc.certify(FILE, over, boxes=4_000).to_json()))
+    assert json.loads(gzip.decompress(b64decode(file["data"]))) == same
+
+
+def test_the_platform_is_taken_to_the_singular_pose_of_a_certificate(page: Page) -> None:
+    pytest.importorskip("matplotlib")
+    found = certified(page, OCTAHEDRAL, ["z -400:0", "roll -5:5 deg"])
+    place = found["place"]
+    assert (found["answer"], place["kind"], place["short"]) == ("singular", "singular", False)
+    there = page.ask("pose", source=OCTAHEDRAL, pose=place["pose"])
+    assert there["verdict"] == "singular"
+    assert there["margin"] == pytest.approx(place["margin"], abs=1e-9)
+    assert place["causes"] == [f["value"] for f in found["facts"] if f["key"] == "cause"]
+    assert b64decode(found["picture"]).startswith(b"<?xml")
+    assert found["seen"].startswith("Boxes of poses of Octahedral platform (3-3) over z and roll: ")
+
+
+def test_actuators_that_come_to_a_stop_end_just_short_of_it(page: Page) -> None:
+    found = certified(page, HEAD, ["yaw 0:95 deg"])
+    place = found["place"]
+    assert place["words"].startswith("yaw = 93.2")
+    assert "linear complex" in place["causes"][0]
+    assert place["short"]
+    there = page.ask("pose", source=HEAD, pose=place["pose"])
+    assert there["margin"] < 1e-2
+
+
+@pytest.mark.parametrize(
+    ("more", "message"),
+    [
+        ({"over": []}, "over"),
+        ({"over": ["x -1:1:5"]}, "no range"),
+        ({"cone": "40"}, "is no cone"),
+        ({"cone": "Z 40 deg"}, "no ball or universal joint"),
+        ({"tilt": "40"}, "no angle"),
+        ({"tilt": 40}, "tilt"),
+        ({"boxes": 0}, "boxes"),
+        ({"margin": 2}, "margin"),
+    ],
+)
+def test_faults_of_certificates(page: Page, more: dict[str, Any], message: str) -> None:
+    fault = page.fault("certify", source=OCTAHEDRAL, pose=HOME, **{"over": ["x -1:1"], "boxes": 4_000, **more})
     assert fault["kind"] == "input"
     assert re.search(message, str(fault))

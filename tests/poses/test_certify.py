@@ -205,8 +205,20 @@ def test_files_that_are_no_certificates(tmp_path: Path) -> None:
         path.write_text(text)
         with pytest.raises(FileError):
             gc.certify("6-pus", ["x -0.1:0.1"], time=0, resume=str(path))
-    with pytest.raises(FileError):
+    with pytest.raises(FileError, match="no name of a certificate"):
         head().save(str(tmp_path / "x.txt"))
+    with pytest.raises(FileError, match="no name of a certificate"):
+        head().save(str(tmp_path / "x.gz"))
+
+
+def test_pictures_of_certificates(tmp_path: Path) -> None:
+    pytest.importorskip("matplotlib")
+    start = {"svg": b"<?xml", "pdf": b"%PDF-", "png": b"\x89PNG"}
+    outputs = [word for kind in start for word in ("-o", str(tmp_path / f"range.{kind}"))]
+    done = invoke("certify", "6-pus", "--over", "x -0.1..0.1", "--over", "yaw -5..5 deg", "--boxes", "100", *outputs)
+    assert done.exit_code == 0, done.output
+    for kind, head_of_file in start.items():
+        assert (tmp_path / f"range.{kind}").read_bytes().startswith(head_of_file)
 
 
 def test_the_command_tells_by_its_exit_code(tmp_path: Path) -> None:

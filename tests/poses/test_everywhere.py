@@ -49,6 +49,7 @@ def test_commands(words: tuple[str, ...], tmp_path: Path) -> None:
 
 
 def test_a_report_goes_without_what_has_no_answer() -> None:
-    page = gc.report(gc.load(HEXAGONS), interactive=False, aspects=True, free="box", plan=["home"], over=["z 0:1"])
-    for heading in ("Whole ranges", "Aspects", "A way without a singularity", "A free region"):
+    asked = {"aspects": True, "free": "box", "plan": ["home"], "over": ["z 0:1"], "certify": ["z 0:1"]}
+    page = gc.report(gc.load(HEXAGONS), interactive=False, **asked)
+    for heading in ("Whole ranges", "A certificate", "Aspects", "A way without a singularity", "A free region"):
         assert f'<h2>{heading}</h2><p class="why">Architecturally singular' in page

@@ -15,9 +15,11 @@ from gcrules.apps.cli.base import (
 from gcrules.apps.cli.files import files_option, working
 from gcrules.apps.cli.limits import Seconds
 from gcrules.apps.cli.map_options import at_option, limits_option
+from gcrules.apps.cli.question_options import cone_option, tilt_option
 from gcrules.apps.cli.sources import mode_option, read_source, warn
-from gcrules.poses.certificates.certificate import check_suffix
+from gcrules.poses.certificates.certificate import PICTURES, check_suffix
 from gcrules.poses.certificates.certify import certify as certified
+from gcrules.views.plots.map_formats import need
 
 __all__ = ["certify"]
 
@@ -37,8 +39,8 @@ _CODES = {True: 0, False: 1, None: 3}
 @at_option
 @about_option
 @limits_option
-@click.option("--cone", metavar="ANGLES", help='Cones of joints of rods: "40 deg", "base 30 deg, C1 40 deg".')
-@click.option("--tilt", metavar="ANGLE", help='The platform tilts so far in any direction: "40 deg".')
+@cone_option
+@tilt_option
 @click.option("--margin", type=float, default=0.0, metavar="M", help="Poses have this margin σ at least.")
 @click.option("--time", type=Seconds(), metavar="S", help="Seconds to search for; 60 where no boxes are given.")
 @click.option("--boxes", type=int, metavar="N", help="Cut the range into so many boxes at most.")
@@ -49,7 +51,10 @@ _CODES = {True: 0, False: 1, None: 3}
 @json_option
 @latex_option
 @mathematics_option
-@files_option("Write the certificate, whatever is decided: .json or .json.gz, which tools/check_certificate.py checks.")
+@files_option(
+    "Write the certificate, whatever is decided: .json or .json.gz, which tools/check_certificate.py checks; or a"
+    " picture of it: .svg, .pdf, .png."
+)
 @click.pass_context
 def certify(
     ctx: click.Context,
@@ -83,7 +88,8 @@ def certify(
     """
     out = Output(json=as_json, latex=as_latex, mathematics=mathematics)
     for path in outputs:
-        check_suffix(path)
+        if check_suffix(path) in PICTURES:
+            need("matplotlib", "pictures need matplotlib")
     source = warn(read_source(file, mode=mode))
     with working("proving"):
         found = certified(

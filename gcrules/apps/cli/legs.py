@@ -179,6 +179,11 @@ def report(
     `gcrules map` and, of ranges without a number of nodes, `gcrules map boxes` find them.
 
     \b
+    gcrules report reachy-mini-head --certify "roll -40..40 deg" --certify "yaw -65..65 deg" -o head.html
+
+    --certify adds whether a whole range is free of singular poses, as `gcrules certify` answers it, with its file.
+
+    \b
     gcrules report platform.yaml --modes --aspects --free box -o platform.html
     gcrules report 3-rps --plan home --plan "z=0.2, roll=20deg, pitch=10deg" -o 3-rps.html
 

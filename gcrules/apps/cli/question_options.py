@@ -1,4 +1,6 @@
-"""What a report also shows: a path, a map, modes, aspects, a plan, a free region; the options that ask for it."""
+"""What a report also shows: a path, a map, a certificate, modes, aspects, a plan, a free region; the options that ask
+for it.
+"""
 
 from __future__ import annotations
 
@@ -12,13 +14,21 @@ from gcrules.apps.cli.base import about_option, decorated
 from gcrules.poses.questions import SHAPES, Questions
 from gcrules.screws.threshold import DEFAULT
 
-__all__ = ["question_options"]
+__all__ = ["cone_option", "question_options", "tilt_option"]
 
-_NAMES = ("over", "at", "limits", "within", "margin", "about", "threshold", "modes", "aspects", "plan", "free")
+cone_option = click.option(
+    "--cone", metavar="ANGLES", help='Cones of joints of rods: "40 deg", "base 30 deg, C1 40 deg".'
+)
+tilt_option = click.option("--tilt", metavar="ANGLE", help='The platform tilts so far in any direction: "40 deg".')
+
+_ASKED = ("over", "certify", "modes", "aspects", "plan", "free")
+_NAMES = (*_ASKED, "at", "limits", "within", "cone", "tilt", "margin", "resume", "about", "threshold")
 
 
 def question_options(command: Callable[..., Any]) -> Callable[..., Any]:
-    """The options of a path, a map, modes, aspects, a plan and a free region; the command receives `questions`."""
+    """The options of a path, a map, a certificate, modes, aspects, a plan and a free region; the command receives
+    `questions`.
+    """
 
     @wraps(command)
     def with_questions(**options: Any) -> Any:
@@ -46,6 +56,12 @@ def question_options(command: Callable[..., Any]) -> Callable[..., Any]:
             help='Add a map over two or three coordinates, "x -200:200:81"; without numbers, "x -200:200", of whole '
             "boxes over one to six.",
         ),
+        click.option(
+            "--certify",
+            multiple=True,
+            metavar="RANGE",
+            help='Add a certificate over one to six ranges, "roll -40..40 deg".',
+        ),
         click.option("--modes", is_flag=True, help="Add the assembly modes, of joints working and operation modes."),
         click.option("--aspects", is_flag=True, help="Add how the poses hang together without a singularity."),
         click.option(
@@ -58,10 +74,14 @@ def question_options(command: Callable[..., Any]) -> Callable[..., Any]:
             help=f"Add the largest region that is free of singularities, a {' or a '.join(SHAPES)}.",
         ),
         click.option(
-            "--at", metavar="POSE", help="The pose of modes and free region, home without it; the rest of the map."
+            "--at",
+            metavar="POSE",
+            help="The pose of modes and free region, home without it; the rest of map and certificate.",
         ),
         click.option(
-            "--limits", metavar="RANGES", help='What legs or actuators reach in map, aspects and plan: "legs 1..3".'
+            "--limits",
+            metavar="RANGES",
+            help='What legs or actuators reach in map, certificate, aspects and plan: "legs 1..3".',
         ),
         click.option("--within", metavar="RANGES", help="Of coordinates in aspects and plan, from home."),
         click.option(
@@ -69,8 +89,11 @@ def question_options(command: Callable[..., Any]) -> Callable[..., Any]:
             type=float,
             default=0.0,
             metavar="M",
-            help="In whole boxes free poses have this margin σ at least.",
+            help="In whole boxes and the certificate free poses have this margin σ at least.",
         ),
+        cone_option,
+        tilt_option,
+        click.option("--resume", metavar="FILE", help="The certificate goes on from its file."),
         about_option,
         click.option(
             "--threshold",

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from gcrules.apps.studio.items import fact
-from gcrules.apps.studio.protocol.where_views import AccountView
+from gcrules.apps.studio.protocol.study_views import AccountView
 from gcrules.views.forms import shown
 from gcrules.views.results.result_account import Facts, ResultAccount, Sentences
 from gcrules.views.results.robot_pose import signed

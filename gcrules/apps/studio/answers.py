@@ -7,6 +7,7 @@ from typing import Any
 
 from gcrules.apps.studio.bench import bench
 from gcrules.apps.studio.boxes_view import boxes_view
+from gcrules.apps.studio.certificate_view import certificate_view
 from gcrules.apps.studio.composing import composed
 from gcrules.apps.studio.export import saved
 from gcrules.apps.studio.gallery import gallery
@@ -48,6 +49,16 @@ ANSWERS: Mapping[str, Callable[[Any, Args], Any]] = {
     "free": lambda subject, args: free_view(subject, args["pose"], args["shape"]),
     "boxes": lambda subject, args: boxes_view(
         subject, args["over"], args["pose"], args.get("margin", 0.0), args.get("limits"), args["boxes"]
+    ),
+    "certify": lambda subject, args: certificate_view(
+        subject,
+        args["over"],
+        args["pose"],
+        args.get("margin", 0.0),
+        args.get("limits"),
+        args["boxes"],
+        cone=args.get("cone"),
+        tilt=args.get("tilt"),
     ),
     "manual": lambda subject, args: replayed(subject, args["commands"]),
     "bench": lambda subject, args: bench(args["text"], subject, args.get("pose")),

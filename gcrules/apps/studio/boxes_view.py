@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from base64 import b64encode
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from typing import Any
 
 from gcrules.apps.studio.accounts import account_view
@@ -14,18 +14,20 @@ from gcrules.apps.studio.protocol.where_views import BoxesAnswer
 from gcrules.apps.studio.subject import Subject
 from gcrules.apps.studio.whereabouts import coordinates_at
 from gcrules.core.budget import report
-from gcrules.core.deferred import deferred
 from gcrules.mechanisms.kinematics.solve import free_coordinates
 from gcrules.mechanisms.limbs import Limbs
+from gcrules.mechanisms.mechanism import Mechanism
 from gcrules.mechanisms.six_legs import SixLegs
 from gcrules.poses.boxes.box_map import boxes_done
+from gcrules.poses.boxes.report import BoxMap
 from gcrules.poses.boxes.task import box_task, within_boxes
+from gcrules.poses.certificates.certificate import Certificate
 from gcrules.poses.methods import Methods, method
+from gcrules.views.forms import shown
 from gcrules.views.results.box_map import decided, leaves_nothing, parts, seen
+from gcrules.views.results.box_shares import Share
 
-__all__ = ["boxes_view"]
-
-picture = deferred("gcrules.views.plots.box_plot:picture")  # matplotlib, an extra of the installation
+__all__ = ["boxes_view", "range_view", "rest_at"]
 
 
 def boxes_view(
@@ -36,24 +38,32 @@ def boxes_view(
     """
     report("proving boxes")
     m = subject.mechanism
-    rest = method(_REST, m, "a map of whole boxes")(over, pose)
-    found = boxes_done(box_task(m, over, rest, limits or None, margin, *within_boxes(len(over), boxes)))
+    found = boxes_done(
+        box_task(m, over, rest_at(m, over, pose), limits or None, margin, *within_boxes(len(over), boxes))
+    )
+    share, drawn = found.summary.decided, not leaves_nothing(found)
+    return range_view(found, parts(found), share, decided(found), seen(found), drawn=drawn)
+
+
+def range_view(
+    found: BoxMap | Certificate, shares: Iterable[Share], share: float, so_much: str, seen: str, *, drawn: bool
+) -> BoxesAnswer:
+    """What maps and certificates show alike: which `share` is decided, and which part of the volume is what."""
     report("drawing the boxes")
+    svg = shown(found, "svg") if drawn else None
     return {
         **account_view(found),
-        "decided": found.summary.decided,
-        "so_much": decided(found),
-        "shares": [{"kind": kind, "share": share, "words": words} for kind, share, words in parts(found)],  # type: ignore[typeddict-item]  # kinds are those of boxes
-        "picture": "" if leaves_nothing(found) else _drawn(found),
-        "seen": seen(found),
+        "decided": share,
+        "so_much": so_much,
+        "shares": [{"kind": kind, "share": part, "words": words} for kind, part, words in shares],  # type: ignore[typeddict-item]  # kinds are those of boxes
+        "picture": b64encode(svg.encode()).decode() if svg else "",
+        "seen": seen,
     }
 
 
-def _drawn(found: Any) -> str:
-    try:
-        return b64encode(picture(found, "svg")).decode()
-    except ImportError:
-        return ""
+def rest_at(m: Mechanism, over: Sequence[str], pose: PoseJson) -> Any:
+    """What the pose says of the coordinates that are no ranges."""
+    return method(_REST, m, "a map of whole boxes")(over, pose)
 
 
 def _rest_of_limbs(m: Limbs, over: Sequence[str], pose: PoseJson) -> dict[str, float]:
@@ -65,4 +75,3 @@ def _rest_of_limbs(m: Limbs, over: Sequence[str], pose: PoseJson) -> dict[str, f
 
 
 _REST: Methods[Any] = {SixLegs: lambda m, over, pose: exact_pose(pose), Limbs: _rest_of_limbs}
-"""What the pose says of the coordinates that are no ranges."""

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import base64
 import json
-import re
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 from fractions import Fraction
@@ -20,6 +19,7 @@ from gcrules.apps.studio.whereabouts import at_home
 from gcrules.conditions.analysis import Analysis
 from gcrules.conditions.pose_value import pose_value
 from gcrules.core.errors import InputError
+from gcrules.core.files import file_name
 from gcrules.core.yaml_file import read_text
 from gcrules.mechanisms.description.discovery import examples
 from gcrules.mechanisms.description.platform_file import Platform
@@ -42,12 +42,7 @@ def saved(subject: Subject, pose: PoseJson, what: Format, threshold: str | None)
     binary = isinstance(found, bytes)
     data = base64.b64encode(found).decode() if isinstance(found, bytes) else found
     ending = "tex" if what == "latex" else what
-    return {"name": f"{_name(subject)}.{ending}", "mime": mime, "data": data, "binary": binary}
-
-
-def _name(subject: Subject) -> str:
-    """A name for files, made of the title's letters."""
-    return re.sub(r"[^a-z0-9]+", "-", subject.title.lower()).strip("-")[:60] or "robot"
+    return {"name": file_name(subject.title, ending), "mime": mime, "data": data, "binary": binary}
 
 
 # --- the analysis at the pose --------------------------------------------------------------------------------------

@@ -9,6 +9,7 @@ import numpy as np
 from gcrules.apps.studio.moving import amounts_at, configuration, posed
 from gcrules.apps.studio.protocol.answer_views import Nearest, SingularPoseView
 from gcrules.apps.studio.protocol.requests import PoseJson
+from gcrules.apps.studio.whereabouts import SHORT
 from gcrules.core.budget import report
 from gcrules.core.english import listed
 from gcrules.core.errors import InputError
@@ -24,10 +25,6 @@ from gcrules.screws.threshold import DEFAULT, degrees
 from gcrules.screws.verdict import SOLVED
 
 __all__ = ["first_around"]
-
-_SHORT = 0.0, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2
-"""Parts of the way by which the sliders may stop short of a singular pose: there the actuators themselves come to a
-stop, and the closer they are, the worse they tell the pose."""
 
 _NO_PROOF = "a search, and no proof that nothing singular lies nearer"
 
@@ -68,7 +65,7 @@ def first_around(limbs: Limbs, pose: PoseJson) -> Nearest:
 def _view(limbs: Limbs, at: Linkage, one: SingularAlong, now: list[float], pose: PoseJson) -> SingularPoseView | None:
     """What was met, with the actuators that take the robot there; None where they do not."""
     there = report_at(at, limbs.analysis, one.solution, DEFAULT)
-    for short in _SHORT:
+    for short in SHORT:
         try:
             target = one.before(short) if short else one.solution.configuration
             amounts = [a + b for a, b in zip(now, actuator_values(at, target), strict=True)]

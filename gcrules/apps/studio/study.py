@@ -7,11 +7,12 @@ from math import log10
 from gcrules.algebra import expr as ex
 from gcrules.algebra.language.legs_text import Structure
 from gcrules.algebra.language.text import text
+from gcrules.apps.studio.accounts import account_view
 from gcrules.apps.studio.drawings import schematic
 from gcrules.apps.studio.formulas import pieces
 from gcrules.apps.studio.limbs import robot_view
 from gcrules.apps.studio.moving import actuator_axes, coordinate_axes
-from gcrules.apps.studio.protocol.study_views import Axis, ConditionView, EntryView, MeasureView, Study
+from gcrules.apps.studio.protocol.study_views import Axis, ConditionView, EntryView, MeasureView, ModelView, Study
 from gcrules.apps.studio.stages import stage_views
 from gcrules.apps.studio.subject import Subject
 from gcrules.conditions.analysis import Analysis
@@ -19,12 +20,14 @@ from gcrules.core.budget import report
 from gcrules.mechanisms.kinematics.amplification import INDICES
 from gcrules.mechanisms.kinematics.leg_amplification import LEGS
 from gcrules.mechanisms.limbs import Limbs
+from gcrules.mechanisms.models.imported import Imported
 from gcrules.mechanisms.six_legs import SixLegs
 from gcrules.poses.maps.axes import TRANSLATION, TURNS
 from gcrules.poses.methods import Methods, method
 from gcrules.rules.condition import Condition
 from gcrules.views.drawing.figures import distinct_entities
 from gcrules.views.report.scene_json import entity_data
+from gcrules.views.results.imported import limits_of
 from gcrules.views.scene_data import EntityView
 
 __all__ = ["condition_view", "entity_views", "study"]
@@ -61,6 +64,19 @@ def study(subject: Subject) -> Study:
         "condition": condition_view(a.structure, a.condition) if a else _none(subject),
         "readings": [condition_view(a.structure, r) for r in a.readings] if a else [],
         "robot": robot_view(subject.robot, subject.mechanism.mobility, subject.home) if subject.robot else None,
+        "model": _model(subject.model) if subject.model else None,
+    }
+
+
+def _model(found: Imported) -> ModelView:
+    """What was read, and which joint of the model each actuator is."""
+    limits = limits_of(found)
+    return {
+        **account_view(found),
+        "drives": [
+            {"name": q, "joint": joint, "limits": next((limits[n] for n in joint.split(" = ") if n in limits), "")}
+            for q, joint in found.drives
+        ],
     }
 
 

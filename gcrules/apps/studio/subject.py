@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Mapping
+from dataclasses import replace
 from fractions import Fraction
 from functools import cached_property
 from typing import Any
@@ -28,7 +29,9 @@ from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.mechanisms.description.discovery import robots
 from gcrules.mechanisms.description.platform_file import Platform
 from gcrules.mechanisms.limbs import Limbs
-from gcrules.mechanisms.load import is_data, kind_of, read_class, read_example, read_robot, read_text
+from gcrules.mechanisms.load import is_data, is_xml, kind_of, read_class, read_example, read_robot, read_text
+from gcrules.mechanisms.models.imported import Imported
+from gcrules.mechanisms.models.importing import import_text
 from gcrules.mechanisms.moving_platform import MovingPlatform
 from gcrules.mechanisms.robot import Robot
 from gcrules.mechanisms.six_legs import SixLegs
@@ -49,7 +52,8 @@ SEARCH = 10.0
 class Subject:
     """What a source says as a mechanism, with its analysis; legs alone have a shape that was `invented` for them.
 
-    `robot` is the analysis of what its joints describe, though it may move as a platform on six legs.
+    `robot` is the analysis of what its joints describe, though it may move as a platform on six legs; `model` says how
+    it was read from a model of links and joints.
     """
 
     source: SourceJson
@@ -57,6 +61,7 @@ class Subject:
     note: str = ""
     invented: bool = False
     robot: RobotAnalysis | None = None
+    model: Imported | None = None
 
     @property
     def legs(self) -> SixLegs | None:
@@ -187,6 +192,9 @@ def _known(name: str) -> Robot:
 def _of_file(source: FileSource) -> Subject:
     text, name = source["text"], source["name"]
     try:
+        if is_xml(text):
+            found = import_text(text, name)
+            return replace(_of_loaded(source, found.robot, source.get("mode")), model=found)
         return _of_loaded(source, read_text(text, name), source.get("mode"))
     except GcrulesError as fault:
         raise fault.located(text, name, Span(0, 1)) if fault.source is None else fault from None

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from contextlib import suppress
 from typing import Any
 
 import numpy as np
@@ -20,7 +21,20 @@ from gcrules.poses.limbs.pose_report import target_of
 from gcrules.screws.pose import Pose
 from gcrules.screws.pose_text import HOME, pose_of
 
-__all__ = ["at_coordinates", "at_home", "coordinates_at", "pose_json", "poses_of_limbs", "reached"]
+__all__ = [
+    "SHORT",
+    "at_coordinates",
+    "at_home",
+    "coordinates_at",
+    "near_coordinates",
+    "pose_json",
+    "poses_of_limbs",
+    "reached",
+]
+
+SHORT = 0.0, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2
+"""Parts of the way by which the sliders may stop short of a singular pose: there the actuators themselves come to a
+stop, and the closer they are, the worse they tell the pose."""
 
 _NEAR = 1e-6  # radians, and parts of the robot's size
 
@@ -93,3 +107,14 @@ def at_coordinates(limbs: Limbs, names: Sequence[str], values: Any, driven: bool
             hint="on the straight way of the actuators from home it meets a singular configuration first",
         )
     return found
+
+
+def near_coordinates(limbs: Limbs, at: Mapping[str, float]) -> tuple[PoseJson, bool] | None:
+    """The pose of the page where the coordinates, from home, are as given; of a singular one, at which actuators may
+    come to a stop, one just short of it on the way from home, and whether it is one. None where the sliders do not lead
+    there.
+    """
+    for short in SHORT:
+        with suppress(InputError):
+            return at_coordinates(limbs, tuple(at), [c * (1 - short) for c in at.values()], driven=False), short > 0
+    return None

@@ -31,7 +31,7 @@ from gcrules.mechanisms.models.robot_text import Drawn, robot_text
 from gcrules.mechanisms.models.snapping import TOLERANCE, moved_between, size_of, snapped
 from gcrules.mechanisms.robot import Robot
 
-__all__ = ["import_file", "import_model", "robot_of_file", "robot_of_text"]
+__all__ = ["import_file", "import_model", "import_text", "robot_of_file", "robot_of_text"]
 
 _SEEDS = (1, 2, 3)
 _MOST = 400  # joints between base and platform
@@ -51,8 +51,13 @@ def robot_of_file(
 
 
 def robot_of_text(text: str, filename: str = "<input>") -> Robot:
-    """The robot that the text of a model shows, which includes no other files. Raises FileError as `import_file`."""
-    return _imported(parse_model(text, filename)).robot
+    """The robot that the text of a model shows; see `import_text`."""
+    return import_text(text, filename).robot
+
+
+def import_text(text: str, filename: str = "<input>") -> Imported:
+    """Read the text of a model, which includes no other files. Raises FileError as `import_file`."""
+    return _imported(parse_model(text, filename))
 
 
 def import_file(

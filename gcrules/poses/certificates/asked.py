@@ -77,10 +77,13 @@ class Asked(HoldsArrays):
 
     def pose_text(self, place: Sequence[float]) -> str:
         """A place of the free coordinates, in rad and the file's unit, as `gcrules pose --at` takes it."""
+        return ", ".join(f"{n}={_number(c, n)}" for n, c in self.coordinates(place).items())
+
+    def coordinates(self, place: Sequence[float]) -> dict[str, float]:
+        """All coordinates at a place of the free ones, in rad and the file's unit."""
         q = self.task.question
         values = dict(zip(q.names, q.values, strict=True))
-        values |= {q.names[k]: float(c) for k, c in zip(q.free, place, strict=True)}
-        return ", ".join(f"{n}={_number(c, n)}" for n, c in values.items())
+        return values | {q.names[k]: float(c) for k, c in zip(q.free, place, strict=True)}
 
 
 def _number(value: float, name: str) -> str:

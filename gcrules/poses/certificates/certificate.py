@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import gzip
 import json
+from collections.abc import Sequence
+from functools import cached_property
 from os import PathLike, fspath
 from typing import Any
 
@@ -17,15 +19,20 @@ from gcrules.core.floats import rounded_down
 from gcrules.core.frozen import HoldsArrays
 from gcrules.core.shown import Shown
 from gcrules.core.version import __version__
-from gcrules.poses.boxes.task import SHARES, decided_part
+from gcrules.poses.boxes.deciding import Boxes
+from gcrules.poses.boxes.task import SHARES, BoxTask, decided_part
+from gcrules.poses.boxes.trees import Leaves
 from gcrules.poses.certificates.asked import Asked
 from gcrules.poses.certificates.checking import geometry
 from gcrules.poses.certificates.search import OTHER, Search
+from gcrules.poses.maps.axes import GridAxis
 from gcrules.poses.maps.cells import CROSSED, FREE, OUTSIDE, UNDECIDED
 
-__all__ = ["FORMAT", "Bad", "Certificate", "read_certificate", "restored"]
+__all__ = ["FORMAT", "PICTURES", "Bad", "Certificate", "check_suffix", "read_certificate", "restored"]
 
 FORMAT = "gcrules certificate 1"
+PICTURES = ("svg", "pdf", "png")
+"""Kinds of pictures."""
 _LETTERS = {FREE: "f", OTHER: "g", OUTSIDE: "o", CROSSED: "x", UNDECIDED: "u"}
 _STATUS = {letter: status for status, letter in _LETTERS.items()}
 
@@ -68,6 +75,16 @@ class Certificate(HoldsArrays, Shown):
     bounds: tuple[float, ...]
 
     @property
+    def axes(self) -> tuple[GridAxis, ...]:
+        """The coordinates; the two nodes of each are its ends."""
+        return self.asked.axes
+
+    @property
+    def task(self) -> BoxTask:
+        """The range as a map of whole boxes has it, of one tile."""
+        return self.asked.task
+
+    @property
     def decided(self) -> float:
         """The share that is proved to be free, or to be outside."""
         return decided_part(self.shares)
@@ -78,6 +95,44 @@ class Certificate(HoldsArrays, Shown):
         if self.verdict in ("singular", "below"):
             return False
         return True if self.verdict in ("free", "outside") or self.decided >= self.target < 1 else None
+
+    @cached_property
+    def geometry(self) -> dict[str, Any] | None:
+        """What a checker needs of the robot; None for one of which it knows nothing."""
+        return geometry(self.asked)
+
+    def coordinates(self, place: Sequence[float]) -> dict[str, float]:
+        """All coordinates of the pose at a place in the units of the axes, in radians and the file's unit."""
+        return self.asked.coordinates([float(c) for c in np.array(place) * self.task.units])
+
+    def leaves(self, tile: int = 0) -> Leaves:
+        """The boxes that are not cut, in radians and the file's unit; there is one tile."""
+        return self._leaves
+
+    @cached_property
+    def _leaves(self) -> Leaves:
+        whole = self.task.box(0)
+        waiting = [(whole.middles[0], whole.halves[0], 0)]
+        middles, halves, depths, status = [], [], [], []
+        for sign in self.tree:
+            middle, half, depth = waiting.pop()
+            if sign in _STATUS:
+                middles.append(middle)
+                halves.append(half)
+                depths.append(depth)
+                status.append(_STATUS[sign])
+                continue
+            step = np.zeros_like(half)
+            step[int(sign)] = half[int(sign)] / 2
+            waiting += [(middle + step, half - step, depth + 1), (middle - step, half - step, depth + 1)]
+        every = np.array(status)
+        boxes = Boxes(np.array(middles), np.array(halves))
+        return Leaves(boxes, np.array(depths), np.where(every == OTHER, FREE, every).astype(np.uint8), every == OTHER)
+
+    def to_bytes(self, *, packed: bool) -> bytes:
+        """The file that the checker reads, `packed` with gzip."""
+        found = json.dumps(self.to_json(), separators=(",", ":")).encode() + b"\n"
+        return gzip.compress(found, mtime=0) if packed else found
 
     def to_json(self) -> dict[str, Any]:
         """The certificate as its file has it. `tree` has a sign for each box, a box that is cut before its lower half,
@@ -90,7 +145,7 @@ class Certificate(HoldsArrays, Shown):
             "made by": f"gcrules {__version__}",
             "title": self.asked.mechanism.title,
             "question": self.asked.to_json(),
-            "geometry": geometry(self.asked),
+            "geometry": self.geometry,
             "claim": {
                 "verdict": self.verdict,
                 "margin at least": self.bound,
@@ -115,20 +170,28 @@ class Certificate(HoldsArrays, Shown):
 
     @checked("certificate.save", path=FILE)
     def save(self, path: str) -> None:
-        """Write the file that the checker reads, .json, or .json.gz for less room. Raises FileError."""
-        check_suffix(path)
-        data = json.dumps(self.to_json(), separators=(",", ":")).encode() + b"\n"
-        write_file(path, gzip.compress(data, mtime=0) if path.lower().endswith(".gz") else data, at_once=True)
+        """Write the file that the checker reads, .json, or .json.gz for less room; or a picture of the boxes: .svg,
+        .pdf, .png. Raises FileError.
+        """
+        kind = check_suffix(path)
+        data = self._show("picture", kind=kind) if kind in PICTURES else self.to_bytes(packed=kind == "gz")
+        write_file(path, data, at_once=True)
 
     def __repr__(self) -> str:
         over = ", ".join(a.name for a in self.asked.axes)
         return f"<Certificate over {over}: {self.verdict}, {100 * self.decided:.4g} % decided>"
 
 
-def check_suffix(path: str) -> None:
-    """Raises FileError for a name of something else."""
-    if not path.lower().endswith((".json", ".json.gz")):
-        raise FileError("no name of a certificate", filename=path, hint="certificates end in .json or .json.gz")
+def check_suffix(path: str) -> str:
+    """The kind of a file by its name. Raises FileError for a name of something else."""
+    kind = path.lower().rpartition(".")[2]
+    if kind in PICTURES or path.lower().endswith((".json", ".json.gz")):
+        return kind
+    raise FileError(
+        "no name of a certificate",
+        filename=path,
+        hint=f"certificates end in .json or .json.gz, pictures of them in {', '.join(f'.{p}' for p in PICTURES)}",
+    )
 
 
 def parts_of(search: Search) -> tuple[str, tuple[float, ...]]:

@@ -28,7 +28,7 @@ from gcrules.poses.maps.cells import CROSSED, FREE, OUTSIDE, UNDECIDED
 from gcrules.poses.maps.recipe import robot_of
 from gcrules.poses.pose import pose
 
-__all__ = ["certify"]
+__all__ = ["certified", "certify"]
 
 Floats = NDArray[np.float64]
 
@@ -69,22 +69,37 @@ def certify(
 
     Raises InputError for what makes no sense, and where something has no closed form; FileError for another file.
     """
+    seconds, most = _ends(time, boxes)
+    share = share_of(target)
+    found = asked(mechanism(source, about=about), over, at, limits, cone, tilt, margin)
+    return certified(found, seconds, most, share, resume)
+
+
+def _ends(time: float | None, boxes: int | None) -> tuple[float, int]:
+    """How long the search goes on, and how many boxes it has at most. Raises InputError for what makes no sense."""
     if time is None:
         time = _TIME if boxes is None else np.inf
     elif not 0 <= time < np.inf:
         raise InputError(f"a time of {time} s", hint="a number of seconds, 0 or more")
     if boxes is not None and boxes < 1:
         raise InputError(f"{boxes} boxes", hint="a number of boxes, 1 or more")
-    share = share_of(target)
-    found = asked(mechanism(source, about=about), over, at, limits, cone, tilt, margin)
+    return time, _MOST if boxes is None else min(boxes, _MOST)
+
+
+def certified(
+    found: Asked, time: float, boxes: int, target: float = 1.0, resume: str | PathLike[str] | None = None
+) -> Certificate:
+    """The answer to a question, with so many boxes at most, after so many seconds; raises FileError for a file of
+    another one.
+    """
     search = Search(found.decider, found.task.box(0), found.task.home, found.task.margin)
     if resume is not None:
         _resumed(search, found, resume)
-    until, most = monotonic() + time, _MOST if boxes is None else min(boxes, _MOST)
-    search.run(until, share, most)
-    if search.crossed is None and not margin:
-        search.raise_bound(until, most, np.inf if resume is not None else _AGAIN * max(search.looked, _FEW))
-    return _certificate(found, search, share)
+    until = monotonic() + time
+    search.run(until, target, boxes)
+    if search.crossed is None and not found.task.margin:
+        search.raise_bound(until, boxes, np.inf if resume is not None else _AGAIN * max(search.looked, _FEW))
+    return _certificate(found, search, target)
 
 
 def _resumed(search: Search, found: Asked, path: str | PathLike[str]) -> None:

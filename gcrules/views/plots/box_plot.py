@@ -1,38 +1,28 @@
-r"""Pictures of whole boxes of poses: the boxes themselves over two coordinates, over more what is left over each pair.
-
-Colours are those of maps, told apart by colour-blind readers and in grey.
-"""
+r"""Pictures of whole boxes of poses: the boxes over one coordinate or two, over more what is left over each pair."""
 
 from __future__ import annotations
 
 from itertools import product
-from typing import Any
 
 import numpy as np
+from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
-from matplotlib.collections import PolyCollection
 from matplotlib.colors import LinearSegmentedColormap
 from matplotlib.figure import Figure
-from matplotlib.patches import Patch
 from numpy.typing import NDArray
 
 from gcrules.poses.boxes.report import BoxMap
-from gcrules.poses.boxes.trees import Leaves
-from gcrules.poses.maps.cells import CROSSED, FREE, OUTSIDE, UNDECIDED
-from gcrules.views.drawing.palette import LIGHT
+from gcrules.poses.maps.cells import FREE, OUTSIDE
+from gcrules.views.plots.box_drawing import COLOURS, Boxed, Parts, add_key, boxes_of, draw_boxes, frame, words_of
 from gcrules.views.plots.saving import saved
 
-__all__ = ["figure", "picture"]
+__all__ = ["WIDTH", "figure", "flat", "picture"]
 
 Floats = NDArray[np.float64]
 
-_WIDTH = 6.3  # inches
+WIDTH = 6.3  # inches
 _CELLS = 8  # of a raster, for each tile
-_MANY = 1_500  # boxes are drawn as pixels
-_FREE, _OTHER, _OUTSIDE = "#D8E6F2", "#7FB2D8", "#ECECEC"
-_AMBER = "#E69F00"
-_CROSSED = LIGHT["entity2"]
-_LEFT = LinearSegmentedColormap.from_list("left", ["#F4F8FC", "#F6D9A0", _AMBER, _CROSSED])
+_LEFT = LinearSegmentedColormap.from_list("left", ["#F4F8FC", "#F6D9A0", COLOURS["undecided"], COLOURS["crossed"]])
 
 
 def picture(m: BoxMap, kind: str) -> bytes:
@@ -47,82 +37,30 @@ def figure(m: BoxMap) -> Figure:
 
 def _flat(m: BoxMap) -> Figure:
     """The boxes over one coordinate or two."""
-    two = len(m.axes) == 2
-    made = Figure(figsize=(_WIDTH, 4.9 if two else 1.6), layout="constrained")
-    FigureCanvasAgg(made)
-    axes = made.add_subplot()
-    drawn: dict[str, Any] = {}
-    for name, colour, low, high in _coloured(m):
-        if not two:
-            low, high = (np.stack([c[:, 0], np.full(len(c), y)], axis=1) for c, y in ((low, 0.0), (high, 1.0)))
-        corners = np.stack(
-            [low, np.stack([high[:, 0], low[:, 1]], axis=1), high, np.stack([low[:, 0], high[:, 1]], axis=1)], axis=1
-        )
-        fine = name in ("crossed", "undecided")  # thin ones are seen, too
-        style: Any = {"edgecolor": colour, "lw": 0.8, "zorder": 3} if fine else {"edgecolor": "white", "lw": 0.35}
-        axes.add_collection(
-            PolyCollection(list(corners), facecolor=colour, rasterized=len(corners) > _MANY, **{"zorder": 2, **style})
-        )
-        drawn.setdefault(name, Patch(facecolor=colour, edgecolor="#999999", lw=0.4, label=_label(m, name)))
-    first = m.axes[0]
-    axes.set(xlabel=first.label, xlim=(float(first.start), float(first.stop)))
-    if two:
-        second = m.axes[1]
-        axes.set(ylabel=second.label, ylim=(float(second.start), float(second.stop)))
-        if first.unit == second.unit and first.kind == second.kind:
-            axes.set_aspect("equal")
-    else:
-        axes.set(ylim=(0, 1), yticks=[])
-    axes.set_title(m.task.mechanism.title, fontsize=11)
-    axes.tick_params(direction="out", length=3, width=0.7)
-    made.legend(handles=list(drawn.values()), loc="outside lower center", ncols=3, frameon=False, fontsize=9)
+    made, _, parts = flat(m)
+    words = words_of(m)
+    add_key(made, {name: words[name] for name in parts})
     return made
 
 
-_WORDS = {
-    "free": "free, proved",
-    "other": "free, other sign",
-    "outside": "not reached",
-    "crossed": "holds a singular pose",
-    "undecided": "undecided",
-}
-
-
-def _label(m: BoxMap, name: str) -> str:
-    return "holds a pose below the margin" if name == "crossed" and m.task.margin else _WORDS[name]
-
-
-def _coloured(m: BoxMap) -> Any:
-    """The boxes of each kind: its name and colour, and lower and upper ends in the units of the axes."""
-    parts: dict[str, list[tuple[Floats, Floats]]] = {name: [] for name in _WORDS}
-    for tile in range(m.task.number):
-        leaves = m.leaves(tile)
-        for name, some in _kinds(leaves).items():
-            low = (leaves.boxes.middles[some] - leaves.boxes.halves[some]) / m.task.units
-            high = (leaves.boxes.middles[some] + leaves.boxes.halves[some]) / m.task.units
-            parts[name].append((low, high))
-    colours = dict(zip(_WORDS, (_FREE, _OTHER, _OUTSIDE, _CROSSED, _AMBER), strict=True))
-    for name, found in parts.items():
-        low, high = (np.concatenate([p[k] for p in found]) for k in (0, 1))
-        if len(low):
-            yield name, colours[name], low, high
-
-
-def _kinds(leaves: Leaves) -> dict[str, NDArray[np.bool_]]:
-    free = leaves.status == FREE
-    return {
-        "free": free & ~leaves.negative,
-        "other": free & leaves.negative,
-        "outside": leaves.status == OUTSIDE,
-        "crossed": leaves.status == CROSSED,
-        "undecided": leaves.status == UNDECIDED,
-    }
+def flat(m: Boxed) -> tuple[Figure, Axes, Parts]:
+    """The boxes over one coordinate or two, and what was drawn."""
+    first, second = m.axes[0], m.axes[1] if len(m.axes) == 2 else None
+    made = Figure(figsize=(WIDTH, 1.6 if second is None else 4.9), layout="constrained")
+    FigureCanvasAgg(made)
+    axes, parts = made.add_subplot(), boxes_of(m)
+    draw_boxes(axes, parts, 0, None if second is None else 1)
+    frame(axes, first, second)
+    axes.set(xlabel=first.label, ylabel=second.label if second else "")
+    axes.set_title(m.task.mechanism.title, fontsize=11)
+    axes.tick_params(direction="out", length=3, width=0.7)
+    return made, axes, parts
 
 
 def _pairs(m: BoxMap) -> Figure:
     """For each pair of coordinates which part of what is reached is not proved free, over all others."""
     n = len(m.axes)
-    made = Figure(figsize=(_WIDTH, _WIDTH), layout="constrained")
+    made = Figure(figsize=(WIDTH, WIDTH), layout="constrained")
     FigureCanvasAgg(made)
     grid = made.add_gridspec(n - 1, n - 1)
     left = _rasters(m)
@@ -132,7 +70,7 @@ def _pairs(m: BoxMap) -> Figure:
         axes = made.add_subplot(grid[j - 1, i])
         first, second = m.axes[i], m.axes[j]
         extent = (float(first.start), float(first.stop), float(second.start), float(second.stop))
-        axes.set_facecolor(_OUTSIDE)
+        axes.set_facecolor(COLOURS["outside"])
         image = axes.imshow(
             left[i, j].T,
             origin="lower",

@@ -12,12 +12,14 @@ from gcrules.views.results.result_account import Block, Facts, Grid, ResultAccou
 from gcrules.views.results.robot_pose import signed
 
 __all__ = [
+    "NO_PICTURE",
     "account_section",
     "blocks_html",
     "facts_html",
     "figure_card",
     "inline_svg",
     "latex_html",
+    "map_figure",
     "section_html",
     "words_html",
 ]
@@ -99,6 +101,14 @@ def inline_svg(drawing: str, words: str) -> str:
     """
     alone = _STYLE.sub("", drawing[drawing.index("<svg") + 4 :], count=1)
     return f'<svg role="img" aria-label="{escape(words)}" stroke-linejoin="round" stroke-linecap="butt"{alone}'
+
+
+def map_figure(drawn: str, words: str) -> str:
+    """A picture of a map with what is said below it."""
+    return f'<figure class="plot map">{drawn}<figcaption>{escape(words)}</figcaption></figure>'
+
+
+NO_PICTURE = '<p class="note">There is no picture: pictures of maps need matplotlib, gcrules[maps].</p>'
 
 
 def figure_card(drawing: str, heading: str, *words: str, step: int | None = None) -> str:

@@ -10,6 +10,7 @@ from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.mechanisms.mechanism import mechanism
 from gcrules.poses.aspects.report import Aspects
 from gcrules.poses.boxes.report import BoxMap
+from gcrules.poses.certificates.certificate import Certificate
 from gcrules.poses.limbs.path_report import RobotPath
 from gcrules.poses.maps.report import SingularMap
 from gcrules.poses.modes.report import AssemblyModes
@@ -19,6 +20,7 @@ from gcrules.poses.paths.report import PathReport
 from gcrules.poses.plans.report import Plan
 from gcrules.poses.questions import Unanswered
 from gcrules.poses.regions.report import FreeRegion
+from gcrules.views.report.certificate_section import certificate_html
 from gcrules.views.report.mode_sections import (
     assembly_modes_html,
     operation_modes_html,
@@ -35,6 +37,7 @@ _SECTIONS: Mapping[type, Callable[..., str]] = {
     RobotPath: path_html,
     SingularMap: map_html,
     BoxMap: boxes_html,
+    Certificate: certificate_html,
     AssemblyModes: assembly_modes_html,
     WorkingModes: working_modes_html,
     OperationModes: operation_modes_html,

@@ -14,7 +14,7 @@ from gcrules.poses.limbs.path_report import RobotPath
 from gcrules.poses.maps.report import SingularMap
 from gcrules.poses.paths.report import PathReport
 from gcrules.views.forms import shown
-from gcrules.views.report.account_html import account_section, facts_html, inline_svg
+from gcrules.views.report.account_html import NO_PICTURE, account_section, facts_html, inline_svg, map_figure
 from gcrules.views.report.leads import path_lead
 from gcrules.views.results.box_map import leaves_nothing, seen
 from gcrules.views.results.map import account
@@ -88,16 +88,9 @@ def _picture(m: SingularMap) -> str:
         else:
             drawn = f'<img alt="{escape(seen)}" src="data:image/png;base64,{b64encode(picture(m, "png")).decode()}">'
     except ImportError:
-        return _NO_PICTURE
+        return NO_PICTURE
     words = f"Singular poses of {title}; what is proved of them stands above."
-    return _plot(drawn, words)
-
-
-def _plot(drawn: str, words: str) -> str:
-    return f'<figure class="plot map">{drawn}<figcaption>{escape(words)}</figcaption></figure>'
-
-
-_NO_PICTURE = '<p class="note">There is no picture: pictures of maps need matplotlib, gcrules[maps].</p>'
+    return map_figure(drawn, words)
 
 
 def boxes_html(r: BoxMap, m: SixLegs | Limbs, *, live: bool) -> str:
@@ -112,9 +105,9 @@ def _boxes_picture(r: BoxMap) -> str:
     pairs = len(r.axes) > 2
     drawn = shown(r, "svg")
     if drawn is None:
-        return _NO_PICTURE
+        return NO_PICTURE
     words = "What is not proved free, over each pair of coordinates" if pairs else "Boxes of poses"
-    return _plot(inline_svg(drawn, seen(r)), f"{words}; what is proved stands above.")
+    return map_figure(inline_svg(drawn, seen(r)), f"{words}; what is proved stands above.")
 
 
 def _more(r: BoxMap) -> str:

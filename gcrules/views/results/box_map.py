@@ -12,10 +12,12 @@ from gcrules.poses.boxes.task import MODES
 from gcrules.views.formulas.latex_text import latex_quantity, latex_table
 from gcrules.views.results.box_shares import (
     PROOF,
+    Share,
     latex_ranges,
     latex_shares,
     named_rows,
     parted,
+    parts_of,
     percent,
     place_words,
     share_rows,
@@ -148,13 +150,9 @@ def decided(m: BoxMap) -> str:
     return f"{percent(m.summary.decided)} of the volume is decided: proved {less}."
 
 
-def parts(m: BoxMap) -> Iterator[tuple[str, float, str]]:
-    """Of each kind of boxes that occurs its name, its share of the volume, and both in words."""
-    kinds = ("free", "free with the other sign", "not reached", f"in boxes that hold {_bad(m)}", "undecided")
-    names = ("free", "other", "outside", "crossed", "undecided")
-    for name, kind, share in zip(names, kinds, m.summary.shares, strict=True):
-        if share:
-            yield name, share, f"{percent(share)} {kind}"
+def parts(m: BoxMap) -> Iterator[Share]:
+    """Each kind of boxes that occurs."""
+    return parts_of(m.summary.shares, _bad(m))
 
 
 def seen(m: BoxMap) -> str:

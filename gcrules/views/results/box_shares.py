@@ -8,7 +8,18 @@ from gcrules.poses.maps.axes import GridAxis
 from gcrules.views.formulas.latex_text import latex_quantity, latex_words
 from gcrules.views.text_tables import table
 
-__all__ = ["PROOF", "latex_ranges", "latex_shares", "named_rows", "parted", "percent", "place_words", "share_rows"]
+__all__ = [
+    "PROOF",
+    "Share",
+    "latex_ranges",
+    "latex_shares",
+    "named_rows",
+    "parted",
+    "parts_of",
+    "percent",
+    "place_words",
+    "share_rows",
+]
 
 PROOF = (
     "in a free box the wrenches hold the platform at all poses, by Taylor models of second order with bounds of all "
@@ -37,6 +48,19 @@ def share_rows(shares: Sequence[float], limited: bool, bad: str) -> Iterator[tup
         yield "crossed", f"{percent(crossed)}: boxes that hold {bad}"
     if undecided:
         yield "undecided", percent(undecided)
+
+
+Share = tuple[str, float, str]
+"""Of a kind of boxes its name, its share of the volume, and both in words."""
+
+
+def parts_of(shares: Sequence[float], bad: str) -> Iterator[Share]:
+    """Each kind of boxes that occurs; crossed ones hold `bad`."""
+    kinds = ("free", "free with the other sign", "not reached", f"in boxes that hold {bad}", "undecided")
+    names = ("free", "other", "outside", "crossed", "undecided")
+    for name, kind, share in zip(names, kinds, shares, strict=True):
+        if share:
+            yield name, share, f"{percent(share)} {kind}"
 
 
 def parted(shares: Sequence[float], meets: str) -> str:

@@ -1,38 +1,60 @@
-r"""A certificate as text and as LaTeX: whether the whole range is free, how much of it is proved, and by what."""
+r"""A certificate as text, as LaTeX and as a picture: whether the whole range is free, how much of it is proved, and by
+what.
+"""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
+from gcrules.core.deferred import deferred
+from gcrules.core.english import listed
 from gcrules.poses.boxes.task import MODES
 from gcrules.poses.certificates.certificate import Certificate
 from gcrules.views.formulas.latex_text import latex_quantity, latex_table, latex_words
 from gcrules.views.results.box_shares import (
     PROOF,
+    Share,
     latex_ranges,
     latex_shares,
     named_rows,
     parted,
+    parts_of,
     percent,
     place_words,
     share_rows,
 )
+from gcrules.views.results.certificate_place import shown_place
 from gcrules.views.results.result_account import Facts, ResultAccount
 from gcrules.views.text_tables import ASCII, wrapped
 
-__all__ = ["account", "as_latex", "as_text", "verdict"]
+__all__ = [
+    "account",
+    "as_latex",
+    "as_text",
+    "captioned",
+    "check",
+    "decided",
+    "parts",
+    "picture_of",
+    "place_text",
+    "seen",
+    "verdict",
+]
+
+picture = deferred("gcrules.views.plots.certificate_plot:picture")  # matplotlib, an extra of the installation
 
 
 def as_text(c: Certificate, *, unicode: bool = False) -> str:
     """The whole answer; without `unicode` in ASCII."""
-    found = "\n".join([*wrapped(verdict(c)), "", *named_rows(_rows(c))])
+    found = "\n".join([*wrapped(verdict(c)), "", *named_rows([*_question(c), *_answer(c)])])
     return found if unicode else found.translate(ASCII)
 
 
 def account(c: Certificate) -> ResultAccount:
     """What there is to say of it."""
-    return ResultAccount(verdict(c), (Facts(tuple(_rows(c))),))
+    asked, proved = Facts(tuple(_question(c)), "What was asked"), Facts(tuple(_answer(c)), "What is proved")
+    return ResultAccount(verdict(c), (asked, proved))
 
 
 def verdict(c: Certificate) -> str:
@@ -47,14 +69,18 @@ def verdict(c: Certificate) -> str:
             return f"No pose of this range is {reached.removeprefix('that is ')} (proved)."
         case "singular":
             assert c.bad is not None
-            return f"There is a singular pose in range{inside} (proved by the sign of the determinant): {_at(c)}."
+            at = place_text(c, c.bad.place)
+            return f"There is a singular pose in range{inside} (proved by the sign of the determinant): {at}."
         case "below":
             assert c.bad is not None
-            return f"There is a pose in range{inside} whose margin is below {asked:g}: {_at(c)}."
+            return f"There is a pose in range{inside} whose margin is below {asked:g}: {place_text(c, c.bad.place)}."
     proved, left = percent(c.decided), percent(c.shares[4])
     if c.holds:
         return f"No singular pose in {proved} of the range (proved); the rest, {left}, is undecided."
     return f"Not decided: {proved} of the range is proved, {left} of it is undecided; no singular pose was found."
+
+
+_SUCH = "such a pose"
 
 
 def _parted(c: Certificate) -> str:
@@ -65,17 +91,14 @@ def _between(c: Certificate) -> str:
     return f"smallest margin σ ≥ {c.bound or 0.0:.4g}"
 
 
-def _at(c: Certificate) -> str:
-    assert c.bad is not None
-    return ", ".join(
-        f"{a.name} = {value:.6g} {a.unit}".rstrip() for a, value in zip(c.asked.axes, c.bad.place, strict=True)
-    )
+def place_text(c: Certificate, place: Sequence[float]) -> str:
+    """A place in the units of the axes, with them."""
+    return ", ".join(f"{a.name} = {value:.6g} {a.unit}".rstrip() for a, value in zip(c.axes, place, strict=True))
 
 
-def _rows(c: Certificate) -> Iterator[tuple[str, str]]:
-    yield from _question(c)
+def _answer(c: Certificate) -> Iterator[tuple[str, str]]:
     *_, crossed, undecided = c.shares
-    yield from share_rows(c.shares, c.asked.limited, "such a pose")
+    yield from share_rows(c.shares, c.asked.limited, _SUCH)
     if c.bad is not None:
         yield "pose", f"{c.bad.at} (as gcrules pose --at takes it)"
         yield "", f"margin σ = {c.bad.margin:.3g} there"
@@ -115,3 +138,56 @@ def as_latex(c: Certificate) -> str:
     if c.bound is not None:
         rows.append(("margin $\\sigma$, at least", latex_quantity(c.bound)))
     return latex_table(rows)
+
+
+def picture_of(c: Certificate) -> str | None:
+    """The boxes, or slices through them, as SVG; None where matplotlib is missing."""
+    try:
+        svg: bytes = picture(c, "svg")
+    except ImportError:
+        return None
+    return svg.decode()
+
+
+def parts(c: Certificate) -> Iterator[Share]:
+    """Each kind of boxes that occurs."""
+    return parts_of(c.shares, _SUCH)
+
+
+def decided(c: Certificate) -> str:
+    """How much is decided, in one sentence."""
+    return f"{percent(c.decided)} of the volume is proved, with {c.boxes:,} boxes."
+
+
+def seen(c: Certificate) -> str:
+    """What the picture shows, in words."""
+    title = c.asked.mechanism.title or "the robot"
+    over, shares = listed([a.name for a in c.axes]), listed([words for _, _, words in parts(c)])
+    if len(c.axes) < 3:
+        return f"Boxes of poses of {title} over {over}: {shares}."
+    return f"{_slices(c)} Boxes of poses of {title}; of the whole range {shares}."
+
+
+def captioned(c: Certificate) -> str:
+    """What the picture shows, in short."""
+    return f"{'Boxes of poses.' if len(c.axes) < 3 else _slices(c)} What is proved stands above."
+
+
+def _slices(c: Certificate) -> str:
+    at = shown_place(c)
+    over = listed([a.name for a in c.axes])
+    return f"Slices over each pair of {over} through {at.words}: {place_words(c.axes, at.place)}."
+
+
+def check(c: Certificate) -> str:
+    """How the certificate can be checked again, by what covers its robot and its verdict."""
+    known = c.geometry
+    if c.verdict == "below":
+        return "That a margin is below the one asked for shows `gcrules pose --at` at the pose; no other checker does."
+    if known is None or ("joints" in known and c.asked.cones is not None):
+        robot = "this robot with cones" if known else "this robot"
+        return f"There is no independent checker for {robot} yet: what is proved of boxes is proved by gcrules alone."
+    own = "with bounds of its own: it needs Python alone and shares no code with gcrules"
+    if "joints" in known:
+        own = f"{own}; the closed forms of the wrenches it compares with the joints at random places"
+    return f"The file has all boxes; `python tools/check_certificate.py FILE` proves each of them anew, {own}."

@@ -7,9 +7,10 @@ from collections.abc import Iterator, Sequence
 from gcrules.core.floats import rounded_up
 from gcrules.mechanisms.models.imported import Imported
 from gcrules.views.formulas.latex_text import latex_table, latex_words
+from gcrules.views.results.result_account import Facts, ResultAccount
 from gcrules.views.text_tables import ASCII, table
 
-__all__ = ["as_latex", "as_text"]
+__all__ = ["account", "as_latex", "as_text", "limits_of"]
 
 _MOST = 8
 _LITTLE = 1e-9  # what is less may be rounding, whose digits are those of a machine
@@ -26,6 +27,21 @@ def as_latex(r: Imported) -> str:
     return latex_table([(latex_words(name), latex_words(value)) for name, value in _rows(r)])
 
 
+def account(r: Imported) -> ResultAccount:
+    """What there is to say of it."""
+    said = f"{r.robot.title} ({r.format.upper()}) is read as {r.robot.chain}: {r.platform} moves against {r.base}"
+    return ResultAccount(f"{said}, mobility {r.robot.mobility}.", (Facts(tuple(_rows(r))),))
+
+
+def limits_of(r: Imported) -> dict[str, str]:
+    """What each driven joint of the model reaches from home, in metres or radians."""
+    return {name: _ends(low, high) for name, low, high in r.limits}
+
+
+def _ends(low: float, high: float) -> str:
+    return f"{low:.6g} to {high:.6g}"
+
+
 def _rows(r: Imported) -> Iterator[tuple[str, str]]:
     yield "model", f"{r.robot.title} ({r.format.upper()}), {r.size:.4g} m across its joints"
     yield "base", r.base
@@ -39,7 +55,7 @@ def _rows(r: Imported) -> Iterator[tuple[str, str]]:
         yield "merged", f"{said}: {_several(example)}" + (", and so on" if _count(r, said) > 1 else "")
     yield "driven", _several([f"{q} = {joint}" for q, joint in r.drives], most=24)
     if r.limits:
-        yield "limits", _several([f"{n} {low:.6g} to {high:.6g}" for n, low, high in r.limits], most=24) + "; from home"
+        yield "limits", _several([f"{n} {words}" for n, words in limits_of(r).items()], most=24) + "; from home"
     if r.left_out:
         yield "left out", f"{_several(r.left_out)}: between {r.base} and {r.platform} these hold nothing"
     yield "moved", _moved(r)

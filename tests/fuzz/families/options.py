@@ -100,6 +100,10 @@ def _values(rng: Random) -> dict[str, str]:
         "--over": rng.choice(
             ("x -1:1:3", "y 0:1:2", "z 0:1:2", "x", "x,y", "rx -10:10:3 deg", "translation", "q2 1..2", number)
         ),
+        "--certify": rng.choice(("x -1:1", "roll -5..5 deg", "x -1:1:3", "q1 0..1", number)),
+        "--cone": rng.choice(("40 deg", "base 30 deg", "a 0.5 rad", "40", number)),
+        "--tilt": rng.choice(("20 deg", "0.1 rad", "-3 deg", "x", number)),
+        "--resume": rng.choice(("c.json", "p.yaml", "no.json", "")),
         "--held": rng.choice(("q1=1", "q2=0", "q9=1", "x", number)),
         "--fix": rng.choice(("x=0", "e1=0, e2=0", "q=1", "x=", number)),
         "--rotation": rng.choice(("quaternion", "rodrigues", "zyx", "x")),

@@ -15,7 +15,13 @@ from gcrules.apps.studio.protocol.checking import Check
 from gcrules.apps.studio.protocol.motion_views import MapAnswer, PathAnswer, PlacedPose
 from gcrules.apps.studio.protocol.shape_checks import check_of
 from gcrules.apps.studio.protocol.study_views import Gallery, Hello, Study
-from gcrules.apps.studio.protocol.where_views import AspectsAnswer, AssembliesAnswer, BoxesAnswer, FreeAnswer
+from gcrules.apps.studio.protocol.where_views import (
+    AspectsAnswer,
+    AssembliesAnswer,
+    BoxesAnswer,
+    CertificateAnswer,
+    FreeAnswer,
+)
 from gcrules.core.dataclass import dataclass
 
 __all__ = ["LONGEST", "METHODS", "Method"]
@@ -56,6 +62,7 @@ METHODS: Mapping[str, Method] = {
     "aspects": Method(requests.OpenArgs, AspectsAnswer, seconds=600),
     "free": Method(requests.FreeArgs, FreeAnswer, seconds=300),
     "boxes": Method(requests.BoxesArgs, BoxesAnswer, seconds=600),
+    "certify": Method(requests.CertifyArgs, CertificateAnswer, seconds=600),
     "manual": Method(requests.ManualArgs, answers.Manual),
     "bench": Method(requests.BenchArgs, answers.Bench, seconds=30),
     "compose": Method(requests.ComposeArgs, answers.Composed),

@@ -23,6 +23,7 @@ __all__ = [
     "BenchArgs",
     "BoxesArgs",
     "CancelArgs",
+    "CertifyArgs",
     "ClassSource",
     "ComposeArgs",
     "ExampleSource",
@@ -211,6 +212,15 @@ class BoxesArgs(TypedDict):
     margin: NotRequired[Annotated[float, number(0, 1)]]
     limits: NotRequired[Annotated[str, text(400)]]
     boxes: Annotated[int, number(1, MOST_BOXES, whole=True)]
+
+
+class CertifyArgs(BoxesArgs):
+    """The same ranges, to be certified: joints of rods keep to a `cone` ("40 deg", "base 30 deg, C1 40 deg"), the
+    platform to a `tilt` ("40 deg").
+    """
+
+    cone: NotRequired[Annotated[str, text(400)]]
+    tilt: NotRequired[Annotated[str, text(40)]]
 
 
 class PlaceArgs(TypedDict):

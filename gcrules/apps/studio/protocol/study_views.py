@@ -13,10 +13,12 @@ from gcrules.views.report.stage_ids import STAGE_IDS
 from gcrules.views.scene_data import EntityView, LegEnds, LimbView, Vec3
 
 __all__ = [
+    "AccountView",
     "Axis",
     "BracketView",
     "CertificateView",
     "ConditionView",
+    "DriveView",
     "EntitiesItem",
     "EntryView",
     "FactItem",
@@ -27,6 +29,7 @@ __all__ = [
     "Hello",
     "Item",
     "MeasureView",
+    "ModelView",
     "Monomial",
     "MonomialsItem",
     "OrdersCount",
@@ -132,6 +135,13 @@ class FactItem(TypedDict):
     value: str
 
 
+class AccountView(TypedDict):
+    """The answer in a sentence, and what it consists of, with how sure it is."""
+
+    verdict: str
+    facts: list[FactItem]
+
+
 class FormulaItem(TypedDict):
     kind: Literal["formula"]
     left: list[Piece]
@@ -223,6 +233,20 @@ class RobotView(TypedDict):
     parts: list[PartView]
 
 
+class DriveView(TypedDict):
+    """An actuator, the joint of the model that it is, and what it reaches from home ("", where there is no limit)."""
+
+    name: str
+    joint: str
+    limits: str
+
+
+class ModelView(AccountView):
+    """How a model was read as a robot."""
+
+    drives: list[DriveView]
+
+
 class EntryView(TypedDict):
     id: str
     name: str
@@ -263,3 +287,5 @@ class Study(TypedDict):
     condition: ConditionView
     readings: list[ConditionView]
     robot: RobotView | None
+    model: ModelView | None
+    """What was made of the model of links and joints that was opened; null for other files."""

@@ -4,28 +4,23 @@ from __future__ import annotations
 
 from typing import Literal, TypedDict
 
+from gcrules.apps.studio.protocol.answer_views import Saved
 from gcrules.apps.studio.protocol.requests import PoseJson
-from gcrules.apps.studio.protocol.study_views import FactItem
+from gcrules.apps.studio.protocol.study_views import AccountView
 from gcrules.views.scene_data import Verdict
 
 __all__ = [
-    "AccountView",
     "AspectSetView",
     "AspectsAnswer",
     "AssembliesAnswer",
     "AssemblyModeView",
     "BoxesAnswer",
+    "CertificateAnswer",
+    "CertifiedPlaceView",
     "FreeAnswer",
     "RangeView",
     "ShareView",
 ]
-
-
-class AccountView(TypedDict):
-    """The answer in a sentence, and what it consists of, with how sure it is."""
-
-    verdict: str
-    facts: list[FactItem]
 
 
 class AssemblyModeView(TypedDict):
@@ -103,3 +98,31 @@ class BoxesAnswer(AccountView):
     """SVG in base64; empty where matplotlib is missing, or nothing is left to be seen."""
     seen: str
     """What it shows, in words."""
+
+
+class CertifiedPlaceView(TypedDict):
+    """A pose that is singular, or has a margin below the one asked for; else the one with the smallest margin that was
+    seen.
+    """
+
+    kind: Literal["singular", "below", "least"]
+    words: str
+    """Its coordinates over which the range goes."""
+    margin: float
+    causes: list[str]
+    pose: PoseJson | None
+    """null where the sliders do not lead there."""
+    short: bool
+    """They end just short of it."""
+
+
+class CertificateAnswer(BoxesAnswer):
+    """Whether the whole range is free, with the file that says so."""
+
+    answer: Literal["free", "outside", "singular", "below", "undecided"]
+    bound: float | None
+    """What the margin is at least in all boxes that are free, proved."""
+    place: CertifiedPlaceView | None
+    file: Saved
+    check: str
+    """How it is checked again."""

@@ -12,6 +12,7 @@ export function TopBar() {
   const dark = theme === "dark";
   const drawn = store.panel$.value === "draw";
   const title = drawn ? titleOf(store.sketch$.value) : study?.title;
+  const Title = store.panel$.value === "start" ? "strong" : "h1"; // the start has a heading of its own
   useEffect(() => {
     document.title = title ? `${title} · gcrules studio` : "gcrules studio";
   }, [title]);
@@ -20,10 +21,10 @@ export function TopBar() {
       <button type="button" class="brand" onClick={() => store.go({ panel: "start" })} aria-label="gcrules studio, start">
         <Mark /> gcrules <span>studio</span>
       </button>
-      <p class="study" data-testid="title">
+      <div class="study" data-testid="title">
         {title && (
           <>
-            <strong>{title}</strong>
+            <Title>{title}</Title>
             {!drawn && study?.invented && (
               <span class="tag" title="No coordinates were given: the picture and the numbers are of a sample shape">
                 sample shape
@@ -31,7 +32,7 @@ export function TopBar() {
             )}
           </>
         )}
-      </p>
+      </div>
       <div class="tools" role="toolbar" aria-label="Document">
         <Tool icon="undo" label="Undo (Ctrl Z)" disabled={!store.canUndo.value} act={store.undo} testid="undo" />
         <Tool icon="redo" label="Redo (Ctrl Shift Z)" disabled={!store.canRedo.value} act={store.redo} testid="redo" />

@@ -10,6 +10,7 @@ import { foundBy } from "../state/scene";
 import { ConditionView } from "./condition-view";
 import { Limbs } from "./limbs";
 import { ItemView } from "./item-view";
+import { ModelView } from "./model-view";
 import { PointList } from "./point-list";
 
 /** The items of a stage without those that the page shows in a way of its own. */
@@ -47,6 +48,7 @@ export function StageView({ study, stage, number }: { study: Study; stage: Stage
         </p>
       </header>
       {at === 0 && study.note && <p class="note">{study.note}</p>}
+      {at === 0 && study.model && <ModelView model={study.model} />}
       {WITH_FIGURE.includes(stage.id) && study.robot?.figure && (
         <Zoom
           svg={study.robot.figure}

@@ -13,22 +13,26 @@ export interface Roaming {
   aspects: Runner<"aspects">;
   free: Runner<"free">;
   boxes: Runner<"boxes">;
+  certify: Runner<"certify">;
   /** What is asked of whole ranges; begins anew when something else is opened. */
   whole$: Signal<Whole>;
 }
 
-/** Ranges by their names, null for one that is left out; null for those to begin with. */
+/** Ranges by their names, null for one that is left out; null for those to begin with. What a certificate alone takes: cones of joints, a tilt. */
 export interface Whole {
+  kind: "map" | "certificate";
   ranges: Readonly<Record<string, Range | null>> | null;
   margin: number;
   limits: string;
+  cone: string;
+  tilt: string;
   boxes: number;
 }
 
 /** Boxes in all, to choose from. */
 export const BOXES: readonly number[] = [4_000, 32_000, 250_000, 2_000_000];
 
-const WHOLE: Whole = { ranges: null, margin: 0, limits: "", boxes: 32_000 };
+const WHOLE: Whole = { kind: "map", ranges: null, margin: 0, limits: "", cone: "", tilt: "", boxes: 32_000 };
 
 /** The ranges that are asked for: those that were chosen, else the first two. */
 export const wholeOf = ({ wholes }: Pick<Study, "wholes">, { ranges }: Whole): (Range | null)[] =>
@@ -52,5 +56,6 @@ export function createRoaming(client: Client, editing: Editing): Roaming {
     aspects: createRunner(client, editing, "aspects", "Looking at poses"),
     free: createRunner(client, editing, "free", "Proving boxes"),
     boxes: createRunner(client, editing, "boxes", "Proving boxes"),
+    certify: createRunner(client, editing, "certify", "Proving boxes"),
   };
 }

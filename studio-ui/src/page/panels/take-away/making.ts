@@ -1,4 +1,5 @@
 // Makes files, and keeps them as long as structure and pose stay the same.
+import type { Saved } from "../../../protocol";
 import type { Doc } from "../../state/doc";
 import type { Store } from "../../state/store";
 import type { Thing } from "./formats";
@@ -18,8 +19,12 @@ export async function make(store: Store, thing: Thing, signal: AbortSignal, tell
   const { source, pose, threshold } = store.doc.peek();
   if (!source) throw new Error("nothing is open");
   const saved = await store.client.ask("save", { source, pose, what: thing, threshold }, { signal, progress: tell });
-  const data = saved.binary ? bytesOf(saved.data) : saved.data;
-  return { name: saved.name, blob: new Blob([data], { type: saved.mime }), text: saved.binary ? null : saved.data };
+  return madeOf(saved);
+}
+
+/** A file that the server made. */
+export function madeOf({ name, mime, data, binary }: Saved): Made {
+  return { name, blob: new Blob([binary ? bytesOf(data) : data], { type: mime }), text: binary ? null : data };
 }
 
 async function viewed(store: Store, kind: "png" | "svg"): Promise<Made> {

@@ -15,10 +15,12 @@ interface Props<M extends Method> {
   fields?: ComponentChildren;
   /** The buttons that ask. */
   ask: ComponentChildren;
+  /** What the answer is, for its colour. */
+  tone?(result: Methods[M]["result"]): string;
   children(result: Methods[M]["result"], asked: Methods[M]["args"]): ComponentChildren;
 }
 
-export function Question<M extends "assemblies" | "aspects" | "free" | "boxes">({ title, why, name, runner, fields, ask, children }: Props<M>) {
+export function Question<M extends "assemblies" | "aspects" | "free" | "boxes" | "certify">({ title, why, name, runner, fields, ask, tone, children }: Props<M>) {
   const now = runner.now.value;
   return (
     <section class={name} aria-label={title}>
@@ -33,7 +35,7 @@ export function Question<M extends "assemblies" | "aspects" | "free" | "boxes">(
       {now.state === "busy" && <Seeks words={now.words} stop={runner.stop} testid={`${name}-stop`} />}
       {now.state === "failed" && <FaultBox fault={now.fault} />}
       {now.state === "found" && (
-        <div class="answer">
+        <div class={`answer ${tone?.(now.result) ?? ""}`.trim()}>
           <Verdict account={now.result} name={name} />
           {children(now.result, now.asked)}
           <Facts facts={now.result.facts} title="What was computed, and how sure it is" />
