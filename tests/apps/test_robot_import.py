@@ -73,7 +73,8 @@ def test_the_platform_is_asked_for(tmp_path: Path) -> None:
     assert "which link is the platform" in run.stderr
     found = invoke("robot", "import", str(file), "--platform", "hand")
     assert found.exit_code == 0, found.stderr
-    assert "S(C2)" in found.stdout  # what connects two bodies is a ball joint
+    assert "R(C2, z)" in found.stdout  # what connects two bodies is a ball joint, and in a plane a hinge
+    assert "a ball joint is taken as a hinge" in found.stderr
     assert "limits: actuators -1..1 rad" in found.stdout
     assert "driven" in found.stderr
     wrong = invoke("robot", "import", str(file), "--platform", "hand", "--actuators", "a,c")

@@ -53,6 +53,7 @@ class Known:
     values: Floats
     relation: tuple[str | Known, ...] = ("free",)
     parameters: bool = True
+    length: float = 0.0  # of bars
 
     def text(self, number: str) -> str:
         """Its name, where `number` stands for that of its limb."""
@@ -94,7 +95,7 @@ class Naming:
                 continue
             groups: list[list[tuple[int, Slot]]] = []
             for k, slot in wanted:
-                group = next((g for g in groups if self._same(sort, g[0][1].values, slot.values)), None)
+                group = next((g for g in groups if self._same_slot(g[0][1], slot)), None)
                 groups.append([(k, slot)]) if group is None else group.append((k, slot))
             groups = [g for g in groups if len({k for k, _ in g}) > 1]
             several = len(groups) > 1
@@ -103,8 +104,9 @@ class Naming:
             )
             for n, group in enumerate(groups):
                 values = group[0][1].values
-                one = self._of_frame(values) if sort == "direction" else None
-                one = one or Known(stem if not several else stems[n], -1, sort, values)
+                length = group[0][1].length
+                one = self._of_frame(values) if sort == "direction" and not length else None
+                one = one or Known(stem if not several else stems[n], -1, sort, values, length=length)
                 found.update((slot, one) for _, slot in group)
         return found
 
@@ -135,6 +137,13 @@ class Naming:
 
     def _of_frame(self, values: Floats) -> Known | None:
         return next((axis for axis in self.frame if self._same("direction", axis.values, values)), None)
+
+    def _same_slot(self, one: Slot | Known, other: Slot) -> bool:
+        """Whether one name does for both: bars have a length and a sense."""
+        if not self._same(one.sort, one.values, other.values):
+            return False
+        sense = not other.length or float((one.values * other.values).sum()) > 0
+        return sense and abs(one.length - other.length) < _SAME * self.size
 
     def _same(self, sort: str, one: Floats, other: Floats) -> bool:
         if sort == "point":
@@ -190,7 +199,7 @@ class Naming:
         shared = self.shared.get(slot)
         if shared is not None:
             if shared not in self.known and shared not in self.frame:
-                self._add(shared, self._relation(shared.sort, slot.values, self.known, ()))
+                self._add(shared, self._relation(slot, self.known, ()))
             shared = next((d for d in self.known if d.stem == shared.stem and d.limb < 0), shared)
             if shared not in own:
                 own.append(shared)
@@ -198,18 +207,18 @@ class Naming:
         if self.plane and slot.sort == "direction" and self._same("direction", slot.values, self.frame[2].values):
             return self.frame[2]
         for other in own:
-            if other.sort == slot.sort and self._same(slot.sort, other.values, slot.values):
+            if other.sort == slot.sort and self._same_slot(other, slot):
                 return other
         others = [*own, *(d for d in self.known if d not in own)] if self.level > 2 else own
-        relation, parameters = self._relation(slot.sort, slot.values, others, order)
+        relation, parameters = self._relation(slot, others, order)
         stem = self._stem(slot, part, own)
-        found = Known(stem, k, slot.sort, slot.values, relation, parameters)
+        found = Known(stem, k, slot.sort, slot.values, relation, parameters, slot.length)
         self.known.append(found)
         own.append(found)
         return found
 
     def _add(self, shared: Known, relation: tuple[tuple[str | Known, ...], bool]) -> None:
-        found = Known(shared.stem, -1, shared.sort, shared.values, *relation)
+        found = Known(shared.stem, -1, shared.sort, shared.values, *relation, shared.length)
         self.known.append(found)
         self.shared = {slot: found if one is shared else one for slot, one in self.shared.items()}
 
@@ -221,11 +230,12 @@ class Naming:
     # --- relations -------------------------------------------------------------------------------------------------
 
     def _relation(
-        self, sort: str, values: Floats, others: Sequence[Known], order: Sequence[Known]
+        self, slot: Slot, others: Sequence[Known], order: Sequence[Known]
     ) -> tuple[tuple[str | Known, ...], bool]:
         """A relation with others that holds in all configurations, in words and names, and whether it leaves anything
-        free.
+        free, as it does of bars, whose length home has to say.
         """
+        sort, values = slot.sort, slot.values
         directions = [d for d in others if d.sort == "direction"]
         if self.level > 1:
             directions += [d for d in self.frame if d in self.shared.values()]
@@ -236,7 +246,7 @@ class Naming:
             if self.level and (found := self._fourth(values, points)):
                 return found, False
             return (("free",) if self.plane else self._of_point(values, points, directions)), True
-        if self.mirror and (image := self._image(values, directions)):
+        if self.mirror and not slot.length and (image := self._image(values, directions)):
             return ("mirror of ", image, " in plane perpendicular to ", *self.mirror[:2]), False
         right: list[Named] = [(d,) for d in directions if self._perpendicular(values, d.values)]
         for a, b in pairwise(order):
@@ -245,7 +255,7 @@ class Naming:
             if lengths.min() > _SAME * self.size and self._perpendicular(values, away / lengths[:, None]):
                 right.append((a, b))
         for one, two in combinations(right, 2):
-            if self._apart(one, two):
+            if self._apart(one, two) and not slot.length:
                 return ("perpendicular to ", *one, ", ", *two), False
         return (("perpendicular to ", *right[0]), True) if right else (("free",), True)
 

@@ -21,10 +21,13 @@ Ratios = Mapping[str, tuple[str, float]]
 
 @dataclass(frozen=True, eq=False)
 class Slot:
-    """A point or direction of a joint, with its values in all configurations, (n, 3); directions have length 1."""
+    """A point or direction of a joint, with its values in all configurations, (n, 3); directions have length 1. Bars
+    have a `length`, 0 otherwise.
+    """
 
     sort: str
     values: Floats
+    length: float = 0.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -211,8 +214,7 @@ def _geared(pair: Sequence[Item], poses: Poses, coupled: Ratios) -> tuple[Part, 
         if np.linalg.norm(across) < SAME:
             return None
         bars = placed(poses, one.end, one.at + across) - placed(poses, one.end, one.at)
-        unit = bars / np.linalg.norm(across)
-        return Part("Pa", (Slot("direction", unit), _direction(poses, one.start, one.axis)), _names(pair), star), 2
+        return Part("Pa", (_bar(bars), _direction(poses, one.start, one.axis)), _names(pair), star), 2
     return None
 
 
@@ -221,12 +223,15 @@ def _bars(item: Bars, poses: Poses) -> Part:
     near, far = item.near, item.far
     vectors = placed(poses, item.end, far[0].at) - placed(poses, item.start, near[0].at)
     if item.kind == "4S":
-        bars = Slot("direction", vectors / np.linalg.norm(vectors[0]))
-        return Part("4S", (*(_point(poses, item.start, m.at) for m in near), bars), names)
+        return Part("4S", (*(_point(poses, item.start, m.at) for m in near), _bar(vectors)), names)
     axes = _turned(poses, item.start, near[0].axis)
     vectors = vectors - axes * (vectors * axes).sum(axis=1, keepdims=True)
-    bars = Slot("direction", vectors / np.linalg.norm(vectors[0]))
-    return Part("Pa", (bars, Slot("direction", axes)), names, "*" if item.driven else "")
+    return Part("Pa", (_bar(vectors), Slot("direction", axes)), names, "*" if item.driven else "")
+
+
+def _bar(vectors: Floats) -> Slot:
+    length = float(np.linalg.norm(vectors[0]))
+    return Slot("direction", vectors / length, length)
 
 
 def _names(motions: Sequence[Item]) -> tuple[str, ...]:

@@ -145,6 +145,7 @@ class _Writing:
     ) -> Iterator[str]:
         yield f"title: {_quoted(title)}"
         yield f"note: {_quoted(note)}"
+        yield "units: m"
         if self.naming.plane:
             yield "space: plane"
         if self.copies:
@@ -180,7 +181,8 @@ class _Writing:
             yield "home:"
         for d in sorted(home, key=lambda d: (d.sort == "direction", d.stem, int(self.number.get(d.limb, 0)))):
             values = d.values[0]
-            numbers = _point(values, self.naming.size) if d.sort == "point" else _direction(values)
+            vector = values * d.length if d.length else values
+            numbers = _direction(values) if d.sort == "direction" and not d.length else _point(vector, self.naming.size)
             yield f"  {d.text(self.number.get(d.limb, ''))}: [{', '.join(numbers)}]"
 
     def _label(self, k: int) -> str:

@@ -52,6 +52,7 @@ def test_rods_of_a_delta_are_parallel_again(elbow: str) -> None:
     home = {n: np.array([float(c) for c in v]) for n, v in found.robot.values_at().items()}
     arms = [np.linalg.norm(np.cross(home[f"B{k}"] - home[f"A{k}"], home[f"r{k}"])) for k in (1, 2, 3)]
     rods = [np.linalg.norm(home[f"d{k}"]) for k in (1, 2, 3)]
+    assert np.allclose(rods, np.hypot(0.34, 0.5), atol=1e-4)
     assert np.ptp(arms) < 1e-10
     assert np.ptp(rods) < 1e-10
 

@@ -6,12 +6,14 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from mechanisms.models.hand_made import delta
 
 import gcrules as gc
 from gcrules.mechanisms.description.discovery import robots
 from gcrules.mechanisms.load import read_robot
 from gcrules.mechanisms.models.imported import Imported
 from gcrules.mechanisms.models.importing import import_file, import_model
+from gcrules.mechanisms.models.model import Model
 from gcrules.mechanisms.models.of_robot import model_of
 
 # Where joints are told in other words: a cylindrical joint with one freedom driven is a turn and a slide, turns whose
@@ -79,3 +81,44 @@ def test_what_came_back_stays_as_it_is(name: str) -> None:
 def kind(text: str) -> str:
     """A relation without numbers."""
     return "".join(c for c in text if not c.isdigit())
+
+
+def lines(found: Model, size: float) -> list[tuple[str, np.ndarray]]:
+    """Each joint as its point, line or direction, in parts of the size."""
+    made = []
+    for j in found.joints:
+        at = np.array(j.at) / size
+        if j.kind == "ball":
+            made.append((j.kind, at))
+        elif j.kind in ("revolute", "prismatic"):
+            axis = np.array(j.axes[0])
+            axis *= np.sign(axis[np.argmax(np.abs(axis).round(6))])
+            made.append((j.kind, axis if j.kind == "prismatic" else np.concatenate([axis, np.cross(at, axis)])))
+    return made
+
+
+@pytest.mark.parametrize("name", SHIPPED)
+def test_all_joints_are_where_they_were(name: str) -> None:
+    """The joints of a model of what came back are those of the first model: its rods have the lengths that they had."""
+    own = model_of(read_robot(name))
+    found = import_model(own)
+    left = lines(model_of(found.robot), found.size)
+    for kind, values in lines(own, found.size):
+        near = [k for k, (other, theirs) in enumerate(left) if other == kind and np.allclose(values, theirs, atol=1e-8)]
+        assert near, (kind, values)
+        left.pop(near[0])
+    assert not left
+
+
+@pytest.mark.parametrize(("elbow", "rods"), [("ball", 6), ("turns", 6), ("cross", 6)])
+def test_rods_of_a_delta_end_where_they_did(elbow: str, rods: int) -> None:
+    own = delta(0.0, elbow)
+    wrists = [j.at for j in own.joints if j.name.startswith("wrist")]
+    found = [j.at for j in model_of(import_model(own).robot).joints if j.kind == "ball"]
+    assert len(wrists) == rods
+    assert all(min(np.abs(np.subtract(at, other)).max() for other in found) < 1e-9 for at in wrists)
+
+
+def test_rods_with_crosses_keep_their_length() -> None:
+    found = dimensions(import_model(delta(0.0, "crosses")))
+    assert all(np.isclose(np.linalg.norm(found[f"C{k}"] - found[f"B{k}"]), np.hypot(0.34, 0.5)) for k in (1, 2, 3))
