@@ -173,7 +173,6 @@ class _Writing:
             names = dict.fromkeys(d.text(self._label(d.limb)) for d in platform if d.limb < 0 or d.limb in self.written)
             yield f"platform: {' '.join(names)}"
         yield f"mobility: {mobility}"
-        yield "units: m"
         if reach := self._limits(limits):
             yield f"limits: {reach}"
         home = [d for d in self.naming.known if d.parameters]
