@@ -184,10 +184,11 @@ def check(c: Certificate) -> str:
     known = c.geometry
     if c.verdict == "below":
         return "That a margin is below the one asked for shows `gcrules pose --at` at the pose; no other checker does."
-    if known is None or ("joints" in known and c.asked.cones is not None):
+    of_joints = known is not None and "rods" not in known
+    if known is None or (of_joints and c.asked.cones is not None):
         robot = "this robot with cones" if known else "this robot"
         return f"There is no independent checker for {robot} yet: what is proved of boxes is proved by gcrules alone."
     own = "with bounds of its own: it needs Python alone and shares no code with gcrules"
-    if "joints" in known:
+    if of_joints:
         own = f"{own}; the closed forms of the wrenches it compares with the joints at random places"
-    return f"The file has all boxes; `python tools/check_certificate.py FILE` proves each of them anew, {own}."
+    return f"`python tools/check_certificate.py FILE` proves anew what the file says, box by box, {own}."
