@@ -145,7 +145,6 @@ class _Writing:
     ) -> Iterator[str]:
         yield f"title: {_quoted(title)}"
         yield f"note: {_quoted(note)}"
-        yield "units: m"
         if self.naming.plane:
             yield "space: plane"
         if self.copies:
@@ -173,7 +172,6 @@ class _Writing:
             names = dict.fromkeys(d.text(self._label(d.limb)) for d in platform if d.limb < 0 or d.limb in self.written)
             yield f"platform: {' '.join(names)}"
         yield f"mobility: {mobility}"
-        yield "units: m"
         if reach := self._limits(limits):
             yield f"limits: {reach}"
         home = [d for d in self.naming.known if d.parameters]
