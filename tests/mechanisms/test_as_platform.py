@@ -58,7 +58,11 @@ def test_commands_take_an_id(command: str, name: str) -> None:
     answer = json.loads(done.stdout)
     centre = [float(c) for c in answer["about"]]
     assert centre[2] == pytest.approx(4 if name == "octahedral" else 5)  # the centroid, as for "gcrules robot pose"
-    origin = run(command, name, *COMMANDS[command], "--json", "--about", "origin")
+
+
+@pytest.mark.parametrize("command", COMMANDS)
+def test_commands_take_a_centre(command: str) -> None:
+    origin = run(command, "octahedral", *COMMANDS[command], "--json", "--about", "origin")
     assert [float(c) for c in json.loads(origin.stdout)["about"]] == [0, 0, 0]
 
 

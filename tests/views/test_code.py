@@ -73,8 +73,10 @@ def ran(command: list[str], folder: Path) -> str:
 # --- its own test --------------------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("language", LANGUAGES)
-@pytest.mark.parametrize("source", FEW)
+@pytest.mark.parametrize(
+    ("source", "language"),
+    [(s, n) for s in FEW for n in LANGUAGES if s not in EVERY or n not in ("c", "python")],  # these are tested below
+)
 def test_its_own_test_passes(source: str, language: str, tmp_path: Path) -> None:
     name = f"robot{LANGUAGES[language].suffix}"
     (tmp_path / name).write_text(source_code(model(source), language), encoding="utf-8")
@@ -126,7 +128,7 @@ def functions(robot: Controller, language: str, folder: Path) -> Any:
     (folder / "robot.c").write_text(text, encoding="utf-8")
     if not shutil.which("gcc"):
         pytest.skip("gcc is not installed")
-    ran(["gcc", "-std=c99", "-O1", "-shared", "-fPIC", "robot.c", "-lm", "-o", "robot.so"], folder)
+    ran(["gcc", "-std=c99", "-O0", "-shared", "-fPIC", "robot.c", "-lm", "-o", "robot.so"], folder)
     library = ctypes.CDLL(str(folder / "robot.so"))
     name = re.findall(r"^double (\w+)_margin\(.*;$", text, re.MULTILINE)[0]
 

@@ -145,7 +145,6 @@ class _Writing:
     ) -> Iterator[str]:
         yield f"title: {_quoted(title)}"
         yield f"note: {_quoted(note)}"
-        yield "units: m"
         if self.naming.plane:
             yield "space: plane"
         if self.copies:
