@@ -724,6 +724,12 @@ export interface Hint {
   words: string;
 }
 
+export interface ExactPoint {
+  at: Vec3;
+  /** The same coordinates as fractions. */
+  exactly: string[];
+}
+
 export interface Manual {
   /** The commands that were understood; the first faulty one stops the replay and is `fault`. */
   history: ManualStep[];
@@ -732,7 +738,7 @@ export interface Manual {
   left: string[];
   hint: Hint | null;
   /** Points of an exact counterexample, if the last proposal was refused by one. */
-  counterexample: Record<string, Vec3> | null;
+  counterexample: Record<string, ExactPoint> | null;
   condition: Condition | null;
   fault: Fault | null;
 }

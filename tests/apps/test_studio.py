@@ -301,9 +301,11 @@ def test_manual_counterexample_refutes(page: Page) -> None:
     legs = "ab af cb cd ed ef"
     found = page.ask("manual", source={"kind": "legs", "legs": legs}, commands=[r"condition abc /\ aef /\ bdf /\ cef"])
     assert found["history"][0]["answer"] == "refused"
-    points = {n: (*p, 1.0) for n, p in found["counterexample"].items()}
+    told = found["counterexample"]
+    points = {n: (*map(Fraction, p["exactly"]), Fraction(1)) for n, p in told.items()}
     robot, refuted = gc.analyze(legs).structure.superbracket, gc.parse(r"abc /\ aef /\ bdf /\ cef")
-    assert abs(evaluate(robot, points)) < 1e-6 < 1 < abs(evaluate(refuted, points))
+    assert evaluate(robot, points) == 0 != evaluate(refuted, points)
+    assert all(p["at"] == [float(c) for c in points[n][:3]] for n, p in told.items())
 
 
 def test_manual_stops_at_a_fault(page: Page) -> None:

@@ -6,6 +6,9 @@ import { body, disc, patch, stretched, throughBall, volume, type Outline } from 
 import type { Scene, SceneEntity, Vec3 } from "./types";
 import { centre, distance } from "./vectors";
 
+/** Letters of an entity's name that are written beside it; a longer one stands in the legend alone. */
+const LONGEST_LABEL = 20;
+
 export function modelOf(scene: Scene, state: State): Model {
   const d = new Drawing(scene, state);
   if (d.shows("grid")) ground(d);
@@ -74,7 +77,9 @@ function entityShape(d: Drawing, e: SceneEntity): void {
   const calm = d.state.swing !== null && scene.motion && d.shows("motion") ? 0.4 : 1; // what moves comes first
   const face = (outline: Outline, fill: number) =>
     d.faces.push({ ...outline, colour, fill: Math.min(0.55, fill * strength * calm), rim, entity: e.id });
-  const label = (at: Vec3) => d.tag(e.label, at, colour, "entity", { strong: strength > 1 });
+  const label = (at: Vec3) => {
+    if (e.label.length <= LONGEST_LABEL) d.tag(e.label, at, colour, "entity", { strong: strength > 1 });
+  };
   const all = (ring: Vec3[]): Outline => ({ corners: ring, edges: ring.map(() => true) });
   if (e.kind === "tetrahedron") {
     if (Math.abs(volume(corners, scene.size)) < 1e-9) body(corners).forEach((outline) => face(outline, 0.34));

@@ -16,6 +16,7 @@ __all__ = [
     "Cancelled",
     "Composed",
     "DrawnPlane",
+    "ExactPoint",
     "FormView",
     "HintView",
     "Manual",
@@ -119,6 +120,12 @@ class HintView(TypedDict):
     words: str
 
 
+class ExactPoint(TypedDict):
+    at: Vec3
+    exactly: list[str]
+    """The same coordinates as fractions."""
+
+
 class Manual(TypedDict):
     history: list[ManualStep]
     """The commands that were understood; the first faulty one stops the replay and is `fault`."""
@@ -126,7 +133,7 @@ class Manual(TypedDict):
     entities: list[EntityView]
     left: list[str]
     hint: HintView | None
-    counterexample: dict[str, Vec3] | None
+    counterexample: dict[str, ExactPoint] | None
     """Points of an exact counterexample, if the last proposal was refused by one."""
     condition: ConditionView | None
     fault: FaultView | None

@@ -110,9 +110,7 @@ export function PathResult({ asked, result }: { asked: PathArgs; result: PathAns
         </ol>
       )}
       {more > 0 && (
-        <p class="tip">
-          And {more} more, which <code>gcrules path … --json</code> shows.
-        </p>
+        <p class="tip">And {more} more, which are not listed here.</p>
       )}
       <Facts facts={result.facts} title="What was computed, and the proof" />
     </div>
