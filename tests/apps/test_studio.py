@@ -34,6 +34,7 @@ pytest.importorskip("starlette", reason="needs the extra gcrules[studio]")
 from apps.studio_client import DRAWING, FOUR_DOF, HOME, OCTAHEDRAL, Page
 
 from gcrules.apps.studio import theory
+from gcrules.apps.studio.faults import fault_view
 from gcrules.apps.studio.formulas import pieces
 from gcrules.apps.studio.numbers import exact_pose, numbers
 from gcrules.apps.studio.pages import STATIC
@@ -306,6 +307,22 @@ def test_manual_counterexample_refutes(page: Page) -> None:
     robot, refuted = gc.analyze(legs).structure.superbracket, gc.parse(r"abc /\ aef /\ bdf /\ cef")
     assert evaluate(robot, points) == 0 != evaluate(refuted, points)
     assert all(p["at"] == [float(c) for c in points[n][:3]] for n, p in told.items())
+
+
+@pytest.mark.parametrize(
+    ("hint", "shown"),
+    [("write z=5", "write z=5"), ("ask for less by --margin", None), ("as in --over 'x 1:2'", None), (None, None)],
+)
+def test_hints_name_no_options_of_the_command_line(hint: str | None, shown: str | None) -> None:
+    assert fault_view(InputError("no", hint=hint)).get("hint") == shown
+
+
+def test_the_general_platform_is_told_of_no_entities(page: Page) -> None:
+    why = {s["id"]: s["why"] for s in page.ask("open", source={"kind": "class", "id": "6-6"})["stages"]}
+    assert "linear complex" in why["condition"]
+    assert "planes that meet" not in why["condition"]
+    why = {s["id"]: s["why"] for s in page.ask("open", source=OCTAHEDRAL)["stages"]}
+    assert "planes that meet" in why["condition"]
 
 
 def test_manual_stops_at_a_fault(page: Page) -> None:

@@ -70,6 +70,7 @@ def test_without_the_extra_a_widget_says_what_to_install(monkeypatch: pytest.Mon
         gc.view("ab af cb cd ed ef")
     assert fault.value.hint == 'pip install "gcrules[widget]"'
 
+
 LAB = """.cell dl { display: block; margin: 1em 0; } .cell dt { float: left; width: 20%; font-weight: bold; }
 .cell dd { float: left; width: 80%; margin: 0; }"""
 """What JupyterLab 4 does to lists of terms in the output of a cell."""
