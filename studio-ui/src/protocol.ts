@@ -247,6 +247,8 @@ export const MOST_COMMANDS = 200;
 
 export const MOST_BOXES = 2000000;
 
+export const MOST_WAYPOINTS = 200;
+
 export const LONGEST_FILE = 400000;
 
 /** Closer than this is close, where nothing else is asked for. */
@@ -322,14 +324,22 @@ export interface AlongArgs {
   threshold?: string;
 }
 
-/** From `start` (home without it) to `goal`, or to the pose that the text `to` names; straight, or on a way around singular poses. */
+/** From `start` (home without it) to `goal`, or to the pose that the text `to` names; straight from pose to pose `through` others, or on a way around singular poses. */
 export interface PathArgs {
   source: Source;
   start?: Pose;
   goal: Pose;
+  through?: Pose[];
   to?: string;
   way?: "straight" | "around";
   threshold?: string;
+}
+
+/** Poses as a table of comma-separated values, or such a table as poses. */
+export interface WaypointsArgs {
+  source: Source;
+  poses?: Pose[];
+  table?: string;
 }
 
 /** Over two coordinates with their ranges ("x -1:1:21"), the others as they are at the pose. The bands of its picture are the `measure`, one of those of the study; the margin, where none is asked for. */
@@ -661,6 +671,14 @@ export interface Reading {
   why: string;
 }
 
+/** A number that changes continuously with the pose and is 0 in singular poses only. */
+export interface Sign {
+  expression: string;
+  sign: number;
+  /** What is singular where it is 0; "" where nothing is known of it. */
+  statement: string;
+}
+
 export interface Numbers {
   /** The pose that this answers. */
   pose: Pose;
@@ -682,6 +700,8 @@ export interface Numbers {
   stress: number[];
   limbs: Limb[];
   notes: string[];
+  /** Of the factors of the condition: where one changes between two poses, every way between them is singular. */
+  signs: Sign[];
 }
 
 export interface SingularPose {
@@ -842,6 +862,13 @@ export interface PathAnswer {
   facts: FactItem[];
 }
 
+export interface WaypointsAnswer {
+  poses: Pose[];
+  /** The same poses as `gcrules path --poses` reads them. */
+  table: string;
+  notes: string[];
+}
+
 export type CellStatus = "free" | "crossed" | "undecided" | "outside";
 
 /** A map over two coordinates. Arrays run over the first axis, then over the second. */
@@ -970,6 +997,7 @@ export interface Methods {
   nearest: { args: PoseArgs; result: Nearest };
   modes: { args: ModesArgs; result: ModesAnswer };
   path: { args: PathArgs; result: PathAnswer };
+  waypoints: { args: WaypointsArgs; result: WaypointsAnswer };
   map: { args: MapArgs; result: MapAnswer };
   place: { args: PlaceArgs; result: PlacedPose };
   assemblies: { args: PoseArgs; result: AssembliesAnswer };

@@ -17,7 +17,7 @@ from gcrules.mechanisms.kinematics.leading import leading
 from gcrules.mechanisms.kinematics.solve import free_coordinates
 from gcrules.mechanisms.limbs import Limbs
 from gcrules.poses.limbs.factors import superbracket_value
-from gcrules.poses.limbs.pose_report import report_of_limbs
+from gcrules.poses.limbs.pose_report import cause_of, report_of_limbs
 from gcrules.poses.limbs.report import RobotPose
 from gcrules.poses.numbers.motion import Twist
 from gcrules.screws.pose_text import ANGLES, SHIFTS, TURNS
@@ -154,6 +154,11 @@ def numbers_of_limbs(limbs: Limbs, subject: Subject, pose: PoseJson, threshold: 
             *found.notes,
             f"Assembly mode: {found.mode}.",
             *([] if found.assembly.doubt is None else [f"Branch: {found.assembly.branch}."]),
+        ],
+        "signs": [
+            {"expression": f.expression, "sign": (f.value > 0) - (f.value < 0), "statement": cause_of(f)}
+            for f in found.factors
+            if f.live and isfinite(f.value)
         ],
     }
 

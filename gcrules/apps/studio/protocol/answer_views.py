@@ -27,6 +27,7 @@ __all__ = [
     "Numbers",
     "ReadingView",
     "Saved",
+    "SignView",
     "SingularPoseView",
 ]
 
@@ -57,6 +58,15 @@ class ReadingView(TypedDict):
     why: str
 
 
+class SignView(TypedDict):
+    """A number that changes continuously with the pose and is 0 in singular poses only."""
+
+    expression: str
+    sign: int
+    statement: str
+    """What is singular where it is 0; "" where nothing is known of it."""
+
+
 class Numbers(TypedDict):
     pose: PoseJson
     """The pose that this answers."""
@@ -78,6 +88,8 @@ class Numbers(TypedDict):
     """Ratios of the forces in the legs that balance, near a singular pose."""
     limbs: list[LimbView]
     notes: list[str]
+    signs: list[SignView]
+    """Of the factors of the condition: where one changes between two poses, every way between them is singular."""
 
 
 class SingularPoseView(TypedDict):
