@@ -214,6 +214,19 @@ export interface Linkage {
   floor: number;
 }
 
+export interface Stroke {
+  ends: Vec3[];
+  /** A link, a bar (thinner), a rail or an axis. */
+  look: string;
+}
+
+/** The links of a robot of joints, and the corners of its bodies, as they are drawn on paper. */
+export interface Skeleton {
+  strokes: Stroke[];
+  platform: Vec3[];
+  base: Vec3[];
+}
+
 /** A robot in a pose, with its condition. */
 export interface SceneData {
   points: Record<string, Vec3>;
@@ -229,6 +242,7 @@ export interface SceneData {
   constructed?: Constructed[];
   motion?: Motion | null;
   limbs?: Limb[];
+  skeleton?: Skeleton | null;
   /** Planes that are no entities. */
   planes?: Plane[];
   recipe?: Recipe;
@@ -699,6 +713,8 @@ export interface Numbers {
   /** Ratios of the forces in the legs that balance, near a singular pose. */
   stress: number[];
   limbs: Limb[];
+  /** Of a robot with limbs. */
+  skeleton: Skeleton | null;
   notes: string[];
   /** Of the factors of the condition: where one changes between two poses, every way between them is singular. */
   signs: Sign[];

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import gzip
 import json
+import math
 import random
 import re
 import subprocess
 import sys
 from fractions import Fraction
+from itertools import combinations
 from pathlib import Path
 from typing import (
     Any,
@@ -21,13 +23,15 @@ import gcrules as gc
 from gcrules.algebra.evaluate import evaluate, random_rational_points
 from gcrules.core.errors import InputError
 from gcrules.core.shapes import OneOf
-from gcrules.mechanisms.description.discovery import examples
+from gcrules.mechanisms.description.discovery import RobotFile, examples, robots
 from gcrules.mechanisms.description.platform_file import parse_platform
+from gcrules.mechanisms.load import read_robot
 from gcrules.poses.limbs.exact_values import value_at
 from gcrules.screws.verdict import VERDICTS
 from gcrules.views import scene_data
 from gcrules.views.formulas.latex import latex
 from gcrules.views.report.stage_ids import STAGE_IDS
+from gcrules.views.robots.skeleton import skeleton
 
 pytest.importorskip("starlette", reason="needs the extra gcrules[studio]")
 
@@ -282,6 +286,35 @@ def test_search_around_needs_all_actuators(page: Page) -> None:
 
 
 # --- by hand -------------------------------------------------------------------------------------------------------
+
+
+def sides(corners: list[list[float]]) -> list[float]:
+    return [math.dist(p, q) for p, q in combinations(corners, 2)]
+
+
+def test_rods_and_platform_of_a_robot_keep_their_lengths(page: Page) -> None:
+    """What is drawn of the Delta robot is rigid: its loops are closed elsewhere."""
+    source = {"kind": "robot", "id": "delta"}
+    home, there = (
+        page.ask("pose", source=source, pose={**HOME, "coordinates": c})["skeleton"] for c in ([0, 0, 0], [20, -10, 5])
+    )
+    bars = [[math.dist(*s["ends"]) for s in one["strokes"] if s["look"] == "bar"] for one in (home, there)]
+    assert len(bars[0]) == 6
+    assert bars[0] == pytest.approx(bars[1])
+    assert len(home["platform"]) == len(home["base"]) == 3
+    assert sides(home["platform"]) == pytest.approx(sides(there["platform"]))
+    assert home["base"] == [pytest.approx(p) for p in there["base"]]
+    assert math.dist(home["platform"][0], there["platform"][0]) > 0.01
+
+
+@pytest.mark.parametrize("one", robots(), ids=lambda one: str(one.id))
+def test_every_robot_has_a_skeleton(one: RobotFile) -> None:
+    robot = read_robot(one.path)
+    found = skeleton(robot, {n: [float(c) for c in v] for n, v in robot.values_at().items()})
+    assert found["strokes"]
+    assert found["platform"]
+    places = [p for s in found["strokes"] for p in s["ends"]]
+    assert all(math.isfinite(c) for p in (*places, *found["platform"], *found["base"]) for c in p)
 
 
 def test_manual_accepts_and_refuses(page: Page) -> None:

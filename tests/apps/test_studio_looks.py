@@ -211,3 +211,32 @@ def test_on_paper_the_step_is_unfolded_and_whole(sit_down: SitDown) -> None:
     scroller = desk.page.locator(".guided .scroller")
     assert scroller.evaluate("e => e.scrollHeight - e.clientHeight") <= 1
     assert desk.page.locator(".side").evaluate("e => e.getBoundingClientRect().top") > more.bounding_box()["y"]
+
+
+# --- in space ------------------------------------------------------------------------------------------------------
+
+
+def test_a_point_too_far_to_be_seen_is_pointed_to(sit_down: SitDown) -> None:
+    """At z = −350 the four planes meet 1.6 m beside a robot of 0.3 m."""
+    desk = sit_down().visit().open("example", "octahedral", "condition")
+    desk.slide("z", -350)
+    desk.verdict("singular")
+    desk.painted()
+    assert "mm away" in desk.text("viewer")
+    desk.one("home").click()
+    desk.verdict("regular")
+    desk.painted()
+    assert "mm away" not in desk.text("viewer")
+
+
+def test_a_robot_with_rods_has_them_in_space(sit_down: SitDown) -> None:
+    """The picture has a link from each arm to the platform: bars that are there no more when the layer is put away."""
+    desk = sit_down().visit().open("robot", "delta")
+    desk.page.wait_for_function("() => gcrules.posing.numbers.value.skeleton.strokes.length === 15")
+    desk.painted()
+    drawn = desk.run("gcrules.space.viewer.value.snapshot('svg')")
+    desk.one("layers").click()
+    desk.one("layer-wrenches").click()
+    desk.painted()
+    bare = desk.run("gcrules.space.viewer.value.snapshot('svg')")
+    assert drawn.count("<") > bare.count("<") + 15

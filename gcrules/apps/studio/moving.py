@@ -25,6 +25,7 @@ from gcrules.screws.threshold import DEFAULT
 from gcrules.views.results.amplification import actuator_notes
 from gcrules.views.results.singularity_types import in_words
 from gcrules.views.robots.limb_views import limb_views
+from gcrules.views.robots.skeleton import skeleton
 from gcrules.views.scene_data import MotionView
 
 __all__ = [
@@ -148,6 +149,7 @@ def numbers_of_limbs(limbs: Limbs, subject: Subject, pose: PoseJson, threshold: 
         "motion": motion_view(found.softest, found.centre, subject.unit) if near else None,
         "stress": [limb.share for limb in found.limbs] if near else [],
         "limbs": limb_views(robot, values),
+        "skeleton": skeleton(robot.robot, values),
         "notes": [
             *(f"{t.symbol}, {in_words(t)}." for t in found.types),
             *actuator_notes(found.jacobian.amplification, subject.unit),

@@ -84,6 +84,7 @@ def _of_legs(m: SixLegs, subject: Subject, pose: PoseJson, threshold: str | None
         "motion": motion_view(found.softest, tuple(j.centroid[0].tolist()), m.unit) if near else None,
         "stress": list(found.stress) if near else [],
         "limbs": limb_views(subject.robot, {**subject.home, **places}) if subject.robot else [],
+        "skeleton": None,
         "notes": list(actuator_notes(found.jacobian.amplification, m.unit)),
         "signs": [
             {"expression": s.expression, "sign": s.sign, "statement": s.statement}
@@ -130,6 +131,7 @@ def _by_lines(subject: Subject, pose: PoseJson, limit: Threshold) -> Numbers:
         "motion": scenery.motion(places),
         "stress": [],
         "limbs": [],
+        "skeleton": None,
         "notes": [],
         "signs": [],
     }

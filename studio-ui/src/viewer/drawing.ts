@@ -94,7 +94,7 @@ export class Drawing implements Model {
   }
 
   constructor(readonly scene: Scene, readonly state: State) {
-    const places = [...jointsOf(scene), ...(scene.plate ?? []), ...(scene.bars ?? []).flat()];
+    const places = [...jointsOf(scene), ...(scene.plate ?? []), ...(scene.bars ?? []).flat(), ...framed(scene)];
     const bound = (k: 0 | 1 | 2, of: (...numbers: number[]) => number) => of(...places.map((p) => p[k]));
     const half = (k: 0 | 1 | 2) => (bound(k, Math.min) + bound(k, Math.max)) / 2;
     this.middle = places.length ? [half(0), half(1), half(2)] : [0, 0, 0];
@@ -128,6 +128,10 @@ export class Drawing implements Model {
     this.tags.push({ text, at, colour: dims ? colour : legible(colour, this.state.theme), look, clear: 0, strong: false, upright: false, ...more });
   }
 }
+
+/** The places of a skeleton, its axes apart, which may be long. */
+const framed = ({ skeleton }: Scene): Vec3[] =>
+  skeleton ? [...skeleton.platform, ...skeleton.base, ...skeleton.strokes.flatMap(({ ends, look }) => (look === "axis" ? [] : ends))] : [];
 
 /** The places of the points that are drawn. */
 export function jointsOf(scene: Scene): Vec3[] {

@@ -4,7 +4,7 @@ import { drawnLimbs } from "./limbs";
 import { drawnMotion, swung } from "./motion";
 import { body, disc, patch, stretched, throughBall, volume, type Outline } from "./solids";
 import type { Scene, SceneEntity, Vec3 } from "./types";
-import { centre, distance } from "./vectors";
+import { along, centre, distance, sub, unit } from "./vectors";
 
 /** Letters of an entity's name that are written beside it; a longer one stands in the legend alone. */
 const LONGEST_LABEL = 20;
@@ -31,7 +31,8 @@ export function modelOf(scene: Scene, state: State): Model {
 function bodies(d: Drawing, points: Record<string, Vec3>, pale: number, ghost = false): void {
   for (const role of ghost ? (["platform"] as const) : (["base", "platform"] as const)) {
     const named = d.scene[role].flatMap((n) => (points[n] ? [points[n]] : []));
-    const corners = role === "platform" && named.length < 3 && !ghost && d.scene.plate ? d.scene.plate : named;
+    const own = d.scene.skeleton?.[role] ?? (role === "platform" ? d.scene.plate : undefined);
+    const corners = named.length < 3 && !ghost && own ? own : named;
     const colour = d.pale(ghost ? d.colour("mark") : d.colour(role), pale);
     const rim = SIZES.edge * d.scene.size;
     for (const outline of body(corners)) d.faces.push({ ...outline, colour, fill: 0.26, rim });
@@ -112,7 +113,7 @@ function constructions(d: Drawing): void {
   const { scene } = d;
   (scene.constructed ?? []).forEach((c, i) => {
     if (c.kind === "point") {
-      if (distance(c.at, d.middle) > SIZES.far * d.radius) return;
+      if (distance(c.at, d.middle) > SIZES.far * d.radius) return pointedTo(d, c.at, c.label);
       const radius = SIZES.joint * scene.size;
       d.ball(c.at, radius, d.colour("mark"), d.colour("paper"), 1.28);
       d.tag(c.label, c.at, d.colour("mark"), "construction", { clear: radius * 1.3, strong: true });
@@ -132,6 +133,15 @@ function constructions(d: Drawing): void {
     d.faces.push({ corners: ring, edges: ring.map(() => true), colour, fill: 0.2, rim: SIZES.edge * scene.size });
     d.tag(plane.label, apart(d, ring), colour, "entity");
   });
+}
+
+/** An arrow at the edge of the robot towards what is too far to be seen with it, and how far that is from its middle. */
+function pointedTo(d: Drawing, at: Vec3, label: string): void {
+  const way = unit(sub(at, d.middle));
+  const [from, tip] = [along(d.middle, way, 0.85 * d.radius), along(d.middle, way, 1.2 * d.radius)];
+  const far = Number(distance(at, d.middle).toPrecision(3));
+  d.arrow(from, tip, d.colour("mark"));
+  d.tag(`${label}, ${far}${d.scene.unit && ` ${d.scene.unit}`} away`, tip, d.colour("mark"), "construction", { strong: true, upright: true });
 }
 
 /** Joints of the base are filled, those of the platform are rings, as in the figures on paper. */

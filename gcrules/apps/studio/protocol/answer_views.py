@@ -7,7 +7,16 @@ from typing import Annotated, Literal, NotRequired, TypedDict
 from gcrules.apps.studio.protocol.requests import PoseJson
 from gcrules.apps.studio.protocol.study_views import ConditionView, FaultView, Monomial, Piece
 from gcrules.core.shapes import OneOf
-from gcrules.views.scene_data import Constructed, EntityView, LimbView, MotionView, PlaneView, Vec3, Verdict
+from gcrules.views.scene_data import (
+    Constructed,
+    EntityView,
+    LimbView,
+    MotionView,
+    PlaneView,
+    SkeletonView,
+    Vec3,
+    Verdict,
+)
 
 __all__ = [
     "Along",
@@ -87,6 +96,8 @@ class Numbers(TypedDict):
     stress: list[float]
     """Ratios of the forces in the legs that balance, near a singular pose."""
     limbs: list[LimbView]
+    skeleton: SkeletonView | None
+    """Of a robot with limbs."""
     notes: list[str]
     signs: list[SignView]
     """Of the factors of the condition: where one changes between two poses, every way between them is singular."""

@@ -43,11 +43,12 @@ export function Crossings({ proof }: { proof: PathAnswer }) {
   );
 }
 
-/** At once, from the signs of the factors; then what the proof of the way says. It stands below the picture's middle. */
+/** At once, from the signs of the factors; then what the proof of the way says. It stands below the picture, not on it. */
 export function CrossingAlert() {
-  const { timeline, study } = useStore();
+  const { timeline, study, posing } = useStore();
   const [seen, proof, shown] = [timeline.crossing.value, timeline.proof.value, study.value];
-  if (!shown || timeline.playing.value) return null;
+  const warned = posing.numbers.value?.verdict === "singular"; // the warning over the picture says why
+  if (!shown || warned || timeline.playing.value) return null;
   const places = timeline.given.value || timeline.known.value ? [] : (proof?.places ?? []);
   if (!seen && places.length === 0) return null;
   const last = places.at(-1);
