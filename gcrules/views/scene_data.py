@@ -298,6 +298,8 @@ class SceneData(TypedDict):
     motion: NotRequired[MotionView | None]
     limbs: NotRequired[list[LimbView]]
     skeleton: NotRequired[SkeletonView | None]
+    directions: NotRequired[dict[str, Vec3]]
+    """Unit vectors of points at infinity, through which entities may go."""
     planes: NotRequired[list[PlaneView]]
     """Planes that are no entities."""
     recipe: NotRequired[RecipeView]

@@ -243,6 +243,8 @@ export interface SceneData {
   motion?: Motion | null;
   limbs?: Limb[];
   skeleton?: Skeleton | null;
+  /** Unit vectors of points at infinity, through which entities may go. */
+  directions?: Record<string, Vec3>;
   /** Planes that are no entities. */
   planes?: Plane[];
   recipe?: Recipe;
@@ -715,6 +717,8 @@ export interface Numbers {
   limbs: Limb[];
   /** Of a robot with limbs. */
   skeleton: Skeleton | null;
+  /** Unit vectors of points at infinity, in this pose. */
+  directions: Record<string, Vec3>;
   notes: string[];
   /** Of the factors of the condition: where one changes between two poses, every way between them is singular. */
   signs: Sign[];

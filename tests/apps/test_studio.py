@@ -307,6 +307,18 @@ def test_rods_and_platform_of_a_robot_keep_their_lengths(page: Page) -> None:
     assert math.dist(home["platform"][0], there["platform"][0]) > 0.01
 
 
+def test_directions_turn_with_the_links(page: Page) -> None:
+    """Those of the base stay, that of a rod is along the rod."""
+    source = {"kind": "robot", "id": "delta"}
+    home, there = (page.ask("pose", source=source, pose={**HOME, "coordinates": c}) for c in ([0, 0, 0], [20, -10, 5]))
+    for name in ("r1", "r2", "r3"):
+        assert home["directions"][name] == pytest.approx(there["directions"][name])
+    rods = [s["ends"] for s in there["skeleton"]["strokes"] if s["look"] == "bar"]
+    for k, name in enumerate(("d1", "d2", "d3")):
+        (p, q), u = rods[2 * k], there["directions"][name]
+        assert abs(sum((b - a) * c for a, b, c in zip(p, q, u, strict=True))) == pytest.approx(math.dist(p, q))
+
+
 @pytest.mark.parametrize("one", robots(), ids=lambda one: str(one.id))
 def test_every_robot_has_a_skeleton(one: RobotFile) -> None:
     robot = read_robot(one.path)

@@ -240,3 +240,11 @@ def test_a_robot_with_rods_has_them_in_space(sit_down: SitDown) -> None:
     desk.painted()
     bare = desk.run("gcrules.space.viewer.value.snapshot('svg')")
     assert drawn.count("<") > bare.count("<") + 15
+
+
+def test_planes_with_directions_are_drawn(sit_down: SitDown) -> None:
+    """Three planes of the 3-RPS robot go through the direction of a hinge each: their names stand in the picture."""
+    desk = sit_down().visit().open("robot", "3-rps", "statement")
+    desk.painted()
+    shown = "".join(desk.text("viewer").split())
+    assert all(name in shown for name in ("r1A1S1", "r2A2S2", "r3A3S3"))

@@ -24,7 +24,7 @@ from gcrules.screws.pose_text import ANGLES, SHIFTS, TURNS
 from gcrules.screws.threshold import DEFAULT
 from gcrules.views.results.amplification import actuator_notes
 from gcrules.views.results.singularity_types import in_words
-from gcrules.views.robots.limb_views import limb_views
+from gcrules.views.robots.limb_views import limb_views, unit_directions
 from gcrules.views.robots.skeleton import skeleton
 from gcrules.views.scene_data import MotionView
 
@@ -150,6 +150,7 @@ def numbers_of_limbs(limbs: Limbs, subject: Subject, pose: PoseJson, threshold: 
         "stress": [limb.share for limb in found.limbs] if near else [],
         "limbs": limb_views(robot, values),
         "skeleton": skeleton(robot.robot, values),
+        "directions": unit_directions(robot, values),
         "notes": [
             *(f"{t.symbol}, {in_words(t)}." for t in found.types),
             *actuator_notes(found.jacobian.amplification, subject.unit),

@@ -85,6 +85,7 @@ def _of_legs(m: SixLegs, subject: Subject, pose: PoseJson, threshold: str | None
         "stress": list(found.stress) if near else [],
         "limbs": limb_views(subject.robot, {**subject.home, **places}) if subject.robot else [],
         "skeleton": None,
+        "directions": {},
         "notes": list(actuator_notes(found.jacobian.amplification, m.unit)),
         "signs": [
             {"expression": s.expression, "sign": s.sign, "statement": s.statement}
@@ -132,6 +133,7 @@ def _by_lines(subject: Subject, pose: PoseJson, limit: Threshold) -> Numbers:
         "stress": [],
         "limbs": [],
         "skeleton": None,
+        "directions": {},
         "notes": [],
         "signs": [],
     }

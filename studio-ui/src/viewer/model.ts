@@ -68,7 +68,8 @@ function emphasis(d: Drawing, id: string): number {
 function entityShape(d: Drawing, e: SceneEntity): void {
   const { scene } = d;
   const corners = e.points.flatMap((n) => (scene.points[n] ? [scene.points[n]] : []));
-  if (corners.length < e.points.length) return;
+  const ways = e.points.flatMap((n) => (scene.directions?.[n] ? [scene.directions[n] as Vec3] : []));
+  if (corners.length === 0 || corners.length + ways.length < e.points.length) return; // at infinity, or not known
   const strength = emphasis(d, e.id);
   const colour = strength < 1 ? d.pale(d.entityColour(e.colour), 0.55) : d.entityColour(e.colour);
   const marks = (scene.constructed ?? []).flatMap((c) =>
@@ -82,22 +83,33 @@ function entityShape(d: Drawing, e: SceneEntity): void {
     if (e.label.length <= LONGEST_LABEL) d.tag(e.label, at, colour, "entity", { strong: strength > 1 });
   };
   const all = (ring: Vec3[]): Outline => ({ corners: ring, edges: ring.map(() => true) });
-  if (e.kind === "tetrahedron") {
+  if (e.kind === "tetrahedron" && ways.length > 0) {
+    // flat when its directions and the lines between its points lie in one plane
+    const reach = 0.45 * scene.size;
+    ways.forEach((u) => d.arrow(corners[0]!, along(corners[0]!, u, reach), colour, strength > 1 ? 1.3 : 0.9));
+    corners.slice(1).forEach((c) => d.line(corners[0]!, c, colour, { entity: e.id }));
+    label(along(corners[0]!, ways[0]!, reach));
+  } else if (e.kind === "tetrahedron") {
     if (Math.abs(volume(corners, scene.size)) < 1e-9) body(corners).forEach((outline) => face(outline, 0.34));
     else for (const out of corners) face(all(corners.filter((c) => c !== out)), 0.13);
     label(centre(corners));
   } else if (e.kind === "plane") {
     // within three hundredths of the size a mark is where the planes nearly meet
-    const ring = patch(corners, SIZES.margin * scene.size, marks, 0.04 * scene.size);
+    const ring = patch([...corners, ...strips(corners, ways, 0.35 * scene.size)], SIZES.margin * scene.size, marks, 0.04 * scene.size);
     if (!ring) return;
     face(all(ring), 0.24);
     label(apart(d, ring));
   } else if (e.kind === "line") {
-    const [a, b] = stretched(corners[0]!, corners[1]!, SIZES.extra * scene.size, marks);
+    const [from, to] = [corners[0]!, corners[1] ?? along(corners[0]!, ways[0]!, scene.size)];
+    const [a, b] = stretched(from, to, SIZES.extra * scene.size, marks);
     d.dashes(a, b, colour, { entity: e.id, radius: SIZES.line * scene.size * (strength > 1 ? 1.5 : 1) });
     label(a[2] > b[2] ? a : b);
   }
 }
+
+/** Places beside points, both ways along directions: what shows that a plane goes on to points at infinity. */
+const strips = (points: readonly Vec3[], ways: readonly Vec3[], reach: number): Vec3[] =>
+  ways.flatMap((u) => points.flatMap((p) => [along(p, u, -reach), along(p, u, reach)]));
 
 /** The place on a ring that is farthest from the labels of other entities and from marks, rather outside than inside. */
 function apart(d: Drawing, ring: Vec3[]): Vec3 {

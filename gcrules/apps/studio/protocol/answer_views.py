@@ -98,6 +98,8 @@ class Numbers(TypedDict):
     limbs: list[LimbView]
     skeleton: SkeletonView | None
     """Of a robot with limbs."""
+    directions: dict[str, Vec3]
+    """Unit vectors of points at infinity, in this pose."""
     notes: list[str]
     signs: list[SignView]
     """Of the factors of the condition: where one changes between two poses, every way between them is singular."""
