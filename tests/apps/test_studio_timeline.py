@@ -170,3 +170,15 @@ def test_a_robot_of_joints_has_a_way_too(desk: Desk) -> None:
     desk.one("way-lead").evaluate("e => { e.value = '1'; e.dispatchEvent(new Event('input', {bubbles: true})); }")
     desk.answered()
     assert desk.pose["coordinates"] == pytest.approx([0.2, 0, 0], abs=1e-6)
+
+
+def test_a_way_around_is_taken_over(desk: Desk) -> None:
+    desk.one("panel-motion").click()
+    desk.one("path-to").fill("x=110.2, y=27.2, z=-654.7, roll=-130.4deg, pitch=46.3deg, yaw=-72.9deg")
+    desk.one("path-around").click()
+    desk.page.wait_for_selector("[data-testid=path-detour][data-outcome=way]")
+    desk.one("path-keep").click()
+    desk.page.wait_for_selector(PROVED)
+    assert desk.one("way-verdict").get_attribute("data-verdict") != "singular"
+    assert stops(desk)[0]["translation"] == [0, 0, 0]
+    assert stops(desk)[-1]["translation"] == pytest.approx([110.2, 27.2, -654.7])

@@ -45,6 +45,8 @@ export interface Timeline {
   /** The pose on show takes the place of a stop. */
   put(index: number): void;
   clear(): void;
+  /** A way of somewhere else, as of a plan. */
+  take(stops: readonly Pose[]): void;
   read(table: string): Promise<void>;
   table(): Promise<string | null>;
   stop(): void;
@@ -227,6 +229,7 @@ export function createTimeline(client: Client, editing: Editing, studying: Study
     shift: (index, to) => name(moved(stops.peek(), index, to)),
     put: (index) => name(stops.peek().map((stop, i) => (i === index ? pose$.peek() : stop))),
     clear: () => begin(pose$.peek()),
+    take: name,
     async read(table) {
       const found = await asked({ table });
       if (found) name(found.poses);
