@@ -16,7 +16,7 @@ from gcrules.core.errors import InputError
 from gcrules.mechanisms.kinematics.leading import leading
 from gcrules.mechanisms.kinematics.solve import free_coordinates
 from gcrules.mechanisms.limbs import Limbs
-from gcrules.poses.limbs.factors import superbracket_value
+from gcrules.poses.limbs.factors import ConditionFactor, superbracket_value
 from gcrules.poses.limbs.pose_report import cause_of, report_of_limbs
 from gcrules.poses.limbs.report import RobotPose
 from gcrules.poses.numbers.motion import Twist
@@ -161,9 +161,14 @@ def numbers_of_limbs(limbs: Limbs, subject: Subject, pose: PoseJson, threshold: 
         "signs": [
             {"expression": f.expression, "sign": (f.value > 0) - (f.value < 0), "statement": cause_of(f)}
             for f in found.factors
-            if f.live and isfinite(f.value)
+            if f.live and isfinite(f.value) and _continuous(f, len(found.factors))
         ],
     }
+
+
+def _continuous(f: ConditionFactor, number: int) -> bool:
+    """Whether its sign changes only where it is 0. A quotient by a cofactor has poles, unless it is the only factor."""
+    return not f.cofactor or number == 1
 
 
 def motion_view(twist: Twist, centre: tuple[float, ...], unit: str) -> MotionView:
