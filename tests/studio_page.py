@@ -15,6 +15,9 @@ from typing import Any
 from urllib.parse import urlsplit
 
 TIMEOUT = 60_000  # milliseconds: what takes half a second takes many on a loaded machine
+WIDE = {"width": 1280, "height": 800}
+CALM = {"reduced_motion": "reduce"}
+"""Nothing is under way when a test looks."""
 HARMLESS = ("GPU stall due to ReadPixels", "GroupMarkerNotSet")
 """What Chromium says of software rendering."""
 

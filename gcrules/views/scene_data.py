@@ -33,7 +33,9 @@ __all__ = [
     "RecipePoint",
     "RecipeView",
     "SceneData",
+    "SkeletonView",
     "SpanView",
+    "StrokeView",
     "Terms",
     "Thresholds",
     "Vec3",
@@ -265,6 +267,20 @@ class LinkageView(TypedDict):
     """Up to this margin it is singular."""
 
 
+class StrokeView(TypedDict):
+    ends: list[Vec3]
+    look: str
+    """A link, a bar (thinner), a rail or an axis."""
+
+
+class SkeletonView(TypedDict):
+    """The links of a robot of joints, and the corners of its bodies, as they are drawn on paper."""
+
+    strokes: list[StrokeView]
+    platform: list[Vec3]
+    base: list[Vec3]
+
+
 class SceneData(TypedDict):
     """A robot in a pose, with its condition."""
 
@@ -281,6 +297,9 @@ class SceneData(TypedDict):
     constructed: NotRequired[list[Constructed]]
     motion: NotRequired[MotionView | None]
     limbs: NotRequired[list[LimbView]]
+    skeleton: NotRequired[SkeletonView | None]
+    directions: NotRequired[dict[str, Vec3]]
+    """Unit vectors of points at infinity, through which entities may go."""
     planes: NotRequired[list[PlaneView]]
     """Planes that are no entities."""
     recipe: NotRequired[RecipeView]

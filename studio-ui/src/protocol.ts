@@ -214,6 +214,19 @@ export interface Linkage {
   floor: number;
 }
 
+export interface Stroke {
+  ends: Vec3[];
+  /** A link, a bar (thinner), a rail or an axis. */
+  look: string;
+}
+
+/** The links of a robot of joints, and the corners of its bodies, as they are drawn on paper. */
+export interface Skeleton {
+  strokes: Stroke[];
+  platform: Vec3[];
+  base: Vec3[];
+}
+
 /** A robot in a pose, with its condition. */
 export interface SceneData {
   points: Record<string, Vec3>;
@@ -229,6 +242,9 @@ export interface SceneData {
   constructed?: Constructed[];
   motion?: Motion | null;
   limbs?: Limb[];
+  skeleton?: Skeleton | null;
+  /** Unit vectors of points at infinity, through which entities may go. */
+  directions?: Record<string, Vec3>;
   /** Planes that are no entities. */
   planes?: Plane[];
   recipe?: Recipe;
@@ -246,6 +262,8 @@ export const MOST_LEGS = 24;
 export const MOST_COMMANDS = 200;
 
 export const MOST_BOXES = 2000000;
+
+export const MOST_WAYPOINTS = 200;
 
 export const LONGEST_FILE = 400000;
 
@@ -322,14 +340,22 @@ export interface AlongArgs {
   threshold?: string;
 }
 
-/** From `start` (home without it) to `goal`, or to the pose that the text `to` names; straight, or on a way around singular poses. */
+/** From `start` (home without it) to `goal`, or to the pose that the text `to` names; straight from pose to pose `through` others, or on a way around singular poses. */
 export interface PathArgs {
   source: Source;
   start?: Pose;
   goal: Pose;
+  through?: Pose[];
   to?: string;
   way?: "straight" | "around";
   threshold?: string;
+}
+
+/** Poses as a table of comma-separated values, or such a table as poses. */
+export interface WaypointsArgs {
+  source: Source;
+  poses?: Pose[];
+  table?: string;
 }
 
 /** Over two coordinates with their ranges ("x -1:1:21"), the others as they are at the pose. The bands of its picture are the `measure`, one of those of the study; the margin, where none is asked for. */
@@ -661,6 +687,14 @@ export interface Reading {
   why: string;
 }
 
+/** A number that changes continuously with the pose and is 0 in singular poses only. */
+export interface Sign {
+  expression: string;
+  sign: number;
+  /** What is singular where it is 0; "" where nothing is known of it. */
+  statement: string;
+}
+
 export interface Numbers {
   /** The pose that this answers. */
   pose: Pose;
@@ -681,7 +715,13 @@ export interface Numbers {
   /** Ratios of the forces in the legs that balance, near a singular pose. */
   stress: number[];
   limbs: Limb[];
+  /** Of a robot with limbs. */
+  skeleton: Skeleton | null;
+  /** Unit vectors of points at infinity, in this pose. */
+  directions: Record<string, Vec3>;
   notes: string[];
+  /** Of the factors of the condition: where one changes between two poses, every way between them is singular. */
+  signs: Sign[];
 }
 
 export interface SingularPose {
@@ -724,6 +764,12 @@ export interface Hint {
   words: string;
 }
 
+export interface ExactPoint {
+  at: Vec3;
+  /** The same coordinates as fractions. */
+  exactly: string[];
+}
+
 export interface Manual {
   /** The commands that were understood; the first faulty one stops the replay and is `fault`. */
   history: ManualStep[];
@@ -732,7 +778,7 @@ export interface Manual {
   left: string[];
   hint: Hint | null;
   /** Points of an exact counterexample, if the last proposal was refused by one. */
-  counterexample: Record<string, Vec3> | null;
+  counterexample: Record<string, ExactPoint> | null;
   condition: Condition | null;
   fault: Fault | null;
 }
@@ -834,6 +880,13 @@ export interface PathAnswer {
   stretches: PathStretch[];
   detour: Detour | null;
   facts: FactItem[];
+}
+
+export interface WaypointsAnswer {
+  poses: Pose[];
+  /** The same poses as `gcrules path --poses` reads them. */
+  table: string;
+  notes: string[];
 }
 
 export type CellStatus = "free" | "crossed" | "undecided" | "outside";
@@ -964,6 +1017,7 @@ export interface Methods {
   nearest: { args: PoseArgs; result: Nearest };
   modes: { args: ModesArgs; result: ModesAnswer };
   path: { args: PathArgs; result: PathAnswer };
+  waypoints: { args: WaypointsArgs; result: WaypointsAnswer };
   map: { args: MapArgs; result: MapAnswer };
   place: { args: PlaceArgs; result: PlacedPose };
   assemblies: { args: PoseArgs; result: AssembliesAnswer };

@@ -18,6 +18,10 @@ import { changed, inWords, rangeOf, rangesOf } from "../src/page/state/touring";
 import { nearest } from "../src/page/panels/motion/samples";
 import { stepped, valueOf, within } from "../src/page/panels/motion/spots";
 import { latest } from "../src/page/net/latest";
+import { driven, liesBetween, type Driven } from "../src/page/lib/way";
+import { moved as shifted, poseAt } from "../src/page/state/timeline";
+import { contrast, legible, ROLES } from "../src/viewer/palette";
+import { sideBySide } from "../src/viewer/names";
 import { rotationVector } from "../src/viewer/pose";
 import type { Axis, Entity, GalleryItem, Pose, Study, Vec3 } from "../src/protocol";
 
@@ -217,4 +221,55 @@ test("home is home with the robot's actuators or without", () => {
   assert.ok(isHome(HOME) && isHome({ ...HOME, coordinates: [0, 0] }));
   assert.ok(!isHome(TURNED) && !isHome({ ...HOME, coordinates: [0, 0.1] }));
   assert.deepEqual(atHome(TURNED), { ...HOME, coordinates: [0] });
+});
+
+const SCALES = { length: 100, coordinates: [] };
+const goneTo = (way: readonly Pose[]): Driven => way.reduce((so, one) => driven(so, one, SCALES, 5), { stops: [], passed: [] } as Driven);
+const pose = (x: number, y = 0, turn = 0): Pose => ({ translation: [x, y, 0], quaternion: [Math.cos(turn / 2), 0, 0, Math.sin(turn / 2)] });
+
+test("a straight way has two stops, a corner and a way back one more each", () => {
+  const straight = Array.from({ length: 50 }, (_, i) => between(pose(0), pose(80, 40, 2), i / 49));
+  assert.deepEqual(goneTo(straight).stops, [straight[0], straight[49]]);
+  assert.equal(goneTo([pose(0), pose(50), pose(100), pose(100, 50), pose(100, 99)]).stops.length, 3);
+  assert.deepEqual(goneTo([pose(0), pose(50), pose(100), pose(40), pose(10)]).stops, [pose(0), pose(100), pose(10)]);
+  assert.equal(goneTo([pose(0), pose(0), pose(0)]).stops.length, 1);
+  const round = Array.from({ length: 40 }, (_, i) => pose(50 * Math.cos(i), 50 * Math.sin(i)));
+  assert.equal(goneTo(round).stops.length, 5, "no more than so many");
+});
+
+test("no pose that was passed is farther from the way than a hand is steady", () => {
+  const bend = Array.from({ length: 200 }, (_, i) => pose(i, (i * i) / 4000));
+  const { stops } = driven({ stops: [], passed: [] }, bend[0]!, SCALES, 50);
+  const way = bend.reduce((so, one) => driven(so, one, SCALES, 50), { stops, passed: [] } as Driven).stops;
+  assert.ok(way.length > 3 && way.length < 20, String(way.length));
+  assert.ok(bend.every((one) => way.slice(1).some((to, i) => liesBetween(way[i]!, to, one, SCALES))));
+});
+
+test("waypoints change places, and the way is led between its samples", () => {
+  assert.deepEqual(shifted(["a", "b", "c", "d"], 0, 2), ["b", "c", "a", "d"]);
+  assert.deepEqual(shifted(["a", "b", "c", "d"], 3, 0), ["d", "a", "b", "c"]);
+  const sample = (parameter: number, at: Pose | null) => ({ parameter, margin: 1, pose: at });
+  const samples = [sample(0, pose(0)), sample(0.5, pose(10)), sample(1, null)];
+  assert.deepEqual(poseAt({ samples }, 0.25)?.translation, [5, 0, 0]);
+  assert.deepEqual(poseAt({ samples }, 0)?.translation, [0, 0, 0]);
+  assert.equal(poseAt({ samples }, 0.75), null);
+});
+
+test("words in the colours of entities can be read, and keep a colour that can be", () => {
+  for (const [role, colours] of Object.entries(ROLES).filter(([role]) => role.startsWith("entity"))) {
+    for (const [i, theme] of (["light", "dark"] as const).entries()) {
+      const own = colours[i]!;
+      const found = legible(own, theme);
+      assert.ok(contrast(found, ROLES.paper[i]!) >= 4.5, role);
+      if (contrast(own, ROLES.paper[i]!) >= 4.5) assert.equal(found.toLowerCase(), own.toLowerCase());
+    }
+  }
+});
+
+test("long names are found in sentences, and stand apart", () => {
+  assert.equal(sideBySide(["A1", "b*", "c'"]), "A1b*c'");
+  const points = ["base_left", "base_right", "top"];
+  const entity: Entity = { id: "e0", kind: "plane", points, label: "base_left* base_right top", colour: 0 };
+  const words = wordsOf("the planes base_left base_right top and x meet", [entity]);
+  assert.deepEqual(words.map(({ entity }) => entity?.id), [undefined, "e0", undefined]);
 });

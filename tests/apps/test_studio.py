@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import gzip
 import json
+import math
 import random
 import re
 import subprocess
 import sys
 from fractions import Fraction
+from itertools import combinations
 from pathlib import Path
 from typing import (
     Any,
@@ -21,19 +23,22 @@ import gcrules as gc
 from gcrules.algebra.evaluate import evaluate, random_rational_points
 from gcrules.core.errors import InputError
 from gcrules.core.shapes import OneOf
-from gcrules.mechanisms.description.discovery import examples
+from gcrules.mechanisms.description.discovery import RobotFile, examples, robots
 from gcrules.mechanisms.description.platform_file import parse_platform
+from gcrules.mechanisms.load import read_robot
 from gcrules.poses.limbs.exact_values import value_at
 from gcrules.screws.verdict import VERDICTS
 from gcrules.views import scene_data
 from gcrules.views.formulas.latex import latex
 from gcrules.views.report.stage_ids import STAGE_IDS
+from gcrules.views.robots.skeleton import skeleton
 
 pytest.importorskip("starlette", reason="needs the extra gcrules[studio]")
 
 from apps.studio_client import DRAWING, FOUR_DOF, HOME, OCTAHEDRAL, Page
 
 from gcrules.apps.studio import theory
+from gcrules.apps.studio.faults import fault_view
 from gcrules.apps.studio.formulas import pieces
 from gcrules.apps.studio.numbers import exact_pose, numbers
 from gcrules.apps.studio.pages import STATIC
@@ -283,6 +288,47 @@ def test_search_around_needs_all_actuators(page: Page) -> None:
 # --- by hand -------------------------------------------------------------------------------------------------------
 
 
+def sides(corners: list[list[float]]) -> list[float]:
+    return [math.dist(p, q) for p, q in combinations(corners, 2)]
+
+
+def test_rods_and_platform_of_a_robot_keep_their_lengths(page: Page) -> None:
+    """What is drawn of the Delta robot is rigid: its loops are closed elsewhere."""
+    source = {"kind": "robot", "id": "delta"}
+    home, there = (
+        page.ask("pose", source=source, pose={**HOME, "coordinates": c})["skeleton"] for c in ([0, 0, 0], [20, -10, 5])
+    )
+    bars = [[math.dist(*s["ends"]) for s in one["strokes"] if s["look"] == "bar"] for one in (home, there)]
+    assert len(bars[0]) == 6
+    assert bars[0] == pytest.approx(bars[1])
+    assert len(home["platform"]) == len(home["base"]) == 3
+    assert sides(home["platform"]) == pytest.approx(sides(there["platform"]))
+    assert home["base"] == [pytest.approx(p) for p in there["base"]]
+    assert math.dist(home["platform"][0], there["platform"][0]) > 0.01
+
+
+def test_directions_turn_with_the_links(page: Page) -> None:
+    """Those of the base stay, that of a rod is along the rod."""
+    source = {"kind": "robot", "id": "delta"}
+    home, there = (page.ask("pose", source=source, pose={**HOME, "coordinates": c}) for c in ([0, 0, 0], [20, -10, 5]))
+    for name in ("r1", "r2", "r3"):
+        assert home["directions"][name] == pytest.approx(there["directions"][name])
+    rods = [s["ends"] for s in there["skeleton"]["strokes"] if s["look"] == "bar"]
+    for k, name in enumerate(("d1", "d2", "d3")):
+        (p, q), u = rods[2 * k], there["directions"][name]
+        assert abs(sum((b - a) * c for a, b, c in zip(p, q, u, strict=True))) == pytest.approx(math.dist(p, q))
+
+
+@pytest.mark.parametrize("one", robots(), ids=lambda one: str(one.id))
+def test_every_robot_has_a_skeleton(one: RobotFile) -> None:
+    robot = read_robot(one.path)
+    found = skeleton(robot, {n: [float(c) for c in v] for n, v in robot.values_at().items()})
+    assert found["strokes"]
+    assert found["platform"]
+    places = [p for s in found["strokes"] for p in s["ends"]]
+    assert all(math.isfinite(c) for p in (*places, *found["platform"], *found["base"]) for c in p)
+
+
 def test_manual_accepts_and_refuses(page: Page) -> None:
     legs = {"kind": "legs", "legs": "ab af cb cd ed ef"}
     found = page.ask("manual", source=legs, commands=["plane abc", "plane abd", "plane bdf"])
@@ -301,9 +347,27 @@ def test_manual_counterexample_refutes(page: Page) -> None:
     legs = "ab af cb cd ed ef"
     found = page.ask("manual", source={"kind": "legs", "legs": legs}, commands=[r"condition abc /\ aef /\ bdf /\ cef"])
     assert found["history"][0]["answer"] == "refused"
-    points = {n: (*p, 1.0) for n, p in found["counterexample"].items()}
+    told = found["counterexample"]
+    points = {n: (*map(Fraction, p["exactly"]), Fraction(1)) for n, p in told.items()}
     robot, refuted = gc.analyze(legs).structure.superbracket, gc.parse(r"abc /\ aef /\ bdf /\ cef")
-    assert abs(evaluate(robot, points)) < 1e-6 < 1 < abs(evaluate(refuted, points))
+    assert evaluate(robot, points) == 0 != evaluate(refuted, points)
+    assert all(p["at"] == [float(c) for c in points[n][:3]] for n, p in told.items())
+
+
+@pytest.mark.parametrize(
+    ("hint", "shown"),
+    [("write z=5", "write z=5"), ("ask for less by --margin", None), ("as in --over 'x 1:2'", None), (None, None)],
+)
+def test_hints_name_no_options_of_the_command_line(hint: str | None, shown: str | None) -> None:
+    assert fault_view(InputError("no", hint=hint)).get("hint") == shown
+
+
+def test_the_general_platform_is_told_of_no_entities(page: Page) -> None:
+    why = {s["id"]: s["why"] for s in page.ask("open", source={"kind": "class", "id": "6-6"})["stages"]}
+    assert "linear complex" in why["condition"]
+    assert "planes that meet" not in why["condition"]
+    why = {s["id"]: s["why"] for s in page.ask("open", source=OCTAHEDRAL)["stages"]}
+    assert "planes that meet" in why["condition"]
 
 
 def test_manual_stops_at_a_fault(page: Page) -> None:

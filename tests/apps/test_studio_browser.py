@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import math
 from collections.abc import Callable
+from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
@@ -105,13 +106,13 @@ def test_a_counterexample_is_drawn_and_commands_are_typed(desk: Desk) -> None:
     desk.one("counterexample").wait_for()
     assert "does not divide the superbracket" in desk.text("manual-answer")
     rows = desk.page.locator("[data-testid=counterexample] tr").all_inner_texts()
-    at = {r.split()[0]: [float(c.replace("−", "-")) for c in r.split()[1:]] for r in rows}
+    at = {r.split()[0]: [Fraction(c.replace("−", "-")) for c in r.split()[1:]] for r in rows}
     assert set(at) == set("ABCDabcd")
     edges = [[p - q for p, q in zip(at[n], at["A"], strict=True)] for n in "BCD"]
     assert determinant(edges) == 0
 
 
-def determinant(m: list[list[float]]) -> float:
+def determinant(m: list[list[Fraction]]) -> Fraction:
     (a, b, c), (d, e, f), (g, h, i) = m
     return a * (e * i - f * h) - b * (d * i - f * g) + c * (d * h - e * g)
 

@@ -29,12 +29,12 @@ from gcrules.rules.catalog.file import load as load_catalog
 pytest.importorskip("starlette", reason="needs the extra gcrules[studio]")
 pytest.importorskip("playwright", reason="needs the extra gcrules[dev]")
 
-from studio_page import Desk, Server, studio
+from studio_page import WIDE, Desk, Server, studio
 
 pytestmark = pytest.mark.browser
 
 OCTAHEDRAL = load_platform(ROOT / "examples" / "octahedral.yaml")
-WIDE, TABLET = {"width": 1280, "height": 800}, {"width": 1024, "height": 768}
+TABLET = {"width": 1024, "height": 768}
 STAGES = [
     "structure",
     "superbracket",
@@ -47,32 +47,6 @@ STAGES = [
     "statement",
     "check",
 ]
-CALM = {"reduced_motion": "reduce"}  # nothing is under way when a test looks
-
-
-@pytest.fixture(scope="module")
-def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Server]:
-    with studio(tmp_path_factory.mktemp("state")) as found:
-        yield found
-
-
-@pytest.fixture
-def sit_down(chromium: Any, server: Server) -> Iterator[Callable[..., Desk]]:
-    """A desk with a page of its own; at the end nothing has left the machine, and nothing was complained of."""
-    contexts, desks = [], []
-
-    def sat(browser: Any = chromium, own: Server = server, **options: Any) -> Desk:
-        context = browser.new_context(**{"viewport": WIDE, **CALM, **options})
-        contexts.append(context)
-        desks.append(Desk(context.new_page(), own))
-        return desks[-1]
-
-    yield sat
-    for context in contexts:
-        context.close()
-    for desk in desks:
-        assert desk.away() == []
-        assert desk.faults == []
 
 
 @pytest.fixture

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import re
 from base64 import b64decode
+from itertools import pairwise
 from pathlib import Path
 from typing import Any
 from xml.etree import ElementTree
@@ -134,6 +135,61 @@ def test_a_way_around_is_that_of_gc_plan(root: Path, page: Page, source: dict[st
     else:
         assert (found["verdict"], found["reason"]) == (same.path.verdict, same.path.reason)
         assert found["end"] == len(same.poses) - 1
+
+
+STOPS = {
+    "platform": (OCTAHEDRAL, [HOME, {**HOME, "translation": [0, 0, -490]}, {**HOME, "translation": [50, 0, 0]}]),
+    "3-RPS": (RPS, [{**HOME, "coordinates": c} for c in ([0, 0, 0], [0.1, 0, 0], [0.1, 0.2, -0.1])]),
+}
+
+
+@pytest.mark.parametrize(("source", "stops"), STOPS.values(), ids=STOPS)
+def test_a_way_through_poses_is_that_of_its_table(
+    root: Path, tmp_path: Path, page: Page, source: dict[str, str], stops: list[dict[str, Any]]
+) -> None:
+    """Through the poses as they are, and by the command from the table that is saved; the table leads back to them."""
+    start, *through, goal = stops
+    found = page.ask("path", source=source, start=start, through=through, goal=goal)
+    saved = page.ask("waypoints", source=source, poses=stops)
+    table = tmp_path / "way.csv"
+    table.write_text(saved["table"], encoding="utf-8")
+    same = gc.path(opened(root, source), table)
+    assert found["end"] == len(stops) - 1
+    assert found["verdict"] == same.verdict
+    zeros = same.crossings if hasattr(same, "crossings") else same.zeros
+    assert [p["parameter"] for p in found["places"]] == pytest.approx([z.parameter for z in zeros], abs=1e-9)
+    back = page.ask("waypoints", source=source, table=saved["table"])
+    assert len(back["poses"]) == len(stops)
+    for one, other in zip(back["poses"], stops, strict=True):
+        for key in ("translation", "quaternion", "coordinates"):
+            assert one.get(key, []) == pytest.approx(other.get(key, []), abs=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("source", "args", "message"),
+    [
+        (OCTAHEDRAL, {"table": "x, y\n1, 2\n"}, "z"),
+        (OCTAHEDRAL, {"table": "x, y, z\n1, 2, oops\n"}, "oops"),
+        (OCTAHEDRAL, {}, "neither"),
+        (OCTAHEDRAL, {"table": "x, y, z\n" + "0, 0, 0\n" * 201}, "201 poses"),
+        (RPS, {"table": "x, y, z\n0, 0, 9\n"}, "whole poses"),
+    ],
+    ids=["columns", "number", "nothing", "too many", "whole poses"],
+)
+def test_what_is_no_table_of_poses(page: Page, source: dict[str, str], args: dict[str, Any], message: str) -> None:
+    assert message in page.fault("waypoints", source=source, **args)["message"]
+
+
+def test_signs_change_where_the_path_crosses(page: Page) -> None:
+    """Between two neighbouring zeros of the path the sign is one, beyond each the other."""
+    found = page.ask("path", source=OCTAHEDRAL, goal={**HOME, "translation": [0, 0, -490]})
+    cuts = [0, *(p["parameter"] for p in found["places"]), 1]
+    signs = []
+    for a, b in pairwise(cuts):
+        pose = {**HOME, "translation": [0, 0, -490 * (a + b) / 2]}
+        signs.append([s["sign"] for s in page.ask("pose", source=OCTAHEDRAL, pose=pose)["signs"]])
+    assert signs == [signs[0], [-s for s in signs[0]], signs[0], [-s for s in signs[0]]]
+    assert page.ask("pose", source=RPS, pose=HOME)["signs"][0]["sign"] != 0
 
 
 def test_a_path_that_is_singular_throughout_says_so(page: Page) -> None:

@@ -14,6 +14,7 @@ from gcrules.core.errors import InputError
 from gcrules.mechanisms.description.platform_file import load_platform
 from gcrules.mechanisms.load import read_robot
 from gcrules.views.report.scene_json import scene
+from gcrules.views.viewer import viewer_script
 
 EXAMPLES = ROOT / "examples"
 
@@ -68,3 +69,28 @@ def test_without_the_extra_a_widget_says_what_to_install(monkeypatch: pytest.Mon
     with pytest.raises(InputError, match="needs the package anywidget") as fault:
         gc.view("ab af cb cd ed ef")
     assert fault.value.hint == 'pip install "gcrules[widget]"'
+
+
+LAB = """.cell dl { display: block; margin: 1em 0; } .cell dt { float: left; width: 20%; font-weight: bold; }
+.cell dd { float: left; width: 80%; margin: 0; }"""
+"""What JupyterLab 4 does to lists of terms in the output of a cell."""
+
+
+@pytest.mark.browser
+def test_numbers_stand_beside_their_names_in_a_notebook(chromium: Any) -> None:
+    page = chromium.new_page(viewport={"width": 1000, "height": 700})
+    page.set_content(f"<style>{LAB}</style><div class=cell style='height: 600px'></div>")
+    page.add_script_tag(content=viewer_script())
+    page.evaluate("scene => GcrulesViewer.explore(document.querySelector('.cell'), scene)", scene(OCTAHEDRAL))
+    names, numbers = ([e.bounding_box() for e in page.locator(f".gcx-numbers {tag}").all()] for tag in ("dt", "dd"))
+    assert len(names) == len(numbers) == 2
+    for name, number in zip(names, numbers, strict=True):
+        assert abs(name["y"] - number["y"]) < 3
+        assert number["x"] >= name["x"] + name["width"]
+    assert "determinant of the six lines" in page.locator(".gcx-meaning").inner_text()
+    page.close()
+
+
+def test_a_widget_of_a_file_is_that_of_its_platform() -> None:
+    path = EXAMPLES / "octahedral.yaml"
+    assert gc.view(str(path)).scene == gc.view(load_platform(path)).scene

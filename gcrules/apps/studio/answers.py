@@ -19,6 +19,7 @@ from gcrules.apps.studio.numbers import margins, numbers
 from gcrules.apps.studio.path_view import path_view
 from gcrules.apps.studio.study import study
 from gcrules.apps.studio.subject import Subject
+from gcrules.apps.studio.waypoints_view import waypoints_view
 from gcrules.apps.studio.where_view import aspects_view, assemblies_view, free_view
 
 __all__ = ["ANSWERS", "answer"]
@@ -39,7 +40,9 @@ ANSWERS: Mapping[str, Callable[[Any, Args], Any]] = {
         args.get("to"),
         args.get("threshold"),
         around=args.get("way") == "around",
+        through=args.get("through", ()),
     ),
+    "waypoints": lambda subject, args: waypoints_view(subject, args.get("poses"), args.get("table")),
     "map": lambda subject, args: map_view(
         subject, args["over"], args["pose"], args.get("threshold"), args.get("measure")
     ),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from typing import Literal
 
 from gcrules.apps.studio.protocol.study_views import FaultView, Place
@@ -14,7 +15,9 @@ SUPERSEDED: FaultView = {"kind": "superseded", "message": "a later request has t
 CANCELLED: FaultView = {"kind": "cancelled", "message": "cancelled"}
 
 _MOST, _LONGEST = 50, 600
-_HERE = {MORE_SECONDS: "the command line gives it more time with --seconds"}
+_HERE = {MORE_SECONDS: "the command line can give it more time"}
+_OPTION = re.compile(r"(?<![\w-])--[a-z]")
+"""An option of the command line: a hint that names one is of no use in the page."""
 
 
 def fault_view(fault: GcrulesError) -> FaultView:
@@ -25,8 +28,9 @@ def fault_view(fault: GcrulesError) -> FaultView:
         return {**views[0], "more": views[1:]}
     kind: Literal["limit", "input"] = "limit" if isinstance(fault, LimitReached) else "input"
     found: FaultView = {"kind": kind, "message": _cut(fault.message)}
-    if fault.hint:
-        found["hint"] = _HERE.get(fault.hint, fault.hint)
+    hint = _HERE.get(fault.hint, fault.hint) if fault.hint else None
+    if hint and not _OPTION.search(hint):
+        found["hint"] = hint
     if fault.span is not None and fault.source is not None:
         found["place"] = _place(fault.source, fault.span)
     return found

@@ -5,6 +5,7 @@ Nothing is analysed here: the first page is there at once.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from functools import cache
 
 from gcrules.algebra.language.legs_text import legs_text
@@ -19,6 +20,7 @@ from gcrules.rules.catalog.entries import Entry
 from gcrules.rules.catalog.file import load as load_catalog
 from gcrules.rules.plugin import packs
 from gcrules.views.drawing.sample import sample_coordinates
+from gcrules.views.robots.skeleton import skeleton
 
 __all__ = ["gallery"]
 
@@ -92,18 +94,22 @@ def _of_robot(one: RobotFile) -> GalleryItem | None:
 
 
 def _of_limbs(robot: Robot) -> str:
-    """The limbs as chains through the points of their joints."""
-    home = robot.home or {}
-    points = {n: [float(c) for c in p] for n, p in home.items() if robot.family.sorts.get(n) == "point"}
-    chains = [[n for j in limb.joints for n in _places(j.names, points)] for limb in robot.limbs]
-    used = {n for chain in chains for n in chain}
-    base = [chain[0] for chain in chains if chain and chain[0] not in robot.platform]
-    bodies = {"base": base, "platform": robot.platform}
-    return sketch({n: p for n, p in points.items() if n in used or n in robot.platform}, chains, bodies)
+    """Links, rods and bodies as in the robot's drawing."""
+    if robot.home is None:
+        return ""
+    drawn = skeleton(robot, {n: [float(c) for c in v] for n, v in robot.values_at().items()})
+    places = [p for stroke in drawn["strokes"] for p in stroke["ends"]]
+    names: dict[tuple[float, ...], str] = {}
+    for p in (*places, *drawn["platform"], *drawn["base"]):
+        names.setdefault(_rounded(p), f"p{len(names)}")
+    links = [[names[_rounded(p)] for p in stroke["ends"]] for stroke in drawn["strokes"]]
+    bodies = {body: [names[_rounded(p)] for p in drawn[body]] for body in ("base", "platform")}
+    return sketch({name: list(p) for p, name in names.items()}, links, bodies)
 
 
-def _places(names: tuple[str, ...], points: dict[str, list[float]]) -> list[str]:
-    return [n for n in names if n in points]
+def _rounded(place: Sequence[float]) -> tuple[float, ...]:
+    """One place is one point, whatever rounding says."""
+    return tuple(float(f"{c:.9g}") + 0.0 for c in place)
 
 
 def _of_example(name: str) -> GalleryItem:

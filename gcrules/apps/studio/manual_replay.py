@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from fractions import Fraction
 from typing import Any
 
 from gcrules.apps.studio.faults import fault_view
 from gcrules.apps.studio.formulas import monomials
-from gcrules.apps.studio.protocol.answer_views import FormView, HintView, Manual, ManualStep
+from gcrules.apps.studio.protocol.answer_views import ExactPoint, FormView, HintView, Manual, ManualStep
 from gcrules.apps.studio.protocol.study_views import FaultView
 from gcrules.apps.studio.study import condition_view
 from gcrules.apps.studio.subject import Subject
@@ -15,7 +16,7 @@ from gcrules.conditions.manual import ManualSession, ProposalOutcome, Record
 from gcrules.core.budget import report
 from gcrules.core.errors import GcrulesError, InputError
 from gcrules.views.report.scene_json import entity_data
-from gcrules.views.scene_data import EntityView, Vec3
+from gcrules.views.scene_data import EntityView
 
 __all__ = ["replayed"]
 
@@ -76,9 +77,10 @@ def _hint(session: ManualSession) -> HintView | None:
     return {"command": hint.command, "words": hint.why} if hint.command else None
 
 
-def _points(outcome: ProposalOutcome) -> dict[str, Vec3] | None:
+def _points(outcome: ProposalOutcome) -> dict[str, ExactPoint] | None:
     """The exact points that refute a proposal; None where one of them is at infinity."""
     given: Mapping[str, Any] = outcome.data.get("points", {})
     if not given or not all(len(p) == 4 and p[3] for p in given.values()):
         return None
-    return {n: [float(c / p[3]) for c in p[:3]] for n, p in given.items()}
+    places = {n: [Fraction(c) / p[3] for c in p[:3]] for n, p in given.items()}
+    return {n: {"at": [float(c) for c in p], "exactly": [str(c) for c in p]} for n, p in places.items()}

@@ -16,15 +16,16 @@ from gcrules.core.errors import InputError
 from gcrules.mechanisms.kinematics.leading import leading
 from gcrules.mechanisms.kinematics.solve import free_coordinates
 from gcrules.mechanisms.limbs import Limbs
-from gcrules.poses.limbs.factors import superbracket_value
-from gcrules.poses.limbs.pose_report import report_of_limbs
+from gcrules.poses.limbs.factors import ConditionFactor, superbracket_value
+from gcrules.poses.limbs.pose_report import cause_of, report_of_limbs
 from gcrules.poses.limbs.report import RobotPose
 from gcrules.poses.numbers.motion import Twist
 from gcrules.screws.pose_text import ANGLES, SHIFTS, TURNS
 from gcrules.screws.threshold import DEFAULT
 from gcrules.views.results.amplification import actuator_notes
 from gcrules.views.results.singularity_types import in_words
-from gcrules.views.robots.limb_views import limb_views
+from gcrules.views.robots.limb_views import limb_views, unit_directions
+from gcrules.views.robots.skeleton import skeleton
 from gcrules.views.scene_data import MotionView
 
 __all__ = [
@@ -148,6 +149,8 @@ def numbers_of_limbs(limbs: Limbs, subject: Subject, pose: PoseJson, threshold: 
         "motion": motion_view(found.softest, found.centre, subject.unit) if near else None,
         "stress": [limb.share for limb in found.limbs] if near else [],
         "limbs": limb_views(robot, values),
+        "skeleton": skeleton(robot.robot, values),
+        "directions": unit_directions(robot, values),
         "notes": [
             *(f"{t.symbol}, {in_words(t)}." for t in found.types),
             *actuator_notes(found.jacobian.amplification, subject.unit),
@@ -155,7 +158,17 @@ def numbers_of_limbs(limbs: Limbs, subject: Subject, pose: PoseJson, threshold: 
             f"Assembly mode: {found.mode}.",
             *([] if found.assembly.doubt is None else [f"Branch: {found.assembly.branch}."]),
         ],
+        "signs": [
+            {"expression": f.expression, "sign": (f.value > 0) - (f.value < 0), "statement": cause_of(f)}
+            for f in found.factors
+            if f.live and isfinite(f.value) and _continuous(f, len(found.factors))
+        ],
     }
+
+
+def _continuous(f: ConditionFactor, number: int) -> bool:
+    """Whether its sign changes only where it is 0. A quotient by a cofactor has poles, unless it is the only factor."""
+    return not f.cofactor or number == 1
 
 
 def motion_view(twist: Twist, centre: tuple[float, ...], unit: str) -> MotionView:

@@ -29,6 +29,7 @@ from gcrules.poses.numbers.many import homogeneous, scaled_superbracket
 from gcrules.poses.numbers.many import numbers as numbers_of
 from gcrules.poses.numbers.report import PoseReading
 from gcrules.poses.pose_report import readings_at, report_of_legs
+from gcrules.poses.signs.of_legs import signs_of_legs
 from gcrules.screws.guarantees import ROUNDING
 from gcrules.screws.margin import jacobian
 from gcrules.screws.pose import Pose
@@ -83,7 +84,13 @@ def _of_legs(m: SixLegs, subject: Subject, pose: PoseJson, threshold: str | None
         "motion": motion_view(found.softest, tuple(j.centroid[0].tolist()), m.unit) if near else None,
         "stress": list(found.stress) if near else [],
         "limbs": limb_views(subject.robot, {**subject.home, **places}) if subject.robot else [],
+        "skeleton": None,
+        "directions": {},
         "notes": list(actuator_notes(found.jacobian.amplification, m.unit)),
+        "signs": [
+            {"expression": s.expression, "sign": s.sign, "statement": s.statement}
+            for s in signs_of_legs(m, exact_pose(pose))
+        ],
     }
 
 
@@ -125,7 +132,10 @@ def _by_lines(subject: Subject, pose: PoseJson, limit: Threshold) -> Numbers:
         "motion": scenery.motion(places),
         "stress": [],
         "limbs": [],
+        "skeleton": None,
+        "directions": {},
         "notes": [],
+        "signs": [],
     }
 
 

@@ -48,19 +48,26 @@ PosedAt = Callable[[int], PoseJson | None]
 
 
 def path_view(
-    subject: Subject, start: PoseJson | None, goal: PoseJson, to: str | None, limit: str | None, *, around: bool
+    subject: Subject,
+    start: PoseJson | None,
+    goal: PoseJson,
+    to: str | None,
+    limit: str | None,
+    *,
+    around: bool,
+    through: Sequence[PoseJson] = (),
 ) -> PathAnswer:
-    """The path from `start`, or home, to `goal`, or to the pose that the text says: straight, or on a way `around`
-    singular poses if one is found.
+    """The path from `start`, or home, to `goal`, or to the pose that the text says: straight from pose to pose
+    `through` others, or on a way `around` singular poses if one is found.
 
     Raises InputError where there is no such path.
     """
     m = subject.mechanism
-    poses, posed = method(_ENDS, m, "a path")(start, goal, to)
+    poses, posed = method(_ENDS, m, "a path")(start, goal, to, through)
     detour = None
     if around:
         report("looking for a way")
-        found = plan_of(m, *poses)
+        found = plan_of(m, poses[0], poses[-1])
         detour = _detour(found)
         poses = list(found.poses) or poses
     report("going along the path")
@@ -73,24 +80,24 @@ def _detour(found: Plan) -> DetourView:
 
 
 def _of_legs(
-    m: SixLegs, start: PoseJson | None, goal: PoseJson, to: str | None
+    m: SixLegs, start: PoseJson | None, goal: PoseJson, to: str | None, through: Sequence[PoseJson]
 ) -> tuple[list[Any], Callable[[Any], PosedAt]]:
     first = Pose() if start is None else exact_pose(start)
 
     def posed(r: PathReport) -> PosedAt:
         return lambda k: {"translation": r.translations[k].tolist(), "quaternion": r.quaternions[k].tolist()}
 
-    return [first, exact_pose(goal) if to is None else to], posed
+    return [first, *map(exact_pose, through), exact_pose(goal) if to is None else to], posed
 
 
 def _of_limbs(
-    m: Limbs, start: PoseJson | None, goal: PoseJson, to: str | None
+    m: Limbs, start: PoseJson | None, goal: PoseJson, to: str | None, through: Sequence[PoseJson]
 ) -> tuple[list[Any], Callable[[Any], PosedAt]]:
     def posed(r: RobotPath) -> PosedAt:
         lead = [r.actuators.index(a) for a in leading(m.linkage)]
         return lambda k: reached(m, r.actuator_values[k][lead], r.names, r.coordinates[k])
 
-    return poses_of_limbs(m, start, goal, to), posed
+    return poses_of_limbs(m, start, goal, to, through), posed
 
 
 _ENDS: Methods[tuple[list[Any], Callable[[Any], PosedAt]]] = {SixLegs: _of_legs, Limbs: _of_limbs}

@@ -14,7 +14,7 @@ from gcrules.apps.studio.items import fact, formula, sentence, table
 from gcrules.apps.studio.limbs import limb_stages, part_items
 from gcrules.apps.studio.protocol.study_views import Item, OrdersItem, Piece, StageView, StepView
 from gcrules.apps.studio.subject import Subject
-from gcrules.apps.studio.theory import THEORY
+from gcrules.apps.studio.theory import THEORY, WHY_OF_KINDS
 from gcrules.conditions.analysis import Analysis
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.rules.condition import Entity
@@ -38,14 +38,16 @@ def stage_views(subject: Subject) -> list[StageView]:
     if subject.robot is not None:
         found += [stage(key, items) for key, items in limb_stages(subject.robot)]
     if subject.analysis is not None:
-        found += [stage(key, items) for key, items in _stages(subject.analysis, subject.robot)]
+        kind = subject.analysis.condition.kind
+        found += [stage(key, items, kind) for key, items in _stages(subject.analysis, subject.robot)]
     return found
 
 
-def stage(key: str, items: Iterable[Item]) -> StageView:
-    """A stage with the words that belong to it."""
+def stage(key: str, items: Iterable[Item], kind: str = "") -> StageView:
+    """A stage with the words that belong to it, where the condition is of that kind."""
     theory = THEORY[key]
-    return {"id": key, "title": TITLES[key], "why": theory.why, "more": list(theory.more), "items": list(items)}
+    why = WHY_OF_KINDS.get((key, kind), theory.why)
+    return {"id": key, "title": TITLES[key], "why": why, "more": list(theory.more), "items": list(items)}
 
 
 def _stages(a: Analysis, robot: RobotAnalysis | None) -> Iterator[tuple[str, list[Item]]]:

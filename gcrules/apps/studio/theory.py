@@ -10,7 +10,7 @@ from collections.abc import Mapping
 
 from gcrules.core.dataclass import dataclass
 
-__all__ = ["THEORY", "Theory"]
+__all__ = ["THEORY", "WHY_OF_KINDS", "Theory"]
 
 
 @dataclass(frozen=True)
@@ -173,3 +173,12 @@ THEORY: Mapping[str, Theory] = {
         ),
     ),
 }
+
+WHY_OF_KINDS: Mapping[tuple[str, str], str] = {
+    ("condition", "linear-complex"): "No expression of a few planes, lines and points was found for this structure. "
+    "The superbracket itself is the condition: it vanishes exactly when the six lines are dependent, which is to say "
+    "that they belong to one linear complex.",
+    ("condition", "always-singular"): "There is no condition to look for: the superbracket vanishes wherever the "
+    "joints are, so that the robot is singular in every pose.",
+}
+"""What the step says instead, for a kind of condition that it would not be true of."""

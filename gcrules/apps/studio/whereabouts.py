@@ -50,17 +50,22 @@ def pose_json(pose: Pose) -> PoseJson:
     return {"translation": [float(c) for c in pose.translation], "quaternion": list(pose.unit_quaternion)}
 
 
-def poses_of_limbs(limbs: Limbs, start: PoseJson | None, goal: PoseJson, to: str | None) -> list[Any]:
+def poses_of_limbs(
+    limbs: Limbs, start: PoseJson | None, goal: PoseJson, to: str | None, through: Sequence[PoseJson] = ()
+) -> list[Any]:
     """Poses for a path, which name the same coordinates: those of the text, else independent ones. Raises InputError
     where the robot does not assemble.
     """
     target = None if to in (None, HOME) else target_of(limbs.linkage, to, None)
     names = free_coordinates(limbs.linkage) if target is None else target.names
     last: Any = to if to is not None else coordinates_at(limbs, goal, names)
-    if start is None:
-        return [HOME, last]
-    first = coordinates_at(limbs, start, names)
-    return [pose_of(first) if target is not None and target.whole is not None else first, last]
+    whole = target is not None and target.whole is not None
+
+    def named(pose: PoseJson) -> Any:
+        found = coordinates_at(limbs, pose, names)
+        return pose_of(found) if whole else found
+
+    return [HOME if start is None else named(start), *map(named, through), last]
 
 
 def solved_at(limbs: Limbs, pose: PoseJson) -> Configuration:

@@ -250,8 +250,8 @@ def _verdict(m: Linkage, near: LimbMargin, own: Sequence[float], limit: Threshol
         words += " not bound how far a singular configuration is"
     else:
         certain = "It is only certain that,"
-        words = "the limbs' own singularities apart, there is no singular configuration before the wrenches of some"
-        words += f" limb have turned by {degrees(turn)} relative to the platform"
+        words = "the limbs' own singularities apart, no configuration is singular while the wrenches of every limb"
+        words += f" turn by less than {degrees(turn)} relative to the platform"
     if word == "regular":
         return word, f"{_capital(words)} (threshold {limit.text})."
     return word, f"{certain} {words}; the threshold is {limit.text}."

@@ -142,7 +142,7 @@ class LegsTask(InLayers, HoldsArrays):
         if self.everywhere:
             return "the superbracket is the zero polynomial on this slice, exactly: every pose is singular"
         if self.factors is None and self._quick:
-            return f"none: {crossed:,} cells are crossed by a change of sign; --measure margin proves others free"
+            return f"none: {crossed:,} cells are crossed by a change of sign; a map of the margin proves others free"
         if self.factors is not None:
             how = "the superbracket is an exact polynomial there, its Bernstein coefficients show its signs"
         else:

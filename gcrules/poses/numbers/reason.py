@@ -47,7 +47,8 @@ def verdict(
         words = f"t this orientation no singular pose is nearer than {length} (threshold {threshold.text})."
         return ("regular", f"A{words}") if safe else ("close", f"Singular poses may be near: a{words}")
     safe_turn = turn_of(sigma - spread)
-    words = f"singular pose before some leg has turned by {degrees(min(turn, safe_turn))} relative to the platform"
+    least = degrees(min(turn, safe_turn))
+    words = f"no pose is singular while every leg turns by less than {least} relative to the platform"
     if word == "regular":
-        return word, f"No {words} (threshold {threshold.text})."
-    return word, f"It is only certain that there is no {words}; the threshold is {threshold.text}."
+        return word, f"N{words[1:]} (threshold {threshold.text})."
+    return word, f"It is only certain that {words}; the threshold is {threshold.text}."

@@ -12,7 +12,7 @@ with # are left out.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from math import radians
 
@@ -21,9 +21,10 @@ from gcrules.core.errors import FileError, GcrulesError, InputError, LimitReache
 from gcrules.core.yaml_file import read_text
 from gcrules.poses.paths.columns import FORMS, Cell, Columns, placed, read_columns, read_coordinates
 from gcrules.screws.pose import Pose, read_number, unit_note
+from gcrules.screws.pose_text import ANGLES
 from gcrules.screws.rotations import IDENTITY, Quaternion, from_euler, from_vector
 
-__all__ = ["MAX_BYTES", "MAX_POSES", "load_poses", "load_targets", "read_poses"]
+__all__ = ["MAX_BYTES", "MAX_POSES", "load_poses", "load_targets", "read_poses", "read_targets", "table_text"]
 
 MAX_BYTES = 20_000_000
 MAX_POSES = 100_000
@@ -66,9 +67,29 @@ def load_targets(path: str, unit: str = "") -> Sequence[Pose | dict[str, float]]
     """The poses of a file for a robot of joints: where its columns are coordinates of the platform ("z", "roll [deg]")
     these by name, angles in rad; else as `load_poses`. Raises InputError and FileError.
     """
-    text = read_text(path, limit=MAX_BYTES)
-    found = _by_coordinates(text, unit, path)
-    return read_poses(text, unit, path)[0] if found is None else found
+    return read_targets(read_text(path, limit=MAX_BYTES), unit, path)
+
+
+def read_targets(text: str, unit: str = "", filename: str = "<input>") -> Sequence[Pose | dict[str, float]]:
+    """The same of a text."""
+    found = _by_coordinates(text, unit, filename)
+    return read_poses(text, unit, filename)[0] if found is None else found
+
+
+def table_text(poses: Sequence[Pose | Mapping[str, float]], unit: str = "") -> str:
+    """A table of poses of one kind, which is read back; coordinates by name are in rad and in the unit of lengths."""
+    if not poses:
+        return ""
+    first = poses[0]
+    if isinstance(first, Pose):
+        bracket = f" [{unit}]" if unit else ""
+        header = [*(f"{n}{bracket}" for n in "xyz"), "qw", "qx", "qy", "qz"]
+        rows = [[*map(float, p.translation), *p.unit_quaternion] for p in poses if isinstance(p, Pose)]
+    else:
+        header = [f"{n} [rad]" if n in ANGLES else n for n in first]
+        rows = [list(p.values()) for p in poses if not isinstance(p, Pose)]
+    lines = [header, *([repr(x + 0.0).removesuffix(".0") for x in row] for row in rows)]
+    return "".join(f"{','.join(line)}\n" for line in lines)
 
 
 def _by_coordinates(text: str, unit: str, path: str) -> list[dict[str, float]] | None:

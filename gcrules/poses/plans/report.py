@@ -9,8 +9,8 @@ from gcrules.core.dataclass import dataclass
 from gcrules.core.shown import Shown
 from gcrules.poses.limbs.path_report import RobotPath
 from gcrules.poses.paths.report import PathReport
+from gcrules.poses.paths.table import table_text
 from gcrules.screws.pose import Pose
-from gcrules.screws.pose_text import ANGLES
 
 __all__ = ["OpposedSign", "Plan", "Search", "Waypoint", "pose_json"]
 
@@ -114,18 +114,7 @@ class Plan(Shown):
 
     def csv(self) -> str:
         """A table of the way's poses; that of a platform on six legs `gcrules path --poses` reads."""
-        if not self.poses:
-            return ""
-        first = self.poses[0]
-        if isinstance(first, Pose):
-            unit = f" [{self.unit}]" if self.unit else ""
-            header = [*(f"{n}{unit}" for n in "xyz"), "qw", "qx", "qy", "qz"]
-            rows = [[*map(float, p.translation), *p.unit_quaternion] for p in self.poses if isinstance(p, Pose)]
-        else:
-            header = [f"{n} [rad]" if n in ANGLES else n for n in first]
-            rows = [list(p.values()) for p in self.poses if not isinstance(p, Pose)]
-        lines = [header, *([repr(x + 0.0).removesuffix(".0") for x in row] for row in rows)]
-        return "".join(f"{','.join(line)}\n" for line in lines)
+        return table_text(self.poses, self.unit)
 
     def __repr__(self) -> str:
         if self.path is None:

@@ -56,6 +56,8 @@ NEAR = 0.03
 """Planes and lines that miss a point by less than this share of the robot's size are shown with it, marked as near."""
 MET = 1e-9
 """Below this share they meet in it."""
+_FARTHEST, _SEEN = 100.0, 3.0
+"""In sizes of the robot: how far a point is told in which all meet, and one near which they pass."""
 
 
 def scene(analysis: Analysis, pose: AnyPose = None) -> SceneData:
@@ -186,7 +188,8 @@ class Scenery:
         if len(sizes) < 4 or sizes[2] < MET:
             return None, 1.0
         *xyz, w = map(float, right[3])
-        if abs(w) * 3 < max(map(abs, xyz)):  # at infinity, or too far away to be seen
+        reach = _FARTHEST if sizes[3] <= MET * abs(w) else _SEEN
+        if abs(w) * reach < max(map(abs, xyz)):  # at infinity, or too far away to be told
             return None, 1.0
         x, y, z = (c / w * self.size + o for c, o in zip(xyz, m, strict=True))
         return (x, y, z), float(sizes[3] / abs(w))

@@ -6,7 +6,7 @@ another way, is a carriage on a rail; a limb whose axes all pass through one poi
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import field
 from itertools import pairwise
 from math import atan2, cos, dist, sin
@@ -20,7 +20,7 @@ from gcrules.views.drawing.bsp import XYZ, cross, dot, minus
 from gcrules.views.drawing.frame import Unit
 from gcrules.views.drawing.solids import center
 
-__all__ = ["DrawnJoint", "DrawnLimb", "Rod", "chains", "plus", "unit_vector"]
+__all__ = ["DrawnJoint", "DrawnLimb", "Rod", "bodies", "chains", "plus", "unit_vector"]
 
 _SPHERE = 1.0
 _RAIL = 0.3
@@ -96,6 +96,16 @@ def chains(family: Family, limbs: Sequence[LimbSpec], values: Values) -> tuple[U
         _join_bodies(own)
         found += own
     return unit, found
+
+
+def bodies(made: Sequence[DrawnLimb]) -> tuple[tuple[XYZ, ...], tuple[XYZ, ...]]:
+    """The corners of the platform and those of the base: where limbs end and begin, each place once."""
+    several = [c for c in made if len(c.limb.joints) > 1] or made
+    return _corners(c.head for c in several if c.end == PLATFORM), _corners(c.foot for c in several if c.start == BASE)
+
+
+def _corners(places: Iterable[XYZ]) -> tuple[XYZ, ...]:
+    return tuple({tuple(round(c, 9) for c in p): p for p in places}.values())
 
 
 def _join_bodies(parts: Sequence[DrawnLimb]) -> None:

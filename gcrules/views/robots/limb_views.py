@@ -18,7 +18,7 @@ from gcrules.mechanisms.lines.wrenches import LimbWrenches, WrenchLine
 from gcrules.screws import FLOATS, JOINTS
 from gcrules.views.scene_data import JointView, LimbView, LineView, Vec3
 
-__all__ = ["Values", "all_places", "directions", "drawn_parts", "limb_views", "wrench_words"]
+__all__ = ["Values", "all_places", "directions", "drawn_parts", "limb_views", "unit_directions", "wrench_words"]
 
 Floats = NDArray[np.float64]
 Values = Mapping[str, Sequence[float] | Floats]
@@ -70,6 +70,13 @@ def directions(robot: RobotAnalysis) -> set[str]:
     """The names that are directions."""
     own = {n for n, sort in robot.robot.family.sorts.items() if sort == "direction"}
     return own | {d.name for d in robot.structure.derived if not d.is_point}
+
+
+def unit_directions(robot: RobotAnalysis, values: Values) -> dict[str, Vec3]:
+    """Unit vectors of all directions in a configuration; those that are no direction there are left out."""
+    places = all_places(robot, values)
+    sizes = {n: float(np.linalg.norm(places[n])) for n in sorted(directions(robot)) if n in places}
+    return {n: [float(c) / size for c in places[n]] for n, size in sizes.items() if size > 0}
 
 
 def _sum(term: Term, places: Mapping[str, Floats]) -> Floats:

@@ -2,14 +2,13 @@ r"""A robot in a configuration, ready to be drawn: its points in space, the view
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from itertools import combinations
 from math import dist
 
 from gcrules.core.dataclass import dataclass
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
-from gcrules.mechanisms.description.limb_file import BASE, PLATFORM
 from gcrules.poses.limbs.exact_values import Values, lines_at
 from gcrules.views.drawing.bsp import XYZ, minus
 from gcrules.views.drawing.frame import Frame, Unit, framed
@@ -17,7 +16,7 @@ from gcrules.views.drawing.palette import entity_role
 from gcrules.views.drawing.solids import center, flat_normal
 from gcrules.views.drawing.viewpoint import View, choose_view
 from gcrules.views.robots.forces import REACH, forces
-from gcrules.views.robots.joint_chain import DrawnLimb, chains, plus, unit_vector
+from gcrules.views.robots.joint_chain import DrawnLimb, bodies, chains, plus, unit_vector
 
 __all__ = ["HEIGHT", "TOP", "WIDTH", "Scene", "joint_names", "scene"]
 
@@ -71,9 +70,7 @@ def scene(a: RobotAnalysis, values: Values, normals: Sequence[XYZ] = ()) -> Scen
             points[name] = unit.place([c / p[3] for c in p[:3]])
         elif any(p):
             ideal[name] = unit_vector((float(p[0]), float(p[1]), float(p[2])))
-    several = [c for c in made if len(c.limb.joints) > 1]
-    plate = _corners(c.head for c in several or made if c.end == PLATFORM)
-    base = _corners(c.foot for c in several or made if c.start == BASE)
+    plate, base = bodies(made)
     joints = {f"{i}/{k}": p.at for i, c in enumerate(made) for k, p in enumerate(c.places) if p.kind != "pin"}
     shown = {**joints, **{n: points[n] for n in _used(a) if n in points}}
     strokes = [(f"{i}/{k}:", f":{i}/{k}") for i, c in enumerate(made) for k, _ in enumerate(c.strokes)]
@@ -85,11 +82,6 @@ def scene(a: RobotAnalysis, values: Values, normals: Sequence[XYZ] = ()) -> Scen
     roles = {limb.limb.name: entity_role(i) for i, limb in enumerate(a.structure.limbs)}
     frame = framed(view, everything, WIDTH, HEIGHT, _MARGIN, TOP)
     return Scene(a, tuple(made), points, ideal, roles, plate, base, frame, unit, everything)
-
-
-def _corners(places: Iterable[XYZ]) -> tuple[XYZ, ...]:
-    """Each place once."""
-    return tuple({tuple(round(c, 9) for c in p): p for p in places}.values())
 
 
 def _normals(plate: Sequence[XYZ]) -> list[XYZ]:

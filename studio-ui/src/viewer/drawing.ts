@@ -1,5 +1,5 @@
 // What is drawn: faces, rods, balls, cones and labels in space with their colours, whoever draws them.
-import { blend, colourOf, entityRole, type Role } from "./palette";
+import { blend, colourOf, entityRole, legible, type Role } from "./palette";
 import type { Outline } from "./solids";
 import type { Highlight, Layer, Scene, Theme, Vec3 } from "./types";
 import { along, distance, mix, sub, unit } from "./vectors";
@@ -73,6 +73,9 @@ export interface State {
 /** Lengths as shares of the scene's size. */
 export const SIZES = { joint: 0.021, leg: 0.0085, line: 0.0055, edge: 0.003, margin: 0.13, extra: 0.3, far: 2.2 };
 
+/** Of one line: through joints far apart they grow longer, not more. */
+const MOST_DASHES = 120;
+
 /** Collects what is drawn, in the colours of a theme. */
 export class Drawing implements Model {
   readonly faces: Face[] = [];
@@ -91,7 +94,7 @@ export class Drawing implements Model {
   }
 
   constructor(readonly scene: Scene, readonly state: State) {
-    const places = [...jointsOf(scene), ...(scene.plate ?? []), ...(scene.bars ?? []).flat()];
+    const places = [...jointsOf(scene), ...(scene.plate ?? []), ...(scene.bars ?? []).flat(), ...framed(scene)];
     const bound = (k: 0 | 1 | 2, of: (...numbers: number[]) => number) => of(...places.map((p) => p[k]));
     const half = (k: 0 | 1 | 2) => (bound(k, Math.min) + bound(k, Math.max)) / 2;
     this.middle = places.length ? [half(0), half(1), half(2)] : [0, 0, 0];
@@ -107,7 +110,7 @@ export class Drawing implements Model {
     this.rods.push({ a, b, colour, radius: SIZES.line * this.scene.size, solid: false, ...more });
   }
   dashes(a: Vec3, b: Vec3, colour: string, more: Partial<Rod> = {}): void {
-    const count = Math.max(1, Math.round(distance(a, b) / (0.085 * this.scene.size)));
+    const count = Math.min(Math.max(1, Math.round(distance(a, b) / (0.085 * this.scene.size))), MOST_DASHES);
     for (let k = 0; k < count; k++) this.line(mix(a, b, (k + 0.2) / count), mix(a, b, (k + 0.8) / count), colour, more);
   }
   ball(at: Vec3, radius: number, fill: string, rim: string, width = 1): void {
@@ -120,9 +123,15 @@ export class Drawing implements Model {
     this.cones.push({ base: neck, tip: b, radius: 0.024 * size, colour });
   }
   tag(text: string, at: Vec3, colour: string, look: Tag["look"], more: Partial<Tag> = {}): void {
-    if (this.shows("labels")) this.tags.push({ text, at, colour, look, clear: 0, strong: false, upright: false, ...more });
+    if (!this.shows("labels")) return;
+    const dims = Boolean(this.state.highlight?.entities?.length); // what is not pointed at is pale on purpose
+    this.tags.push({ text, at, colour: dims ? colour : legible(colour, this.state.theme), look, clear: 0, strong: false, upright: false, ...more });
   }
 }
+
+/** The places of a skeleton, its axes apart, which may be long. */
+const framed = ({ skeleton }: Scene): Vec3[] =>
+  skeleton ? [...skeleton.platform, ...skeleton.base, ...skeleton.strokes.flatMap(({ ends, look }) => (look === "axis" ? [] : ends))] : [];
 
 /** The places of the points that are drawn. */
 export function jointsOf(scene: Scene): Vec3[] {

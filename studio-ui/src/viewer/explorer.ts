@@ -36,6 +36,8 @@ const LIMB_VERDICTS = {
   close: "Warning: close to singular.",
   singular: "Warning: singular within rounding: the limbs do not control the platform here.",
 };
+const SUPERBRACKET = "The superbracket is the determinant of the six lines, 0 at a singular pose.";
+const MARGIN = "The margin is 0 at a singular pose and at most 1; it knows neither frame nor unit.";
 type Row = [string, HTMLElement | string];
 const gain = (motion: PoseNumbers["motion"]): Row[] => (motion ? [["Gained motion", motion.text]] : []);
 const MODES: [Mode, string, string][] = [
@@ -64,12 +66,13 @@ export function explore(host: HTMLElement, first: Scene, options: ExplorerOption
   const side = make("div", { class: "gcx-side" });
   const verdict = make("p", { class: "gcx-verdict", role: "status" });
   const table = make("dl", { class: "gcx-numbers" });
+  const meaning = make("p", { class: "gcx-meaning" });
   const legend = make("ul", { class: "gcx-legend" });
   const sliders = AXES.map((name, i) => slider(name, i));
   const swing = make("input", { type: "checkbox" });
   const gained = make("label", { class: "gcx-motion" }, swing, " show the motion that the platform gains");
   const home = button("Home", "The pose of the file", () => move(IDENTITY, true));
-  side.append(verdict, table, gained, make("div", { class: "gcx-sliders" }, ...sliders.map((s) => s.row)), home, legend);
+  side.append(verdict, table, meaning, gained, make("div", { class: "gcx-sliders" }, ...sliders.map((s) => s.row)), home, legend);
   let drives: Drives | null = null;
   const bar = make("div", { class: "gcx-bar" });
   root.append(bar, canvas, side);
@@ -108,13 +111,14 @@ export function explore(host: HTMLElement, first: Scene, options: ExplorerOption
   function start(next: Scene): void {
     scene = next;
     root.classList.toggle("gcx-still", !next.recipe && !next.linkage);
+    meaning.textContent = next.recipe ? `${SUPERBRACKET} ${MARGIN}` : MARGIN;
     root.classList.toggle("gcx-driven", Boolean(next.linkage)); // a robot of joints, moved by its actuators
     drives?.root.remove();
     pose = next.pose ?? IDENTITY;
     viewer.show(next);
     drives = next.linkage ? drivesOf(viewer, { ...next, linkage: next.linkage }, tell) : null;
     if (drives) {
-      table.after(gained, drives.root);
+      meaning.after(gained, drives.root);
       drives.start();
     }
     sliders.forEach((s, i) => {

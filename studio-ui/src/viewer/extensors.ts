@@ -61,6 +61,9 @@ function equations(a: Extensor): number[][] {
   return Array.from({ length: 16 }, (_, mask) => columns.map((c) => c[mask]!)).filter((row) => row.some((c) => c));
 }
 
+/** In sizes of the robot: how far a point is told in which all meet, and one near which they pass; as in `Scenery`. */
+const [FARTHEST, SEEN] = [100, 3];
+
 /** The finite point nearest to all extensors and how far off they are; coordinates of about 1 are expected. Below `met`
  * singular values count as 0. */
 export function common(parts: readonly Extensor[], met: number): { at: Vec3; miss: number } | null {
@@ -68,6 +71,7 @@ export function common(parts: readonly Extensor[], met: number): { at: Vec3; mis
   if (rows.length < 4) return null;
   const { values, vectors } = singular(rows);
   const [x, y, z, w] = vectors[3] as [number, number, number, number];
-  if (values[2]! < met || Math.abs(w) * 3 < Math.max(Math.abs(x), Math.abs(y), Math.abs(z))) return null;
+  const reach = values[3]! <= met * Math.abs(w) ? FARTHEST : SEEN;
+  if (values[2]! < met || Math.abs(w) * reach < Math.max(Math.abs(x), Math.abs(y), Math.abs(z))) return null;
   return { at: [x / w, y / w, z / w], miss: values[3]! / Math.abs(w) };
 }

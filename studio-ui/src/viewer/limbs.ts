@@ -12,11 +12,26 @@ export function drawnLimbs(d: Drawing): void {
       d.rods.push({ a, b, radius: 0.7 * SIZES.leg * d.scene.size, colour: d.colour("leg"), solid: true });
       for (const end of [a, b]) d.ball(end, 0.7 * SIZES.joint * d.scene.size, d.colour("paper"), d.colour("ink"), 1.3);
     }
+  skeleton(d);
   for (const limb of d.scene.limbs ?? []) {
     const colour = d.entityColour(limb.colour);
-    links(d, limb);
+    if (!d.scene.skeleton) links(d, limb);
     limb.joints.forEach((joint, i) => jointShape(d, joint, placeOf(limb.joints, i)));
     for (const line of limb.lines) wrench(d, limb, line, colour);
+  }
+}
+
+const WIDTHS: Record<string, number> = { link: 1, bar: 0.7, rail: 0.5, axis: 0.3 };
+
+/** Links, rods, rails and arcs as on paper; the ends of bars are balls. */
+function skeleton(d: Drawing): void {
+  const { skeleton: found, size } = d.scene;
+  for (const { ends, look } of found?.strokes ?? []) {
+    const [a, b] = ends as [Vec3, Vec3];
+    if (distance(a, b) <= 1e-6 * size) continue;
+    const colour = look === "axis" ? d.colour("muted") : d.colour("leg");
+    d.rods.push({ a, b, radius: (WIDTHS[look] ?? 1) * SIZES.leg * size, colour, solid: true });
+    if (look === "bar") for (const end of [a, b]) d.ball(end, 0.6 * SIZES.joint * size, d.colour("paper"), d.colour("ink"), 1.3);
   }
 }
 

@@ -4,7 +4,10 @@ import { drawnLimbs } from "./limbs";
 import { drawnMotion, swung } from "./motion";
 import { body, disc, patch, stretched, throughBall, volume, type Outline } from "./solids";
 import type { Scene, SceneEntity, Vec3 } from "./types";
-import { centre, distance } from "./vectors";
+import { along, centre, distance, sub, unit } from "./vectors";
+
+/** Letters of an entity's name that are written beside it; a longer one stands in the legend alone. */
+const LONGEST_LABEL = 20;
 
 export function modelOf(scene: Scene, state: State): Model {
   const d = new Drawing(scene, state);
@@ -28,7 +31,8 @@ export function modelOf(scene: Scene, state: State): Model {
 function bodies(d: Drawing, points: Record<string, Vec3>, pale: number, ghost = false): void {
   for (const role of ghost ? (["platform"] as const) : (["base", "platform"] as const)) {
     const named = d.scene[role].flatMap((n) => (points[n] ? [points[n]] : []));
-    const corners = role === "platform" && named.length < 3 && !ghost && d.scene.plate ? d.scene.plate : named;
+    const own = d.scene.skeleton?.[role] ?? (role === "platform" ? d.scene.plate : undefined);
+    const corners = named.length < 3 && !ghost && own ? own : named;
     const colour = d.pale(ghost ? d.colour("mark") : d.colour(role), pale);
     const rim = SIZES.edge * d.scene.size;
     for (const outline of body(corners)) d.faces.push({ ...outline, colour, fill: 0.26, rim });
@@ -64,7 +68,8 @@ function emphasis(d: Drawing, id: string): number {
 function entityShape(d: Drawing, e: SceneEntity): void {
   const { scene } = d;
   const corners = e.points.flatMap((n) => (scene.points[n] ? [scene.points[n]] : []));
-  if (corners.length < e.points.length) return;
+  const ways = e.points.flatMap((n) => (scene.directions?.[n] ? [scene.directions[n] as Vec3] : []));
+  if (corners.length === 0 || corners.length + ways.length < e.points.length) return; // at infinity, or not known
   const strength = emphasis(d, e.id);
   const colour = strength < 1 ? d.pale(d.entityColour(e.colour), 0.55) : d.entityColour(e.colour);
   const marks = (scene.constructed ?? []).flatMap((c) =>
@@ -74,24 +79,37 @@ function entityShape(d: Drawing, e: SceneEntity): void {
   const calm = d.state.swing !== null && scene.motion && d.shows("motion") ? 0.4 : 1; // what moves comes first
   const face = (outline: Outline, fill: number) =>
     d.faces.push({ ...outline, colour, fill: Math.min(0.55, fill * strength * calm), rim, entity: e.id });
-  const label = (at: Vec3) => d.tag(e.label, at, colour, "entity", { strong: strength > 1 });
+  const label = (at: Vec3) => {
+    if (e.label.length <= LONGEST_LABEL) d.tag(e.label, at, colour, "entity", { strong: strength > 1 });
+  };
   const all = (ring: Vec3[]): Outline => ({ corners: ring, edges: ring.map(() => true) });
-  if (e.kind === "tetrahedron") {
+  if (e.kind === "tetrahedron" && ways.length > 0) {
+    // flat when its directions and the lines between its points lie in one plane
+    const reach = 0.45 * scene.size;
+    ways.forEach((u) => d.arrow(corners[0]!, along(corners[0]!, u, reach), colour, strength > 1 ? 1.3 : 0.9));
+    corners.slice(1).forEach((c) => d.line(corners[0]!, c, colour, { entity: e.id }));
+    label(along(corners[0]!, ways[0]!, reach));
+  } else if (e.kind === "tetrahedron") {
     if (Math.abs(volume(corners, scene.size)) < 1e-9) body(corners).forEach((outline) => face(outline, 0.34));
     else for (const out of corners) face(all(corners.filter((c) => c !== out)), 0.13);
     label(centre(corners));
   } else if (e.kind === "plane") {
     // within three hundredths of the size a mark is where the planes nearly meet
-    const ring = patch(corners, SIZES.margin * scene.size, marks, 0.04 * scene.size);
+    const ring = patch([...corners, ...strips(corners, ways, 0.35 * scene.size)], SIZES.margin * scene.size, marks, 0.04 * scene.size);
     if (!ring) return;
     face(all(ring), 0.24);
     label(apart(d, ring));
   } else if (e.kind === "line") {
-    const [a, b] = stretched(corners[0]!, corners[1]!, SIZES.extra * scene.size, marks);
+    const [from, to] = [corners[0]!, corners[1] ?? along(corners[0]!, ways[0]!, scene.size)];
+    const [a, b] = stretched(from, to, SIZES.extra * scene.size, marks);
     d.dashes(a, b, colour, { entity: e.id, radius: SIZES.line * scene.size * (strength > 1 ? 1.5 : 1) });
     label(a[2] > b[2] ? a : b);
   }
 }
+
+/** Places beside points, both ways along directions: what shows that a plane goes on to points at infinity. */
+const strips = (points: readonly Vec3[], ways: readonly Vec3[], reach: number): Vec3[] =>
+  ways.flatMap((u) => points.flatMap((p) => [along(p, u, -reach), along(p, u, reach)]));
 
 /** The place on a ring that is farthest from the labels of other entities and from marks, rather outside than inside. */
 function apart(d: Drawing, ring: Vec3[]): Vec3 {
@@ -107,7 +125,7 @@ function constructions(d: Drawing): void {
   const { scene } = d;
   (scene.constructed ?? []).forEach((c, i) => {
     if (c.kind === "point") {
-      if (distance(c.at, d.middle) > SIZES.far * d.radius) return;
+      if (distance(c.at, d.middle) > SIZES.far * d.radius) return pointedTo(d, c.at, c.label);
       const radius = SIZES.joint * scene.size;
       d.ball(c.at, radius, d.colour("mark"), d.colour("paper"), 1.28);
       d.tag(c.label, c.at, d.colour("mark"), "construction", { clear: radius * 1.3, strong: true });
@@ -127,6 +145,15 @@ function constructions(d: Drawing): void {
     d.faces.push({ corners: ring, edges: ring.map(() => true), colour, fill: 0.2, rim: SIZES.edge * scene.size });
     d.tag(plane.label, apart(d, ring), colour, "entity");
   });
+}
+
+/** An arrow at the edge of the robot towards what is too far to be seen with it, and how far that is from its middle. */
+function pointedTo(d: Drawing, at: Vec3, label: string): void {
+  const way = unit(sub(at, d.middle));
+  const [from, tip] = [along(d.middle, way, 0.85 * d.radius), along(d.middle, way, 1.2 * d.radius)];
+  const far = Number(distance(at, d.middle).toPrecision(3));
+  d.arrow(from, tip, d.colour("mark"));
+  d.tag(`${label}, ${far}${d.scene.unit && ` ${d.scene.unit}`} away`, tip, d.colour("mark"), "construction", { strong: true, upright: true });
 }
 
 /** Joints of the base are filled, those of the platform are rings, as in the figures on paper. */

@@ -16,5 +16,9 @@ export function runs(label: string): Run[] {
   return found;
 }
 
+/** Names side by side; words are set apart, as `entity_label` of the engine does it. */
+export const sideBySide = (names: readonly string[]): string =>
+  names.join(names.every((name) => name.replace(/['*]+$/, "").length <= 2) ? "" : " ");
+
 /** The same as plain text for pictures' titles and screen readers. */
 export const spoken = (label: string): string => label.replaceAll("*", " star").replaceAll("'", " prime");

@@ -26,6 +26,27 @@ export const colourOf = (role: Role, theme: Theme): string => ROLES[role][theme 
 /** The role of the entity with this number, counted from 0; after six they repeat. */
 export const entityRole = (number: number): Role => ENTITIES[((number % 6) + 6) % 6]!;
 
+const CONTRAST = 4.5; // of words to what is behind them
+
+function luminance(colour: string): number {
+  const [r, g, b] = [1, 3, 5].map((at) => {
+    const share = parseInt(colour.slice(at, at + 2), 16) / 255;
+    return share <= 0.03928 ? share / 12.92 : ((share + 0.055) / 1.055) ** 2.4;
+  }) as [number, number, number];
+  return 0.2126 * r + 0.7152 * g + 0.0722 * b;
+}
+
+export function contrast(a: string, b: string): number {
+  const [low, high] = [luminance(a), luminance(b)].sort((x, y) => x - y) as [number, number];
+  return (high + 0.05) / (low + 0.05);
+}
+
+/** A colour for words, as much nearer to that of ink as they need to be read on paper. */
+export function legible(colour: string, theme: Theme): string {
+  const steps = [0, 0.1, 0.2, 0.3, 0.4, 0.5].map((t) => blend(colour, colourOf("ink", theme), t));
+  return steps.find((one) => contrast(one, colourOf("paper", theme)) >= CONTRAST) ?? steps.at(-1)!;
+}
+
 /** A colour between two, 0 for the first. */
 export function blend(a: string, b: string, t: number): string {
   const part = (c: string, i: number) => parseInt(c.slice(1 + 2 * i, 3 + 2 * i), 16);

@@ -20,10 +20,11 @@ export const STYLE = `
 .gcx-verdict { margin: 0; padding: .5rem .7rem; border-left: 4px solid var(--gx-accent); background: var(--gx-card); border-radius: 0 .35rem .35rem 0; font-weight: 600; min-height: 3.4rem; }
 .gcx-verdict[data-verdict=close] { border-color: var(--gx-warn); color: var(--gx-warn); }
 .gcx-verdict[data-verdict=singular] { border-color: var(--gx-bad); color: var(--gx-bad); }
-.gcx-numbers { display: grid; grid-template-columns: auto 1fr; gap: .1rem .8rem; margin: 0; }
-.gcx-numbers dt { color: var(--gx-soft); } .gcx-numbers dd { margin: 0; font-variant-numeric: tabular-nums; }
+.gcx .gcx-numbers :is(dt, dd) { float: none; width: auto; padding: 0; font-weight: 400; } .gcx p.gcx-meaning { margin: 0; color: var(--gx-soft); font-size: .8rem; }
+.gcx .gcx-numbers { display: grid; grid-template-columns: auto 1fr; gap: .1rem .8rem; margin: 0; }
+.gcx-numbers dt { color: var(--gx-soft); } .gcx .gcx-numbers dd { margin: 0; font-variant-numeric: tabular-nums; }
 .gcx-motion[hidden] { display: none; } .gcx-numbers sup { line-height: 0; }
-.gcx-still :is(.gcx-verdict, .gcx-numbers, .gcx-motion, .gcx-sliders, .gcx-side > button, .gcx-modes) { display: none; }
+.gcx.gcx-still :is(.gcx-verdict, .gcx-numbers, .gcx-meaning, .gcx-motion, .gcx-sliders, .gcx-side > button, .gcx-modes) { display: none; }
 .gcx-driven :is(.gcx-sliders, .gcx-side > button, .gcx-modes) { display: none; } .gcx-driven .gcx-row { grid-template-columns: 1.6rem minmax(0, 1fr) 5.2rem 1.9rem; }
 .gcx-drives > p { margin: 0 0 .3rem; } .gcx-drives > button { margin-top: .3rem; } .gcx-drives > .gcx-unit { margin-left: 0; } .gcx-drives > .gcx-note { margin: .4rem 0; color: var(--gx-warn); } .gcx-note:empty { display: none; }
 .gcx-row { display: grid; grid-template-columns: 3.6rem minmax(0, 1fr) 5.2rem 1.9rem; gap: .5rem; align-items: center; margin: .15rem 0; }

@@ -3,7 +3,7 @@ import type { PerspectiveCamera } from "three";
 import { Compass } from "./compass";
 import type { Model } from "./drawing";
 import { HELP } from "./keys";
-import { spoken } from "./names";
+import { sideBySide, spoken } from "./names";
 import { LabelLayer, UPRIGHT, type Placed } from "./overlay";
 import { colourOf } from "./palette";
 import type { Scene, Theme } from "./types";
@@ -66,4 +66,4 @@ export class Surface {
   }
 }
 
-export const titleOf = (scene: Scene): string => `Robot with legs ${scene.legs.map((leg) => spoken(leg.join(""))).join(", ")}`;
+export const titleOf = (scene: Scene): string => `Robot with legs ${scene.legs.map((leg) => spoken(sideBySide(leg))).join(", ")}`;

@@ -7,7 +7,16 @@ from typing import Annotated, Literal, NotRequired, TypedDict
 from gcrules.apps.studio.protocol.requests import PoseJson
 from gcrules.apps.studio.protocol.study_views import ConditionView, FaultView, Monomial, Piece
 from gcrules.core.shapes import OneOf
-from gcrules.views.scene_data import Constructed, EntityView, LimbView, MotionView, PlaneView, Vec3, Verdict
+from gcrules.views.scene_data import (
+    Constructed,
+    EntityView,
+    LimbView,
+    MotionView,
+    PlaneView,
+    SkeletonView,
+    Vec3,
+    Verdict,
+)
 
 __all__ = [
     "Along",
@@ -16,6 +25,7 @@ __all__ = [
     "Cancelled",
     "Composed",
     "DrawnPlane",
+    "ExactPoint",
     "FormView",
     "HintView",
     "Manual",
@@ -26,6 +36,7 @@ __all__ = [
     "Numbers",
     "ReadingView",
     "Saved",
+    "SignView",
     "SingularPoseView",
 ]
 
@@ -56,6 +67,15 @@ class ReadingView(TypedDict):
     why: str
 
 
+class SignView(TypedDict):
+    """A number that changes continuously with the pose and is 0 in singular poses only."""
+
+    expression: str
+    sign: int
+    statement: str
+    """What is singular where it is 0; "" where nothing is known of it."""
+
+
 class Numbers(TypedDict):
     pose: PoseJson
     """The pose that this answers."""
@@ -76,7 +96,13 @@ class Numbers(TypedDict):
     stress: list[float]
     """Ratios of the forces in the legs that balance, near a singular pose."""
     limbs: list[LimbView]
+    skeleton: SkeletonView | None
+    """Of a robot with limbs."""
+    directions: dict[str, Vec3]
+    """Unit vectors of points at infinity, in this pose."""
     notes: list[str]
+    signs: list[SignView]
+    """Of the factors of the condition: where one changes between two poses, every way between them is singular."""
 
 
 class SingularPoseView(TypedDict):
@@ -119,6 +145,12 @@ class HintView(TypedDict):
     words: str
 
 
+class ExactPoint(TypedDict):
+    at: Vec3
+    exactly: list[str]
+    """The same coordinates as fractions."""
+
+
 class Manual(TypedDict):
     history: list[ManualStep]
     """The commands that were understood; the first faulty one stops the replay and is `fault`."""
@@ -126,7 +158,7 @@ class Manual(TypedDict):
     entities: list[EntityView]
     left: list[str]
     hint: HintView | None
-    counterexample: dict[str, Vec3] | None
+    counterexample: dict[str, ExactPoint] | None
     """Points of an exact counterexample, if the last proposal was refused by one."""
     condition: ConditionView | None
     fault: FaultView | None

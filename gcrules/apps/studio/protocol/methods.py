@@ -12,7 +12,7 @@ from typing import Any, Literal
 from gcrules.apps.studio.protocol import answer_views as answers
 from gcrules.apps.studio.protocol import requests
 from gcrules.apps.studio.protocol.checking import Check
-from gcrules.apps.studio.protocol.motion_views import MapAnswer, PathAnswer, PlacedPose
+from gcrules.apps.studio.protocol.motion_views import MapAnswer, PathAnswer, PlacedPose, WaypointsAnswer
 from gcrules.apps.studio.protocol.shape_checks import check_of
 from gcrules.apps.studio.protocol.study_views import Gallery, Hello, Study
 from gcrules.apps.studio.protocol.where_views import (
@@ -56,6 +56,7 @@ METHODS: Mapping[str, Method] = {
     "nearest": Method(requests.PoseArgs, answers.Nearest, seconds=120),
     "modes": Method(requests.ModesArgs, answers.ModesAnswer, seconds=120),
     "path": Method(requests.PathArgs, PathAnswer, seconds=300),
+    "waypoints": Method(requests.WaypointsArgs, WaypointsAnswer),
     "map": Method(requests.MapArgs, MapAnswer, seconds=600),
     "place": Method(requests.PlaceArgs, PlacedPose),
     "assemblies": Method(requests.PoseArgs, AssembliesAnswer, seconds=300),

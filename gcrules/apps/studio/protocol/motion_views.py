@@ -20,6 +20,7 @@ __all__ = [
     "PathStretchView",
     "PlacedPose",
     "PlanOutcome",
+    "WaypointsAnswer",
 ]
 
 
@@ -86,6 +87,13 @@ class PathAnswer(TypedDict):
     stretches: list[PathStretchView]
     detour: DetourView | None
     facts: list[FactItem]
+
+
+class WaypointsAnswer(TypedDict):
+    poses: list[PoseJson]
+    table: str
+    """The same poses as `gcrules path --poses` reads them."""
+    notes: list[str]
 
 
 CellStatus = Annotated[str, OneOf(("free", "crossed", "undecided", "outside"))]

@@ -18,6 +18,7 @@ __all__ = [
     "MOST_COORDINATES",
     "MOST_LEGS",
     "MOST_POINTS",
+    "MOST_WAYPOINTS",
     "THRESHOLD",
     "AlongArgs",
     "BenchArgs",
@@ -45,6 +46,7 @@ __all__ = [
     "SaveArgs",
     "Sketch",
     "SourceJson",
+    "WaypointsArgs",
 ]
 
 FARTHEST = 1e12
@@ -53,6 +55,7 @@ MOST_POINTS = 40
 MOST_LEGS = 24
 MOST_COMMANDS = 200
 MOST_BOXES = 2_000_000
+MOST_WAYPOINTS = 200
 LONGEST_FILE = 400_000
 THRESHOLD = DEFAULT.text
 """Closer than this is close, where nothing else is asked for."""
@@ -164,16 +167,25 @@ class AlongArgs(TypedDict):
 
 
 class PathArgs(TypedDict):
-    """From `start` (home without it) to `goal`, or to the pose that the text `to` names; straight, or on a way around
-    singular poses.
+    """From `start` (home without it) to `goal`, or to the pose that the text `to` names; straight from pose to pose
+    `through` others, or on a way around singular poses.
     """
 
     source: SourceJson
     start: NotRequired[PoseJson]
     goal: PoseJson
+    through: NotRequired[Annotated[list[PoseJson], EntryCount(0, MOST_WAYPOINTS)]]
     to: NotRequired[Annotated[str, text(400)]]
     way: NotRequired[Literal["straight", "around"]]
     threshold: NotRequired[_Threshold]
+
+
+class WaypointsArgs(TypedDict):
+    """Poses as a table of comma-separated values, or such a table as poses."""
+
+    source: SourceJson
+    poses: NotRequired[Annotated[list[PoseJson], EntryCount(1, MOST_WAYPOINTS)]]
+    table: NotRequired[Annotated[str, text(LONGEST_FILE)]]
 
 
 class MapArgs(TypedDict):

@@ -15,6 +15,9 @@ export function tintOf(monomial: Monomial, entities: readonly Entity[]): Tint {
   return tint;
 }
 
-/** The colour of an entity, as a custom property that styles refer to. */
-export const tone = (entity: Pick<Entity, "colour"> | undefined): { "--tone": string } | undefined =>
-  entity && { "--tone": `var(--entity${(entity.colour % 6) + 1})` };
+/** The colour of an entity, and that of words about it, as custom properties that styles refer to. */
+export function tone(entity: Pick<Entity, "colour"> | undefined): { "--tone": string; "--tone-text": string } | undefined {
+  if (!entity) return undefined;
+  const role = `--entity${(entity.colour % 6) + 1}`;
+  return { "--tone": `var(${role})`, "--tone-text": `var(${role}-text)` };
+}

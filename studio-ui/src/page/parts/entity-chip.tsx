@@ -2,7 +2,7 @@
 import type { Entity } from "../../protocol";
 import { tone } from "../lib/tint";
 import { useStore } from "./context";
-import { PointName } from "./point-name";
+import { PointNames } from "./point-name";
 
 export function EntityChip({ entity, named = true }: { entity: Entity; named?: boolean }) {
   const { lit } = useStore();
@@ -21,13 +21,8 @@ export function EntityChip({ entity, named = true }: { entity: Entity; named?: b
       <span class={`swatch ${kind}`} aria-hidden="true" />
       {named && <span class="kind">{kind}</span>}
       <span class="math">
-        {letters(label).map((name, i) => (
-          <PointName key={i} name={name} />
-        ))}
+        <PointNames label={label} />
       </span>
     </button>
   );
 }
-
-/** The points of a label such as A*bd or S1A1B1, stars kept. */
-export const letters = (label: string): string[] => label.match(/[A-Za-z]\d*'*\**|[^A-Za-z]/g) ?? [label];

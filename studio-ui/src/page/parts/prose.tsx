@@ -2,8 +2,7 @@
 import { wordsOf } from "../lib/prose";
 import { tone } from "../lib/tint";
 import { useStore } from "./context";
-import { letters } from "./entity-chip";
-import { PointName } from "./point-name";
+import { PointNames } from "./point-name";
 
 export function Prose({ text }: { text: string }) {
   const { study, lit } = useStore();
@@ -15,9 +14,7 @@ export function Prose({ text }: { text: string }) {
           <cite>{word}</cite>
         ) : entity ? (
           <span class={entity.id === on ? "entity-word lit" : "entity-word"} data-entity={entity.id} style={tone(entity)}>
-            {letters(word).map((name, i) => (
-              <PointName key={i} name={name} />
-            ))}
+            <PointNames label={word} />
           </span>
         ) : (
           word

@@ -8,7 +8,7 @@ import { ReadingsTable } from "./readings-table";
 import { SearchView } from "./search-view";
 import { Sliders } from "./sliders";
 import { VerdictView } from "./verdict-view";
-import { WayPlot } from "./way-plot";
+import { Timeline } from "./timeline";
 
 const TABS = [
   { id: "way", label: "Along the way", testid: "tab-way" },
@@ -30,7 +30,7 @@ export function PosePanel() {
       {shown.kind === "robot" && shown.axes.length > 0 && <ModeView />}
       <section class="tabbed">
         <Tabs<Tab> name="Numbers" tabs={TABS} current={tab} onChoose={choose} />
-        {tab === "way" ? <WayPlot /> : <ReadingsTable />}
+        {tab === "way" ? <Timeline /> : <ReadingsTable />}
       </section>
     </div>
   );

@@ -1,7 +1,7 @@
 // The verdict at the pose: value, margin, and the reason. Its height stays, so that sliders do not move under the hand.
 import { computed } from "@preact/signals";
 import { useMemo } from "preact/hooks";
-import type { Verdict } from "../../protocol";
+import type { Study, Verdict } from "../../protocol";
 import { steady } from "../lib/format";
 import { useStore } from "../parts/context";
 import { FaultBox } from "../parts/fault-box";
@@ -20,6 +20,8 @@ const SCALES = {
   robot:
     "The superbracket of the equivalent lines over Hadamard's bound, the product of the lengths of their six coordinate vectors, with its sign: zero at a singular pose. Points count from their centroid, at unit scale. Without equivalent lines, σ",
 };
+
+const MARGIN = "The singularity margin: 0 at a singular pose, at most 1; knows neither frame nor unit";
 
 export function VerdictView() {
   const { posing, client, study } = useStore();
@@ -43,15 +45,36 @@ export function VerdictView() {
         <dl>
           <dt title={SCALES[study.value?.kind ?? "platform"]}>value</dt>
           <dd data-testid="value">{texts.value}</dd>
-          <dt title="Singularity margin: 0 at a singular pose, at most 1; knows neither frame nor unit">σ</dt>
+          <dt title={MARGIN}>σ</dt>
           <dd data-testid="margin">{texts.margin}</dd>
         </dl>
       </div>
       <Gauge />
       <Reason />
+      <Meanings kind={study.value?.kind ?? "platform"} />
     </section>
   );
 }
+
+/** What the two numbers are, and how they belong together: for those who cannot point at them too. */
+function Meanings({ kind }: { kind: Study["kind"] }) {
+  return (
+    <details class="meanings" data-testid="meanings">
+      <summary>What value, σ and ε are</summary>
+      <p>
+        <b>Value</b>: {lower(SCALES[kind])}.
+      </p>
+      <p>
+        <b>σ</b>: {lower(MARGIN)}. It is zero where the value is; between such poses the two need not rise and fall together.
+      </p>
+      <p>
+        <b>ε</b>: the threshold. A pose is called close where σ does not guarantee it.
+      </p>
+    </details>
+  );
+}
+
+const lower = (words: string): string => words.charAt(0).toLowerCase() + words.slice(1);
 
 function Reason() {
   const { posing } = useStore();

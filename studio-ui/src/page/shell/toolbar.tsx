@@ -1,6 +1,7 @@
 // What the mouse does in 3D, standard views, and what is shown.
 import type { Layer, Mode, View } from "../../viewer";
 import { useStore } from "../parts/context";
+import { useDismissed } from "../parts/dismissed";
 import { Icon, type IconName } from "../parts/icon";
 
 const MODES: readonly [Mode, string, IconName][] = [
@@ -26,6 +27,7 @@ const LAYERS: readonly [Layer, string][] = [
 
 export function Toolbar() {
   const { space, study } = useStore();
+  const layers = useDismissed();
   const movable = study.value?.kind === "platform" && study.value.axes.length > 0;
   return (
     <div class="viewer-tools" role="toolbar" aria-label="View">
@@ -52,7 +54,7 @@ export function Toolbar() {
           </button>
         ))}
       </div>
-      <details class="layers">
+      <details class="layers" ref={layers}>
         <summary aria-label="What is shown" title="What is shown" data-testid="layers">
           <Icon name="layers" size={16} />
         </summary>

@@ -32,6 +32,7 @@ export function TopBar() {
             )}
           </>
         )}
+        {!title && Title === "h1" && <h1 class="sr-only">gcrules studio</h1>}
       </div>
       <div class="tools" role="toolbar" aria-label="Document">
         <Tool icon="undo" label="Undo (Ctrl Z)" disabled={!store.canUndo.value} act={store.undo} testid="undo" />

@@ -2,6 +2,7 @@
 import { useEffect, useRef } from "preact/hooks";
 import { useStore } from "../parts/context";
 import { EntityChip } from "../parts/entity-chip";
+import { CrossingAlert } from "../pose/crossings";
 import { Toolbar } from "./toolbar";
 import { connect, foundNow } from "./viewer-link";
 import { Warning } from "./warning";
@@ -15,6 +16,7 @@ export function ViewerPane() {
       <div class="viewer" ref={box} data-testid="viewer" />
       <Toolbar />
       <Warning />
+      <CrossingAlert />
       <Legend />
     </section>
   );

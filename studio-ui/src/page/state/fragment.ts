@@ -3,6 +3,7 @@
 import { EMPTY, HOME, samePose, type Doc } from "./doc";
 import { readDoc } from "./read";
 
+const LONGEST = 4_000_000; // bytes of JSON that a link may hold: a file of the largest size, each letter escaped, fits well
 const LARGE = 240; // characters of JSON above which deflating pays
 
 export async function writeFragment(doc: Doc): Promise<string> {
@@ -25,7 +26,7 @@ export async function readFragment(fragment: string): Promise<Doc | null> {
   if (!found) return null;
   try {
     const bytes = fromBase64(found[2] ?? "");
-    const plain = found[1] === "z" ? await piped(bytes, new DecompressionStream("deflate-raw")) : bytes;
+    const plain = found[1] === "z" ? await piped(bytes, new DecompressionStream("deflate-raw"), LONGEST) : bytes;
     return readDoc(JSON.parse(new TextDecoder().decode(plain)));
   } catch {
     return null;
@@ -64,9 +65,26 @@ function compact(doc: Doc): string {
   return JSON.stringify(Object.fromEntries(changed));
 }
 
-async function piped(bytes: Uint8Array<ArrayBuffer>, through: GenericTransformStream): Promise<Uint8Array<ArrayBuffer>> {
+/** What comes out of a stream; refused as soon as it is longer than it may be. */
+async function piped(
+  bytes: Uint8Array<ArrayBuffer>,
+  through: GenericTransformStream,
+  longest = Infinity,
+): Promise<Uint8Array<ArrayBuffer>> {
   const stream = new Blob([bytes]).stream().pipeThrough(through as ReadableWritablePair<Uint8Array, Uint8Array<ArrayBuffer>>);
-  return new Uint8Array(await new Response(stream as BodyInit).arrayBuffer());
+  const reader = (stream as ReadableStream<Uint8Array<ArrayBuffer>>).getReader();
+  const parts: Uint8Array<ArrayBuffer>[] = [];
+  for (let size = 0; ; ) {
+    const { done, value } = await reader.read();
+    if (done) break;
+    size += value.length;
+    if (size > longest) {
+      await reader.cancel();
+      throw new RangeError("too long");
+    }
+    parts.push(value);
+  }
+  return new Uint8Array(await new Blob(parts).arrayBuffer());
 }
 
 function toBase64(bytes: Uint8Array): string {

@@ -1,6 +1,7 @@
 // What is pointed at: the same point, leg, bracket or entity lights up in every monomial, in the schematic and in 3D.
 import { computed, signal, type ReadonlySignal } from "@preact/signals";
 import type { Entity } from "../../protocol";
+import { sideBySide } from "../../viewer/names";
 
 export interface Target {
   kind: "point" | "leg" | "bracket" | "entity";
@@ -25,10 +26,10 @@ export const pointTarget = (name: string): Target => ({ kind: "point", points: [
 export const legTarget = ([a, b]: readonly [string, string]): Target => ({
   kind: "leg",
   points: [a, b],
-  label: `leg ${a}${b}`,
+  label: `leg ${sideBySide([a, b])}`,
 });
 
-export const bracketTarget = (points: string[]): Target => ({ kind: "bracket", points, label: `bracket [${points.join("")}]` });
+export const bracketTarget = (points: string[]): Target => ({ kind: "bracket", points, label: `bracket [${sideBySide(points)}]` });
 
 export const entityTarget = ({ id, kind, points, label, colour }: Entity): Target => ({
   kind: "entity",

@@ -1,5 +1,5 @@
-// Smooth motion to a pose. It stops when the user takes hold of the platform.
-import { signal, type ReadonlySignal } from "@preact/signals";
+// Smooth motion to a pose. It stops when the user takes hold of the platform, and when something else is opened.
+import { effect, signal, type ReadonlySignal } from "@preact/signals";
 import type { Pose } from "../../protocol";
 import { between } from "../lib/rotation";
 import type { Editing } from "./editing";
@@ -17,7 +17,7 @@ const eased = (t: number): number => (t < 0.5 ? 4 * t ** 3 : 1 - (2 - 2 * t) ** 
 /** How many poses of the way are looked at, whatever the machine manages to show. */
 const SAMPLES = 60;
 
-export function createMoving({ doc, edit, settle }: Editing, posing: Posing): Moving {
+export function createMoving({ doc, source$, edit, settle }: Editing, posing: Posing): Moving {
   const active = signal(false);
   let frame = 0;
 
@@ -47,6 +47,12 @@ export function createMoving({ doc, edit, settle }: Editing, posing: Posing): Mo
     };
     frame = requestAnimationFrame(step);
   }
+
+  // what is opened stands at its own home, whatever was under way
+  effect(() => {
+    void source$.value;
+    stop();
+  });
 
   return { active, to, stop };
 }

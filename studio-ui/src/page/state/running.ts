@@ -18,7 +18,14 @@ export interface Runner<M extends Method> {
   stop(): void;
 }
 
-export function createRunner<M extends Method>(client: Client, { source$ }: Editing, method: M, begin: string): Runner<M> {
+/** `channel`: those of one channel give way to each other. */
+export function createRunner<M extends Method>(
+  client: Client,
+  { source$ }: Editing,
+  method: M,
+  begin: string,
+  channel: string = method,
+): Runner<M> {
   const now = signal<Running<M>>({ state: "idle" });
   let stop: AbortController | null = null;
   let of = source$.peek();
@@ -38,7 +45,7 @@ export function createRunner<M extends Method>(client: Client, { source$ }: Edit
     const words = (text: string) => void (stop === mine && (now.value = { state: "busy", words: text }));
     words(begin);
     try {
-      const result = await client.ask(method, args, { channel: method, progress: words, signal: mine.signal });
+      const result = await client.ask(method, args, { channel, progress: words, signal: mine.signal });
       if (stop !== mine) return null;
       now.value = { state: "found", asked: args, result };
       return result;

@@ -13,6 +13,7 @@ import { createSeeker, type Seeker } from "./seeking";
 import { createSpace, type Space } from "./space";
 import { createStudying, type Studying } from "./studying";
 import { createTaste, type Taste } from "./taste";
+import { createTimeline, type Timeline } from "./timeline";
 import { createTouring, type Touring } from "./touring";
 import { createRoaming, type Roaming } from "./roaming";
 
@@ -21,6 +22,7 @@ export interface Store extends Editing, Studying {
   client: Client;
   gallery: ReadonlySignal<Gallery | null>;
   posing: Posing;
+  timeline: Timeline;
   moving: Moving;
   seeker: Seeker;
   touring: Touring;
@@ -40,12 +42,14 @@ export function createStore(client: Client, start: Doc): Store {
     if (opened && !editing.doc.peek().source) editing.open(opened);
   });
   const posing = createPosing(client, editing, studying);
+  const timeline = createTimeline(client, editing, studying, posing);
   return {
     ...editing,
     ...studying,
     client,
     gallery,
     posing,
+    timeline,
     moving: createMoving(editing, posing),
     seeker: createSeeker(client, editing),
     touring: createTouring(client, editing),

@@ -14,6 +14,8 @@ export interface Taste {
   down: Signal<number>;
 }
 
+const WIDEST = 860; // pixels of the steps to begin with: lines of text grow no longer, the picture takes what is left
+
 const KEY = "gcrules-studio";
 
 export function createTaste(): Taste {
@@ -24,8 +26,8 @@ export function createTaste(): Taste {
 
   const chosen = signal<Theme | null>(kept.chosen === "light" || kept.chosen === "dark" ? kept.chosen : null);
   const angles = signal(ANGLES.find((kind) => kind === kept.angles) ?? "vector");
-  const across = signal(share(kept.across, 0.5));
-  const down = signal(share(kept.down, 0.47));
+  const across = signal(share(kept.across, Math.max(0.2, Math.min(0.5, WIDEST / innerWidth))));
+  const down = signal(share(kept.down, innerWidth > 2 * WIDEST ? 0.62 : 0.47));
   const theme = computed<Theme>(() => chosen.value ?? system.value);
 
   effect(() => void (document.documentElement.dataset.theme = theme.value));

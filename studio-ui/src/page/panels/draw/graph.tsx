@@ -1,5 +1,6 @@
 // The legs as a graph, drawn at once: platform joints above, base joints below.
 import type { Sketch } from "../../../protocol";
+import { sideBySide } from "../../../viewer/names";
 
 const [GAP, ROWS, MARGIN] = [48, 84, 26];
 
@@ -14,7 +15,7 @@ export function Graph({ sketch, selected }: { sketch: Sketch; selected: string |
   const place = (name: string): [number, number] => at.get(name) ?? [0, 0];
   return (
     <div class="schematic" data-testid="draw-schematic">
-      <svg class="schematic" viewBox={`0 0 ${width} ${ROWS + 2 * MARGIN}`} role="img" aria-label={`${legs.length} legs: ${legs.map((l) => l.join("")).join(", ")}`}>
+      <svg class="schematic" viewBox={`0 0 ${width} ${ROWS + 2 * MARGIN}`} role="img" aria-label={`${legs.length} legs: ${legs.map(sideBySide).join(", ")}`}>
         {legs.map(([a, b]) => (
           <line
             key={`${a} ${b}`}

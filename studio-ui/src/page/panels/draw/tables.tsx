@@ -40,7 +40,7 @@ export function Points({ sketch, span, height, selected, select, change, say }: 
                 {axis}
               </th>
             ))}
-            <th />
+            <td />
           </tr>
         </thead>
         {(["platform", "base"] as const).map((body) => (

@@ -3,7 +3,6 @@ import { useMemo } from "preact/hooks";
 import type { Manual, Study } from "../../../protocol";
 import { Icon, type IconName } from "../../parts/icon";
 import { PointName } from "../../parts/point-name";
-import { short } from "../../lib/format";
 import { MiniViewer } from "../mini-viewer";
 import { counterScene } from "./proposals";
 
@@ -40,7 +39,10 @@ interface Props {
 }
 
 function Counterexample({ study, points, command }: Props) {
-  const scene = useMemo(() => counterScene(study, points, command), [study, points, command]);
+  const scene = useMemo(() => {
+    const places = Object.entries(points).map(([name, { at }]) => [name, at] as const);
+    return counterScene(study, Object.fromEntries(places), command);
+  }, [study, points, command]);
   return (
     <figure class="counter" data-testid="counterexample">
       <MiniViewer scene={scene} label="The counterexample in 3D" testid="counterexample-viewer" />
@@ -48,13 +50,13 @@ function Counterexample({ study, points, command }: Props) {
         <p>The robot at these points refutes the proposal. They are exact.</p>
         <table>
           <tbody>
-            {Object.entries(points).map(([name, at]) => (
+            {Object.entries(points).map(([name, { exactly }]) => (
               <tr key={name}>
                 <th scope="row">
                   <PointName name={name} />
                 </th>
-                {at.map((c, i) => (
-                  <td key={i}>{short(c)}</td>
+                {exactly.map((c, i) => (
+                  <td key={i}>{c.replace("-", "−")}</td>
                 ))}
               </tr>
             ))}

@@ -1,6 +1,7 @@
 // What can be proposed of points, and how it is written as a command.
 import type { Entity, Manual, Study, Vec3 } from "../../../protocol";
 import type { Scene } from "../../../viewer";
+import { sideBySide } from "../../../viewer/names";
 
 export type Kind = "tetrahedron" | "plane" | "line" | "pair" | "lines";
 
@@ -84,7 +85,7 @@ export function draftOf(kind: Kind, picks: readonly string[]): Entity[] {
   const wanted = kind === "lines" ? 2 : size;
   return parts
     .filter((part) => part.length === wanted)
-    .map((points, i) => ({ id: `draft-${i}`, kind: drawn, points: [...points], label: points.join(""), colour: 3 + i }));
+    .map((points, i) => ({ id: `draft-${i}`, kind: drawn, points: [...points], label: sideBySide(points), colour: 3 + i }));
 }
 
 /** Ids of their own, so that they are not taken for entities of the automatic analysis. */

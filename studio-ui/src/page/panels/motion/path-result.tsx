@@ -12,10 +12,11 @@ import { nearest } from "./samples";
 const ICONS = { regular: "ok", close: "warn", singular: "stop" } as const;
 
 export function PathResult({ asked, result }: { asked: PathArgs; result: PathAnswer }) {
-  const { edit, settle, moving } = useStore();
+  const { edit, settle, moving, timeline } = useStore();
   const { samples, places, stretches, end, frame, verdict, more, detour } = result;
   const at = useSignal(asked.to === undefined ? samples.length - 1 : 0); // where the robot was when it was asked
   const shown = samples[at.value];
+  const stops = samples.flatMap(({ parameter, pose }) => (pose && Number.isInteger(parameter) ? [pose] : []));
 
   function lead(index: number): void {
     at.value = index;
@@ -110,8 +111,13 @@ export function PathResult({ asked, result }: { asked: PathArgs; result: PathAns
         </ol>
       )}
       {more > 0 && (
-        <p class="tip">
-          And {more} more, which <code>gcrules path … --json</code> shows.
+        <p class="tip">And {more} more, which are not listed here.</p>
+      )}
+      {stops.length === end + 1 && (
+        <p>
+          <button type="button" class="small" title="To play it, to change its waypoints, to save them" data-testid="path-keep" onClick={() => timeline.take(stops)}>
+            Take it as the way
+          </button>
         </p>
       )}
       <Facts facts={result.facts} title="What was computed, and the proof" />

@@ -31,8 +31,7 @@ async function viewed(store: Store, kind: "png" | "svg"): Promise<Made> {
   const viewer = store.space.viewer.peek();
   if (!viewer) throw new Error("there is no picture in 3D");
   const picture = await viewer.snapshot(kind);
-  const title = store.study.peek()?.title ?? "robot";
-  const name = `${title.toLowerCase().replace(/[^a-z0-9]+/g, "-").replace(/^-|-$/g, "") || "robot"}-view.${kind}`;
+  const name = fileName(store.study.peek()?.title, `view.${kind}`);
   if (kind === "svg") return { name, blob: new Blob([picture], { type: "image/svg+xml" }), text: picture };
   const blob = new Blob([bytesOf(picture.slice(picture.indexOf(",") + 1))], { type: "image/png" });
   return { name, blob, text: null };
@@ -43,7 +42,12 @@ function bytesOf(base64: string): Uint8Array<ArrayBuffer> {
   return Uint8Array.from(binary, (c) => c.charCodeAt(0));
 }
 
-export function download({ name, blob }: Made): void {
+/** A name for a file about a robot of this title. */
+export function fileName(title: string | undefined, rest: string): string {
+  return `${(title ?? "").toLowerCase().replace(/[^a-z0-9]+/g, "-").replace(/^-|-$/g, "") || "robot"}-${rest}`;
+}
+
+export function download({ name, blob }: Pick<Made, "name" | "blob">): void {
   const address = URL.createObjectURL(blob);
   const link = document.createElement("a");
   link.href = address;

@@ -1,0 +1,27 @@
+r"""The links and bodies of a robot as plain data for a 3D view, as its drawing on paper has them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+from gcrules.mechanisms.robot import Robot
+from gcrules.views.drawing.bsp import XYZ
+from gcrules.views.robots.joint_chain import bodies, chains
+from gcrules.views.scene_data import SkeletonView, Vec3
+
+__all__ = ["skeleton"]
+
+
+def skeleton(robot: Robot, values: Mapping[str, Sequence[float]]) -> SkeletonView:
+    """Strokes of the limbs and corners of the bodies, where names have these coordinates."""
+    unit, made = chains(robot.family, robot.limbs, values)  # type: ignore[arg-type]  # floats do as well
+
+    def at(p: XYZ) -> Vec3:
+        return [m + unit.radius * c for m, c in zip(unit.middle, p, strict=True)]
+
+    platform, base = bodies(made)
+    return {
+        "strokes": [{"ends": [at(r.start), at(r.end)], "look": r.look} for c in made for r in c.strokes],
+        "platform": [at(p) for p in platform],
+        "base": [at(p) for p in base],
+    }

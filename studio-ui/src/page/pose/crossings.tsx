@@ -1,0 +1,98 @@
+// The singular poses of the way, with their causes; and over the picture what has just been crossed.
+import type { PathAnswer, Pose, Study } from "../../protocol";
+import { short } from "../lib/format";
+import { useStore } from "../parts/context";
+import { Icon } from "../parts/icon";
+import { Prose } from "../parts/prose";
+
+const ICONS = { regular: "ok", close: "warn", singular: "stop" } as const;
+
+export function Crossings({ proof }: { proof: PathAnswer }) {
+  const { timeline } = useStore();
+  const { places, stretches, verdict, reason, more } = proof;
+  return (
+    <div class={`crossings ${verdict}`}>
+      <p class="word" role="status" data-testid="way-verdict" data-verdict={verdict}>
+        <Icon name={ICONS[verdict]} size={16} /> {reason}
+      </p>
+      <ol>
+        {stretches.map((s, i) => (
+          <li key={`s${i}`} class={s.singular ? "singular" : "undecided"} data-testid="way-stretch">
+            <b>
+              {short(s.start, 4)} to {short(s.end, 4)}
+            </b>
+            <span>{s.words.join(" ")}</span>
+          </li>
+        ))}
+        {places.map((p, i) => (
+          <li key={i} class="singular" data-testid="way-place">
+            <b>{short(p.parameter, 5)}</b>
+            <span>
+              <Prose text={p.words.join(" ")} />
+            </span>
+            {p.pose && (
+              <button type="button" class="small" data-testid="way-place-go" onClick={() => timeline.lead(p.parameter)}>
+                Go there
+              </button>
+            )}
+          </li>
+        ))}
+      </ol>
+      {more > 0 && <p class="tip">And {more} more.</p>}
+    </div>
+  );
+}
+
+/** At once, from the signs of the factors; then what the proof of the way says. It stands below the picture, not on it. */
+export function CrossingAlert() {
+  const { timeline, study, posing } = useStore();
+  const [seen, proof, shown] = [timeline.crossing.value, timeline.proof.value, study.value];
+  const warned = posing.numbers.value?.verdict === "singular"; // the warning over the picture says why
+  if (!shown || warned || timeline.playing.value) return null;
+  const places = timeline.given.value || timeline.known.value ? [] : (proof?.places ?? []);
+  if (!seen && places.length === 0) return null;
+  const last = places.at(-1);
+  const count = places.length === 1 ? "a singular pose" : `${places.length} singular poses`;
+  return (
+    <div class="crossed" role="alert" data-testid="crossed" data-proved={places.length > 0}>
+      <Icon name="stop" size={16} />
+      <p>
+        {last ? (
+          <>
+            <b>The way leads through {count}, proved.</b> <Prose text={last.words[1] ?? last.words[0] ?? ""} />
+          </>
+        ) : (
+          seen && (
+            <>
+              <b>A singular pose was crossed</b> {span(seen.from, seen.to, shown)}: on the way{" "}
+              <Prose text={seen.signs.map(({ statement }) => statement).join("; and ")} />. A factor of the condition has changed
+              its sign.
+            </>
+          )
+        )}
+      </p>
+      {last?.pose && (
+        <button type="button" class="small" data-testid="crossed-go" onClick={() => timeline.lead(last.parameter)}>
+          Go there
+        </button>
+      )}
+      <button type="button" class="quiet tool" aria-label="Put this away" data-testid="crossed-close" onClick={() => timeline.acknowledge()}>
+        <Icon name="close" size={14} />
+      </button>
+    </div>
+  );
+}
+
+/** Between which poses, in the coordinates that differ. */
+function span(from: Pose, to: Pose, { axes, kind, unit }: Study): string {
+  const of = (pose: Pose): readonly number[] => (kind === "robot" ? axes.map((_, i) => pose.coordinates?.[i] ?? 0) : pose.translation);
+  const [a, b] = [of(from), of(to)];
+  const differ = a.flatMap((value, i) => {
+    const axis = axes[i];
+    const other = b[i] ?? 0;
+    if (!axis || Math.abs(value - other) < 1e-9) return [];
+    const measure = kind === "robot" ? axis.unit : unit;
+    return [`${axis.name} = ${short(value, 4)} and ${short(other, 4)}${measure === "deg" ? "°" : measure && ` ${measure}`}`];
+  });
+  return differ.length > 0 && differ.length <= 2 ? `between ${differ.join(", ")}` : "by the last move";
+}

@@ -1,0 +1,123 @@
+// The waypoints: to go to, to put elsewhere, to drag into another order, to take out; and as a table, both ways.
+import { useRef, useState } from "preact/hooks";
+import type { Pose, Study } from "../../protocol";
+import { short } from "../lib/format";
+import { rotationVector } from "../../viewer/pose";
+import { useStore } from "../parts/context";
+import { Icon } from "../parts/icon";
+import { download, fileName } from "../panels/take-away/making";
+
+const LISTED = 40;
+
+export function Stops() {
+  const { timeline, study, settle } = useStore();
+  const { stops, given } = timeline;
+  const shown = study.value;
+  const [held, hold] = useState<number | null>(null);
+  const list = stops.value;
+  if (!shown) return null;
+
+  function key(event: KeyboardEvent, index: number): void {
+    const by = { ArrowUp: -1, ArrowDown: 1 }[event.key];
+    if (by === undefined || !event.altKey) return;
+    event.preventDefault();
+    timeline.shift(index, Math.min(Math.max(index + by, 0), list.length - 1));
+  }
+
+  return (
+    <div class="stops" data-given={given.value}>
+      <div class="line">
+        <button type="button" class="small" data-testid="way-add" title="Add the pose on show as the last waypoint" onClick={timeline.add}>
+          Add this pose
+        </button>
+        <Tables />
+        <span class="space" />
+        <button type="button" class="quiet" data-testid="way-clear" disabled={list.length < 2 && !given.value} onClick={() => (settle(), timeline.clear())}>
+          Begin anew here
+        </button>
+      </div>
+      {list.length > 1 && (
+        <details open={given.value}>
+          <summary data-testid="way-stops">
+            {list.length} waypoints{given.value ? "" : ", as it was driven"}
+          </summary>
+          <ol>
+            {list.slice(0, LISTED).map((pose, i) => (
+              <li
+                key={i}
+                class={held === i ? "held" : ""}
+                draggable
+                data-testid="way-stop"
+                onDragStart={() => hold(i)}
+                onDragEnd={() => hold(null)}
+                onDragOver={(event) => event.preventDefault()}
+                onDrop={(event) => {
+                  event.preventDefault();
+                  if (held !== null) timeline.shift(held, i);
+                  hold(null);
+                }}
+              >
+                <button
+                  type="button"
+                  class="quiet name"
+                  title="Go there; Alt and an arrow key moves it in the list"
+                  onKeyDown={(event) => key(event, i)}
+                  onClick={() => timeline.lead(i)}
+                >
+                  <b>{i + 1}</b> {inWords(pose, shown)}
+                </button>
+                <button type="button" class="quiet" title="The pose on show takes its place" data-testid="way-put" onClick={() => timeline.put(i)}>
+                  Put here
+                </button>
+                <button type="button" class="quiet tool" aria-label={`Take out waypoint ${i + 1}`} data-testid="way-remove" onClick={() => timeline.remove(i)}>
+                  <Icon name="close" size={14} />
+                </button>
+              </li>
+            ))}
+          </ol>
+          {list.length > LISTED && <p class="tip">And {list.length - LISTED} more.</p>}
+        </details>
+      )}
+    </div>
+  );
+}
+
+function Tables() {
+  const { timeline, study } = useStore();
+  const input = useRef<HTMLInputElement>(null);
+  async function write(): Promise<void> {
+    const table = await timeline.table();
+    if (table !== null) download({ name: fileName(study.peek()?.title, "way.csv"), blob: new Blob([table], { type: "text/csv" }) });
+  }
+  return (
+    <>
+      <button type="button" class="small" title="A table of poses, as for gcrules path" onClick={() => input.current?.click()}>
+        Open CSV
+      </button>
+      <input
+        ref={input}
+        type="file"
+        accept=".csv,.txt,text/csv"
+        hidden
+        aria-label="A table of poses"
+        data-testid="way-file"
+        onChange={async (event) => {
+          const [file] = event.currentTarget.files ?? [];
+          const text = await file?.text();
+          if (input.current) input.current.value = "";
+          if (text !== undefined) await timeline.read(text);
+        }}
+      />
+      <button type="button" class="small" data-testid="way-save" disabled={timeline.stops.value.length === 0} onClick={() => void write()}>
+        Save CSV
+      </button>
+    </>
+  );
+}
+
+function inWords(pose: Pose, { kind, axes, unit }: Study): string {
+  if (kind === "robot") return axes.map(({ name }, i) => `${name.split(",")[0]} ${short(pose.coordinates?.[i] ?? 0, 4)}`).join(", ");
+  const turn = (Math.hypot(...rotationVector(pose.quaternion)) * 180) / Math.PI;
+  const shift = `${pose.translation.map((c) => short(c, 4)).join(", ")}${unit && ` ${unit}`}`;
+  return turn > 1e-3 ? `${shift}; turned by ${short(turn, 3)}°` : shift;
+}
