@@ -55,7 +55,9 @@ class Twist:
 
 
 def _tuple(numbers: Sequence[float]) -> str:
-    return "(" + ", ".join(f"{c:.4g}" for c in np.round(numbers, 12) + 0.0) + ")"
+    """Coordinates with four digits; what is rounding beside the largest of them is 0."""
+    least = _TOLERANCE * max(map(abs, numbers))
+    return "(" + ", ".join(f"{c if abs(c) > least else 0.0:.4g}" for c in numbers) + ")"
 
 
 @dataclass(frozen=True)
