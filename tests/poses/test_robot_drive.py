@@ -87,11 +87,10 @@ def stretches(found: Any) -> list[Stretch]:
     return sorted({*found.undecided, *((c.first, c.last) for c in found.crossings)})
 
 
-@pytest.mark.parametrize("seed", range(2))
 @pytest.mark.parametrize("name", CASES)
-def test_what_is_found_step_by_step(name: str, seed: int) -> None:
+def test_what_is_found_step_by_step(name: str) -> None:
     scale, number = CASES[name]
-    compare(name, some_poses(name, seed, scale, number))
+    compare(name, some_poses(name, 0, scale, number))
 
 
 CROSSING = {
