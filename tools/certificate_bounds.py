@@ -228,6 +228,22 @@ def _holds(middle, rest, moves, margin):
     return cholesky(rest, slack) is not None, parts, middle
 
 
+def least_value(a):
+    """No less than the least singular value of a matrix of floats: how long a row of length 1 becomes, one for which
+    that is near the least.
+    """
+    across = list(zip(*a))
+    square = times(across, a)
+    for i in range(len(square)):
+        square[i][i] += 1e-18
+    back, x = inverse(square), [1.0] * len(square)
+    for _ in range(40):
+        x = [sum([p * q for p, q in zip(row, x)]) for row in back]
+        size = math.sqrt(sum([c * c for c in x]))
+        x = [c / size for c in x]
+    return math.sqrt(sum([sum([p * q for p, q in zip(row, x)]) ** 2 for row in a])) * (1 + 1e-9)
+
+
 def balance(arms):
     """K: columns orthonormal in sum |v_i|^2, v_i = v + w x arm."""
     rows = []

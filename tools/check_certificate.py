@@ -25,7 +25,7 @@ import sys
 import time
 from fractions import Fraction
 
-from certificate_bounds import NAMES, Box, Refused, U, all_inside, leaves_of, once, sign_of
+from certificate_bounds import NAMES, Box, Refused, U, all_inside, least_value, leaves_of, once, sign_of
 from certificate_joints import Joints
 from certificate_rods import Rods
 
@@ -108,8 +108,18 @@ def checked(data, jobs=1, say=None):
         if not all_inside(robot, box, 18):
             raise Refused("the box is not proved to be within the limits")
         return "proved: there is a singular pose in range"
+    if claim["verdict"] == "below":
+        asked, place = data["question"]["margin"], [c * u for c, u in zip(data["singular pose"]["place"], units)]
+        if len(place) != len(low) or not all(a <= c <= b for a, b, c in zip(low, high, place)):
+            raise Refused("the pose is beyond the range")
+        _, inside, forces = robot.look(Box(place, place))
+        if not inside or forces is None:
+            raise Refused("the pose is not proved to be within the limits")
+        if not least_value(robot.holds(forces, 0.0)[2]) + 1e-9 < asked:
+            raise Refused("the margin there is not seen to be below the one asked for")
+        return f"proved: there is a pose in range with a margin below {asked:.6g}"
     if claim["verdict"] not in ("free", "outside", "undecided"):
-        raise Refused(f"no independent checker yet for {claim['verdict']!r}")
+        raise Refused(f"an unknown verdict {claim['verdict']!r}")
     return _tree(data, robot, whole, claim, jobs, say)
 
 

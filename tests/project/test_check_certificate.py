@@ -194,6 +194,19 @@ def test_a_singular_pose_needs_both_signs_within_the_range() -> None:
             checker().checked({**data, "singular pose": {**bad, "opposite signs at": ends}})
 
 
+@pytest.mark.parametrize(
+    ("source", "over", "margin"), [("reachy-mini-head", "yaw 0:60 deg", 0.2), ("delta", "x 0:0.3", 0.274)]
+)
+def test_a_margin_that_is_not_kept_is_seen_again(source: str, over: str, margin: float) -> None:
+    data = json.loads(json.dumps(gc.certify(source, [over], margin=margin, boxes=400).to_json()))
+    assert data["claim"]["verdict"] == "below"
+    assert f"below {margin}" in checker().checked(data)
+    bad = data["singular pose"]
+    for place in ([0.0], [-1.0]):
+        with pytest.raises(checker().Refused):
+            checker().checked({**data, "singular pose": {**bad, "place": place}})
+
+
 def test_robots_without_a_checker_are_told() -> None:
     with pytest.raises(checker().Refused, match="no independent checker yet"):
         checker().checked({**json.loads(certificate("delta")), "geometry": None})
