@@ -175,7 +175,9 @@ def test_numbers_with_units(number: str, tmp_path: Path) -> None:
 def test_numbers_with_units_in_robots(tmp_path: Path) -> None:
     text = (ROOT / "plugins" / "3-rps" / "robot.yaml").read_text(encoding="utf-8").replace("[2, 0, 0]", "[2 m, 0, 0]")
     (tmp_path / "robot.yaml").write_text(text, encoding="utf-8")
-    assert_refused(run("robot", "analyze", str(tmp_path / "robot.yaml")), 2, "write 2; lengths are all in one unit")
+    assert_refused(
+        run("robot", "analyze", str(tmp_path / "robot.yaml")), 2, "write 2; the unit stands once in the file"
+    )
 
 
 @pytest.mark.parametrize("text", ["abc", "1,5", "mm", "--1", "1 2"])

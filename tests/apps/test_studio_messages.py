@@ -38,6 +38,12 @@ from gcrules.apps.studio.wire import framed
 # --- messages that are no requests ---------------------------------------------------------------------------------
 
 POSE = {"source": OCTAHEDRAL, "pose": HOME}
+LONG = POSE | {
+    "over": [*(f"{n} -900:900" for n in "xyz"), *(f"{n} -80:80 deg" for n in ("roll", "pitch", "yaw"))],
+    "margin": 0.05,
+    "boxes": 2_000_000,
+}
+"""A map of whole boxes that takes minutes on any machine."""
 
 
 def asked(do: str, args: Any, **more: Any) -> str:
@@ -190,14 +196,14 @@ def test_latest_wins(page: Page) -> None:
 
 
 def test_slow_work_on_a_channel_gives_way(page: Page) -> None:
-    slow = [page.send("nearest", channel="n", source={"kind": "class", "id": "6-6"}, pose=HOME) for _ in range(3)]
+    slow = [page.send("boxes", channel="n", **LONG) for _ in range(3)]
     last = page.send("bench", channel="n", text="[abcd]")
     assert page.answer(last)["ok"]
     assert [page.answer(n)["error"]["kind"] for n in slow] == ["superseded"] * 3
 
 
 def test_cancel_ends_the_work(page: Page) -> None:
-    slow = page.send("nearest", source={"kind": "class", "id": "6-6"}, pose=HOME)
+    slow = page.send("boxes", **LONG)
     assert page.ask("cancel", target=slow) == {"cancelled": True}
     assert page.answer(slow)["error"]["kind"] == "cancelled"
     assert page.ask("cancel", target=slow) == {"cancelled": False}
@@ -247,7 +253,7 @@ def test_pages_are_bounded(client: TestClient) -> None:
 def test_a_page_that_leaves_ends_its_work(client: TestClient) -> None:
     with client.websocket_connect("/ws", headers=KNOWN) as socket:
         for _ in range(6):
-            Page(socket).send("nearest", source={"kind": "class", "id": "6-6"}, pose=HOME)
+            Page(socket).send("boxes", **LONG)
     with client.websocket_connect("/ws", headers=KNOWN) as socket:
         assert Page(socket).ask("bench", text="[abcd]")["fault"] is None
 

@@ -55,8 +55,8 @@ def test_whole_ranges_are_proved_and_stopped(desk: Desk) -> None:
     desk.run("() => gcrules.open({kind: 'example', name: 'octahedral'})")
     desk.answered()
     desk.one("panel-where").click()
-    for name in ("z", "roll", "pitch", "yaw"):
-        desk.one(f"boxes-over-{name}").check()
+    wide, turned = (-900.0, 900.0), (-80.0, 80.0)
+    ranges(desk, x=wide, y=wide, z=wide, roll=turned, pitch=turned, yaw=turned)
     desk.one("boxes-most").select_option("2000000")
     desk.one("boxes-go").click()
     desk.one("boxes-stop").click()

@@ -103,8 +103,8 @@ def test_the_command_writes_the_same_page(robot: str, tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("options", "message"),
     [
-        (["--at", "0 0 1"], "add --over, --modes or --free"),
-        (["--limits", "legs 1..3"], "add --over, --aspects or --plan"),
+        (["--at", "0 0 1"], "add --over, --certify, --modes or --free"),
+        (["--limits", "legs 1..3"], "add --over, --certify, --aspects or --plan"),
         (["--plan", "home", "--plan", "0 0 1", "--threshold", "1 deg"], "add --path, --over or --modes"),
         (["--path", "0 0 0", "--poses", "poses.csv"], "either by"),
         (["--path", "0 0 0"], "two poses or more"),

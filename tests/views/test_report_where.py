@@ -96,8 +96,8 @@ def test_the_command_writes_the_same_page(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("options", "message"),
     [
-        (["--at", "0 0 1", "--aspects"], "add --over, --modes or --free"),
-        (["--limits", "legs 1..3", "--modes"], "add --over, --aspects or --plan"),
+        (["--at", "0 0 1", "--aspects"], "add --over, --certify, --modes or --free"),
+        (["--limits", "legs 1..3", "--modes"], "add --over, --certify, --aspects or --plan"),
         (["--within", "z 0..1", "--modes"], "add --aspects or --plan"),
         (["--plan", "home", "--plan", "0 0 1", "--plan", "0 0 2"], "a plan of 3 poses"),
         (["--free", "cube"], "cube"),
