@@ -4,8 +4,8 @@ The file has the screws (w; v) of each limb's joints at home, from the base to t
 product of their exponentials. It has programs of the coordinates too: of each limb's wrenches (f; m / size) about its
 end, seen from the platform, and of the amounts of the actuators. That these are what the joints make of them is seen
 where all loops are closed, by Newton's method, at random places around home: the wrenches have no power on the twists
-of the limb's undriven joints there, and are as many as these leave. It is no proof, but both sides are analytic: where
-they agree in a neighbourhood they do wherever the roots of the programs exist.
+of the limb's undriven joints there, and are as many as these leave. It is no proof, but both sides are analytic: what
+agrees around home agrees in all boxes that boxes in which all roots exist join to it.
 
 In a box the entries are Values (`certificate_bounds`). With G the products of a limb's wrenches with each other, and C
 the inverse of a lower factor of it in the middle, C G C^T has no eigenvalue above g there: the margin, measured with
