@@ -3,9 +3,10 @@ r"""Robots given by joints, for `check_certificate.py`: closed forms of wrenches
 The file has the screws (w; v) of each limb's joints at home, from the base to the platform; the platform moves by the
 product of their exponentials. It has programs of the coordinates too: of each limb's wrenches (f; m / size) about its
 end, seen from the platform, and of the amounts of the actuators. That these are what the joints make of them is seen
-where all loops are closed, by Newton's method, at random places around home: the wrenches have no power on the twists
-of the limb's undriven joints there, and are as many as these leave. It is no proof, but both sides are analytic: what
-agrees around home agrees in all boxes that boxes in which all roots exist join to it.
+where all loops are closed, by Newton's method (`certificate_loops`), at random places around home and on ways from
+there to places of the range: the wrenches have no power on the twists of the limb's undriven joints there, and are as
+many as these leave. It is no proof, but both sides are analytic: what agrees around home agrees in all boxes that boxes
+in which all roots exist join to it.
 
 In a box the entries are Values (`certificate_bounds`). With G the products of a limb's wrenches with each other, and C
 the inverse of a lower factor of it in the middle, C G C^T has no eigenvalue above g there: the margin, measured with
@@ -30,15 +31,14 @@ from certificate_bounds import (
     balance_of,
     cholesky,
     cosine_of,
-    cross,
     dot,
     holds_matrix,
     inverse,
     minus,
     mix,
-    times,
     turns,
 )
+from certificate_loops import Loops, moved
 
 PLACES = 12  # where the programs are compared with the joints
 EQUAL = 1e-8
@@ -139,7 +139,9 @@ class Joints:
             rows += [[1, 0, 0, 0, z, -y], [0, 1, 0, -z, 0, x], [0, 0, 1, y, -x, 0]]
             rows += [] if limb["ball"] else [[0] * (3 + k) + [1] + [0] * (2 - k) for k in range(3)]
         self.scale = balance_of([[row[k] for k in self.keep] for row in rows])
-        self._compare()
+        self.loops, self.fault = Loops(self.limbs, self.size, self.centre), None
+        units = [math.pi / 180 if r["unit"] == "deg" else 1.0 for r in q["over"]]
+        self._compare(*([float(Fraction(r[end])) * u for r, u in zip(q["over"], units)] for end in ("low", "high")))
 
     # --- in boxes -----------------------------------------------------------------------------------------------------
 
@@ -202,28 +204,57 @@ class Joints:
 
     # --- compared with the joints -------------------------------------------------------------------------------------
 
-    def _compare(self):
-        """Raises Refused where the programs are not what the joints make."""
-        rng, seen, sizes = random.Random(7), 0, (0.1, 0.03, 0.01)
+    def _compare(self, low, high):
+        """Raises Refused where the programs are not what the joints make: around home, and on ways from home to places
+        of the range, as far as the loops and the programs go along.
+        """
+        rng, seen = random.Random(7), 0
         for trial in range(4 * PLACES):
-            there = self._closed(rng, sizes[trial % 3])
-            if there is None:
-                continue
-            amounts, platform = there
-            pose = self._pose(platform)
-            inputs = [Value(pose[n], [0.0] * len(self.free), 0.0) for n in self.names]
-            try:
-                flat = [v.c for v in self.wrenches.values(inputs)]
-                driven = None if self.amounts is None else [v.c for v in self.amounts.values(inputs)]
-            except (Undefined, Beyond):
-                raise Refused("a closed form does not exist where the joints are closed") from None
-            self._same(amounts, platform, flat, driven)
-            seen += 1
+            there = self.loops.closed(self.loops.around(rng, (0.1, 0.03, 0.01)[trial % 3]))
+            if there is not None:
+                seen += 1
+                if not self._agrees(*there):
+                    raise Refused(self.fault)
             if seen == PLACES:
-                return
-        raise Refused("the loops could not be closed around home")
+                break
+        else:
+            raise Refused("the loops could not be closed around home")
+        home = [[0.0] * n for n in self.loops.counts]
+        for _ in range(PLACES):
+            place = [rng.uniform(a, b) for a, b in zip(low, high)]
+            self._along({n: self.rest[n] if n in self.rest else place[self.at[n]] for n in self.names}, home)
 
-    def _same(self, amounts, platform, flat, driven):
+    def _along(self, pose, amounts):
+        """Steps from home to a pose; where one does not agree it is taken again in smaller ones."""
+        done, step = 0.0, 1 / 8
+        while done < 1:
+            part = min(done + step, 1.0)
+            there = self.loops.closed(amounts, [(n, part * v) for n, v in pose.items()])
+            fine = None if there is None else self._agrees(*there)
+            if fine:
+                amounts, done = there[0], part
+            elif step > 1 / 64:
+                step /= 2
+            elif fine is None:
+                return
+            else:
+                raise Refused(self.fault)
+
+    def _agrees(self, amounts, platform):
+        """Whether the programs are what the joints make of these amounts; None where the programs do not exist."""
+        pose = self.loops.pose(platform)
+        inputs = [Value(pose[n], [0.0] * len(self.free), 0.0) for n in self.names]
+        try:
+            flat = [v.c for v in self.wrenches.values(inputs)]
+            driven = None if self.amounts is None else [v.c for v in self.amounts.values(inputs)]
+        except (Undefined, Beyond):
+            self.fault = "a closed form does not exist where the joints are closed"
+            return None
+        self.fault = self._fault(amounts, platform, flat, driven)
+        return self.fault is None
+
+    def _fault(self, amounts, platform, flat, driven):
+        """What differs, in words."""
         rotation, _ = platform
         if driven is not None:
             values = iter(driven)
@@ -236,94 +267,25 @@ class Joints:
                 else:
                     off = abs(next(values) - amount) / self.size
                 if off > EQUAL:
-                    raise Refused(f"the closed form of {a['name']} is not what its joint does")
+                    return f"the closed form of {a['name']} is not what its joint does"
         for k, limb in enumerate(self.limbs):
             count = limb["wrenches"]
             rows, flat = [flat[6 * n : 6 * n + 6] for n in range(count)], flat[6 * count :]
             driven_ones = {a["coordinate"] for a in self.actuators if a["limb"] == k}
             end = moved(platform, limb["end"])
-            twists = [t for c, t in enumerate(self._twists(k, amounts[k], end)) if c not in driven_ones]
+            twists = [t for c, t in enumerate(self.loops.twists(k, amounts[k], end)) if c not in driven_ones]
             passive = [[dot(column, part) for part in (t[:3], t[3:]) for column in zip(*rotation)] for t in twists]
             own = [[x[j] for j in (3, 4, 5, 0, 1, 2)] for x in rows]  # (m; f) beside (w; v)
             powers = [abs(sum(a * b for a, b in zip(r, t))) / length(r) for r in own for t in passive]
             if max(powers, default=0.0) > EQUAL:
-                raise Refused("a wrench is none of its limb: it has power on the undriven joints")
+                return "a wrench is none of its limb: it has power on the undriven joints"
             kept = [(k + 3) % 6 for k in self.keep]  # the places of what is kept of (f; m) in (m; f), and in (w; v)
             wrenches, freedoms = (rank([[r[j] for j in kept] for r in rows]) for rows in (own, passive))
             if wrenches != count:
-                raise Refused("the wrenches of a limb depend on each other")
+                return "the wrenches of a limb depend on each other"
             if freedoms + count != len(self.keep):
-                raise Refused("a limb has not as many wrenches as its undriven joints leave")
-
-    def _motions(self, k, amounts):
-        """The motions of the links of a limb, from the first joint's to the platform's."""
-        limb, found, now = self.limbs[k], [], None
-        for screw, c, s in zip(limb["screws"], limb["coordinates"], limb["signs"]):
-            step = exponential(screw, s * amounts[c])
-            now = step if now is None else after(now, step)
-            found.append(now)
-        return found
-
-    def _twists(self, k, amounts, about):
-        """For each coordinate the twist (w; v / size) of the platform, v at a point."""
-        limb, motions = self.limbs[k], self._motions(k, amounts)
-        found = [[0.0] * 6 for _ in range(1 + max(limb["coordinates"]))]
-        before = (((1, 0, 0), (0, 1, 0), (0, 0, 1)), (0.0, 0.0, 0.0))
-        for screw, c, s, motion in zip(limb["screws"], limb["coordinates"], limb["signs"], motions):
-            rotation, shift = before
-            w, v = ([dot(row, part) for row in rotation] for part in (screw[:3], screw[3:]))
-            v = [a + b for a, b in zip(v, cross(shift, w))]
-            there = [(a + b) / self.size for a, b in zip(v, cross(w, about))]
-            found[c] = [x + s * y for x, y in zip(found[c], (*w, *there))]
-            before = motion
-        return found
-
-    def _closed(self, rng, far):
-        """Amounts of all limbs in which all platforms are in one place, and that place; None where it was not found."""
-        counts = [1 + max(limb["coordinates"]) for limb in self.limbs]
-        units = [self._units(k, n) for k, n in enumerate(counts)]
-        amounts = [
-            [0.0 if c in limb["held"] else rng.uniform(-far, far) * u for c, u in enumerate(own)]
-            for limb, own in zip(self.limbs, units)
-        ]
-        unknown = [(k, c) for k, n in enumerate(counts) for c in range(n) if c not in self.limbs[k]["held"]]
-        for _ in range(30):
-            places = [self._motions(k, own)[-1] for k, own in enumerate(amounts)]
-            about = moved(places[0], self.centre)
-            rest = [x for place in places[1:] for x in apart(places[0], place, self.centre, self.size)]
-            if max(map(abs, rest)) < 1e-13:
-                return amounts, places[0]
-            twists = [self._twists(k, own, about) for k, own in enumerate(amounts)]
-            rows = []
-            for k, c in unknown:
-                t = [x * units[k][c] for x in twists[k][c]]
-                by = [(k == n) - (k == 0) for n in range(1, len(places))]
-                rows.append([b * x for b in by for x in t])
-            normal = times(rows, list(zip(*rows)))
-            for i in range(len(normal)):
-                normal[i][i] += 1e-9  # the robot can move: of all steps a short one
-            back = inverse(normal)
-            if back is None:
-                return None
-            step = [sum(b * sum(r * x for r, x in zip(row, rest)) for b, row in zip(line, rows)) for line in back]
-            for (k, c), x in zip(unknown, step):
-                amounts[k][c] -= x * units[k][c]
+                return "a limb has not as many wrenches as its undriven joints leave"
         return None
-
-    def _units(self, k, n):
-        """What an amount of each coordinate is measured in: rad, or the size."""
-        found = [self.size] * n
-        for screw, c in zip(self.limbs[k]["screws"], self.limbs[k]["coordinates"]):
-            if any(screw[:3]):
-                found[c] = 1.0
-        return found
-
-    def _pose(self, platform):
-        """The coordinates of a motion of the platform by their names."""
-        r, _ = platform
-        shift = minus(moved(platform, self.centre), self.centre)
-        turn = (math.atan2(r[2][1], r[2][2]), -math.asin(max(-1.0, min(1.0, r[2][0]))), math.atan2(r[1][0], r[0][0]))
-        return dict(zip(NAMES, (*shift, *turn)))
 
 
 def total(a, b):
@@ -359,39 +321,3 @@ def rank(rows):
         rows = [[x - u * sum(p * q for p, q in zip(r, unit)) for x, u in zip(r, unit)] for r in rows if r is not best]
         found += 1
     return found
-
-
-def exponential(screw, amount):
-    """The motion (rotation, shift) by an amount of a screw (w; v) with w of length 1, or 0 for a slide."""
-    w, v = screw[:3], screw[3:]
-    if not any(w):
-        return ((1, 0, 0), (0, 1, 0), (0, 0, 1)), [amount * c for c in v]
-    s, c = math.sin(amount), 1 - math.cos(amount)
-    rows = []
-    for i in range(3):
-        unit = [float(i == j) for j in range(3)]
-        turned, twice = cross(w, unit), cross(w, cross(w, unit))
-        rows.append([u + s * a + c * b for u, a, b in zip(unit, turned, twice)])  # columns of the rotation
-    along = dot(w, v)
-    around = cross(w, v)
-    shift = [amount * along * a + s * (x - along * a) + c * y for a, x, y in zip(w, v, around)]
-    return list(zip(*rows)), shift
-
-
-def after(first, second):
-    """The motion of `second`, and then of `first`."""
-    (r, t), (s, u) = first, second
-    return times(r, s), [dot(row, u) + c for row, c in zip(r, t)]
-
-
-def moved(motion, point):
-    rotation, shift = motion
-    return [dot(row, point) + c for row, c in zip(rotation, shift)]
-
-
-def apart(one, other, centre, size):
-    """The small turn, and the shift of the centre in parts of the size, that lead from one motion to another."""
-    (r, _), (s, _) = one, other
-    turn = times(s, list(zip(*r)))
-    w = [(turn[2][1] - turn[1][2]) / 2, (turn[0][2] - turn[2][0]) / 2, (turn[1][0] - turn[0][1]) / 2]
-    return [*w, *((a - b) / size for a, b in zip(moved(other, centre), moved(one, centre)))]

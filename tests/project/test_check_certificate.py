@@ -148,7 +148,7 @@ def test_certificates_are_as_the_published_schema_says() -> None:
 
 def test_the_checker_imports_nothing_of_gcrules() -> None:
     files = sorted((ROOT / "tools").glob("*certificate*.py"))
-    assert len(files) == 4
+    assert len(files) == 5
     for file in files:
         text = file.read_text(encoding="utf-8")
         assert "import gcrules" not in text
@@ -243,6 +243,15 @@ def _screw(data: dict[str, Any], limb: int) -> None:
     data["geometry"]["limbs"][limb]["screws"][1][4] += 0.1
 
 
+def _elsewhere(data: dict[str, Any]) -> None:
+    """The first wrench has another sign in one entry where x > 1/5: by the root of a square, which is no line there."""
+    program = data["geometry"]["wrenches"]
+    lines, n = program["lines"], len(program["lines"])
+    lines += [["input", 0], ["shift", n, "-1/5"], ["mul", n + 1, n + 1], ["sqrt", n + 2], ["inv", n + 1]]
+    lines += [["mul", n + 3, n + 4], ["scale", n + 5, "-1"], ["mul", program["results"][0], n + 6]]
+    program["results"][0] = n + 7
+
+
 CHANGES: dict[str, Callable[[dict[str, Any]], Any]] = {
     "a wrench": lambda data: _constant(data, "wrenches", 2),
     "another wrench": lambda data: _constant(data, "wrenches", 5),
@@ -251,6 +260,7 @@ CHANGES: dict[str, Callable[[dict[str, Any]], Any]] = {
     "how many wrenches": lambda data: data["geometry"]["limbs"][0].update(wrenches=1),
     "what is driven": lambda data: data["geometry"]["actuators"].pop(),
     "the margin": lambda data: (data["claim"].update({"margin at least": 0.9}), data.update(bounds=[0.9])),
+    "a wrench far from home": _elsewhere,
     "an operation": lambda data: data["geometry"]["wrenches"]["lines"][3].__setitem__(0, "tan"),
 }
 
