@@ -6,7 +6,7 @@ end, seen from the platform, and of the amounts of the actuators. That these are
 where all loops are closed, by Newton's method (`certificate_loops`), at random places around home and on ways from
 there to places of the range: the wrenches have no power on the twists of the limb's undriven joints there, and are as
 many as these leave. It is no proof, but both sides are analytic: what agrees around home agrees in all boxes that boxes
-in which all roots exist join to it.
+in which all roots exist join to it. That a pose is reached nowhere is told by a root that is negative, or by limits.
 
 In a box the entries are Values (`certificate_bounds`). With G the products of a limb's wrenches with each other, and C
 the inverse of a lower factor of it in the middle, C G C^T has no eigenvalue above g there: the margin, measured with
@@ -61,6 +61,11 @@ class Tape:
         self.results = [r if type(r) is int else float(Fraction(r)) for r in data["results"]]
         if any(type(r) is int and not 0 <= r < len(self.lines) for r in self.results):
             raise Refused("a result of a program that is not there")
+        needed = {r for r in self.results if type(r) is int}
+        for n in reversed(range(len(self.lines))):  # a root that nothing needs would tell where poses are not reached
+            if n not in needed:
+                raise Refused("a line of a program that no result needs")
+            needed.update(self.lines[n][1] if self.lines[n][0] != "input" else ())
 
     def values(self, inputs):
         """Its results for inputs that are Values. Raises Undefined and Beyond."""
@@ -241,15 +246,15 @@ class Joints:
                 raise Refused(self.fault)
 
     def _agrees(self, amounts, platform):
-        """Whether the programs are what the joints make of these amounts; None where the programs do not exist."""
+        """Whether the programs are what the joints make of these amounts; None at the end of where they exist."""
         pose = self.loops.pose(platform)
         inputs = [Value(pose[n], [0.0] * len(self.free), 0.0) for n in self.names]
         try:
             flat = [v.c for v in self.wrenches.values(inputs)]
             driven = None if self.amounts is None else [v.c for v in self.amounts.values(inputs)]
-        except (Undefined, Beyond):
+        except (Undefined, Beyond) as fault:  # a root of 0, to rounding, or a negative one
             self.fault = "a closed form does not exist where the joints are closed"
-            return None
+            return False if isinstance(fault, Beyond) else None
         self.fault = self._fault(amounts, platform, flat, driven)
         return self.fault is None
 

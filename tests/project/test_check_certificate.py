@@ -252,6 +252,16 @@ def _elsewhere(data: dict[str, Any]) -> None:
     program["results"][0] = n + 7
 
 
+def _nowhere(data: dict[str, Any], *, needed: bool) -> None:
+    """A root that exists where x < 1/5 alone, so that poses beyond seem to be reached nowhere."""
+    program = data["geometry"]["wrenches"]
+    lines, n = program["lines"], len(program["lines"])
+    lines += [["input", 0], ["scale", n, "-1"], ["shift", n + 1, "1/5"], ["sqrt", n + 2], ["scale", n + 3, "0"]]
+    if needed:
+        lines.append(["add", program["results"][0], n + 4])
+        program["results"][0] = n + 5
+
+
 CHANGES: dict[str, Callable[[dict[str, Any]], Any]] = {
     "a wrench": lambda data: _constant(data, "wrenches", 2),
     "another wrench": lambda data: _constant(data, "wrenches", 5),
@@ -261,6 +271,8 @@ CHANGES: dict[str, Callable[[dict[str, Any]], Any]] = {
     "what is driven": lambda data: data["geometry"]["actuators"].pop(),
     "the margin": lambda data: (data["claim"].update({"margin at least": 0.9}), data.update(bounds=[0.9])),
     "a wrench far from home": _elsewhere,
+    "a root that nothing needs": lambda data: _nowhere(data, needed=False),
+    "a root that is needed": lambda data: _nowhere(data, needed=True),
     "an operation": lambda data: data["geometry"]["wrenches"]["lines"][3].__setitem__(0, "tan"),
 }
 
