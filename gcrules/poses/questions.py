@@ -1,5 +1,5 @@
-"""What a report is asked for beside the analysis (path, map, certificate, modes, aspects, plan, free
-region) and the answers.
+"""What a report is asked for beside the analysis (path, map, certificate, modes, aspects, plan, free region) and the
+answers.
 
 Each answer is that of the function of its own, with the same arguments.
 """

@@ -69,6 +69,16 @@ def test_answers_bear_it(command: str, shown: tuple[str, ...], delta: str, tmp_p
         assert text in found.stdout
 
 
+def test_tables_bear_it_and_are_read_back(delta: str, tmp_path: Path) -> None:
+    found = gc.plan(delta, "x=0, y=0, z=0", "x=0.1, y=0, z=0")
+    assert found.csv().splitlines()[0] == "x [cm],y [cm],z [cm]"
+    path = tmp_path / "way.csv"
+    path.write_text(found.csv(), encoding="utf-8")
+    assert gc.path(delta, str(path)).csv().startswith("parameter,x [cm],")
+    with pytest.raises(InputError, match="mixed units: cm here"):
+        gc.path("delta", str(path))
+
+
 def test_models_are_in_metres() -> None:
     robot, centimetres = parse_robot(DELTA), parse_robot(IN_CM)
     places = [[j.at for j in model_of(r).joints] for r in (robot, centimetres)]

@@ -65,7 +65,7 @@ def _written_of_legs(m: SixLegs, poses: Sequence[PoseJson]) -> str:
 
 def _written_of_limbs(m: Limbs, poses: Sequence[PoseJson]) -> str:
     names = free_coordinates(m.linkage)
-    return table_text([coordinates_at(m, p, names) for p in poses])
+    return table_text([coordinates_at(m, p, names) for p in poses], m.unit)
 
 
 _READERS: Methods[tuple[list[PoseJson], Sequence[str]]] = {SixLegs: _read_of_legs, Limbs: _read_of_limbs}

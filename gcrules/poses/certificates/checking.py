@@ -29,7 +29,8 @@ __all__ = ["geometry"]
 def geometry(asked: Asked) -> dict[str, Any] | None:
     """Six legs or rods at home: of each its two `ends`, the point on the platform last, and its drive, a leg that
     stretches, a turn about an axis or a slide along a direction; the `centre` about which the platform turns. Of other
-    robots their `joints`. None for robots of which the checker knows nothing.
+    robots the screws of each limb's joints and its end, the actuators, and programs of the wrenches and of the amounts
+    of the actuators. None for robots of which the checker knows nothing.
     """
     found: dict[str, Any] | None = method(_GEOMETRY, asked.mechanism, "a certificate")(asked.task.question.names)
     return found

@@ -22,6 +22,7 @@ Floats = NDArray[np.float64]
 XYZ = tuple[float, float, float]
 
 _TOLERANCE = 1e-6
+_NOISE = 1e-9  # of coordinates beside others
 
 
 @dataclass(frozen=True)
@@ -56,7 +57,7 @@ class Twist:
 
 def _tuple(numbers: Sequence[float]) -> str:
     """Coordinates with four digits; what is rounding beside the largest of them is 0."""
-    least = _TOLERANCE * max(map(abs, numbers))
+    least = _NOISE * max(map(abs, numbers))
     return "(" + ", ".join(f"{c if abs(c) > least else 0.0:.4g}" for c in numbers) + ")"
 
 

@@ -77,16 +77,15 @@ def read_targets(text: str, unit: str = "", filename: str = "<input>") -> Sequen
 
 
 def table_text(poses: Sequence[Pose | Mapping[str, float]], unit: str = "") -> str:
-    """A table of poses of one kind, which is read back; coordinates by name are in rad and in the unit of lengths."""
+    """A table of poses of one kind, which is read back; lengths are in `unit`, angles by name in rad."""
     if not poses:
         return ""
-    first = poses[0]
+    first, bracket = poses[0], f" [{unit}]" if unit else ""
     if isinstance(first, Pose):
-        bracket = f" [{unit}]" if unit else ""
         header = [*(f"{n}{bracket}" for n in "xyz"), "qw", "qx", "qy", "qz"]
         rows = [[*map(float, p.translation), *p.unit_quaternion] for p in poses if isinstance(p, Pose)]
     else:
-        header = [f"{n} [rad]" if n in ANGLES else n for n in first]
+        header = [f"{n} [rad]" if n in ANGLES else f"{n}{bracket}" for n in first]
         rows = [list(p.values()) for p in poses if not isinstance(p, Pose)]
     lines = [header, *([repr(x + 0.0).removesuffix(".0") for x in row] for row in rows)]
     return "".join(f"{','.join(line)}\n" for line in lines)
