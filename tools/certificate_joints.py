@@ -42,6 +42,7 @@ from certificate_loops import Loops, moved
 
 PLACES = 12  # where the programs are compared with the joints
 EQUAL = 1e-8
+NOWHERE = "the closed forms end around home"
 OPERATIONS = {"add": 2, "sub": 2, "mul": 2, "shift": 1, "scale": 1, "inv": 1, "sqrt": 1, "cos": 1, "sin": 1}
 
 
@@ -144,7 +145,7 @@ class Joints:
             rows += [[1, 0, 0, 0, z, -y], [0, 1, 0, -z, 0, x], [0, 0, 1, y, -x, 0]]
             rows += [] if limb["ball"] else [[0] * (3 + k) + [1] + [0] * (2 - k) for k in range(3)]
         self.scale = balance_of([[row[k] for k in self.keep] for row in rows])
-        self.loops, self.fault = Loops(self.limbs, self.size, self.centre), None
+        self.loops = Loops(self.limbs, self.size, self.centre)
         units = [math.pi / 180 if r["unit"] == "deg" else 1.0 for r in q["over"]]
         self._compare(*([float(Fraction(r[end])) * u for r, u in zip(q["over"], units)] for end in ("low", "high")))
 
@@ -218,8 +219,8 @@ class Joints:
             there = self.loops.closed(self.loops.around(rng, (0.1, 0.03, 0.01)[trial % 3]))
             if there is not None:
                 seen += 1
-                if not self._agrees(*there):
-                    raise Refused(self.fault)
+                if words := self._fault(*there):
+                    raise Refused(words)
             if seen == PLACES:
                 break
         else:
@@ -235,31 +236,27 @@ class Joints:
         while done < 1:
             part = min(done + step, 1.0)
             there = self.loops.closed(amounts, [(n, part * v) for n, v in pose.items()])
-            fine = None if there is None else self._agrees(*there)
-            if fine:
+            words = NOWHERE if there is None else self._fault(*there)
+            if not words:
                 amounts, done = there[0], part
             elif step > 1 / 64:
                 step /= 2
-            elif fine is None:
+            elif words is NOWHERE:
                 return
             else:
-                raise Refused(self.fault)
+                raise Refused(words)
 
-    def _agrees(self, amounts, platform):
-        """Whether the programs are what the joints make of these amounts; None at the end of where they exist."""
+    def _fault(self, amounts, platform):
+        """What the programs are not that the joints make of these amounts, in words; "" where they agree."""
         pose = self.loops.pose(platform)
         inputs = [Value(pose[n], [0.0] * len(self.free), 0.0) for n in self.names]
         try:
             flat = [v.c for v in self.wrenches.values(inputs)]
             driven = None if self.amounts is None else [v.c for v in self.amounts.values(inputs)]
-        except (Undefined, Beyond) as fault:  # a root of 0, to rounding, or a negative one
-            self.fault = "a closed form does not exist where the joints are closed"
-            return False if isinstance(fault, Beyond) else None
-        self.fault = self._fault(amounts, platform, flat, driven)
-        return self.fault is None
-
-    def _fault(self, amounts, platform, flat, driven):
-        """What differs, in words."""
+        except Undefined:  # a root of 0, to rounding
+            return NOWHERE
+        except Beyond:
+            return "a closed form does not exist where the joints are closed"
         rotation, _ = platform
         if driven is not None:
             values = iter(driven)
@@ -290,7 +287,7 @@ class Joints:
                 return "the wrenches of a limb depend on each other"
             if freedoms + count != len(self.keep):
                 return "a limb has not as many wrenches as its undriven joints leave"
-        return None
+        return ""
 
 
 def total(a, b):
