@@ -5,14 +5,15 @@ from __future__ import annotations
 import os
 import subprocess
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
+from pathlib import Path
 from typing import Any
 
 from click.testing import CliRunner, Result
 
 from gcrules.apps.cli import cli
 
-__all__ = ["Run", "assert_refused", "invoke", "shell"]
+__all__ = ["Run", "assert_refused", "invoke", "refuse_report", "shell"]
 
 Run = Callable[..., Result]
 
@@ -23,6 +24,14 @@ def invoke(*arguments: str, input: str | bytes | None = None) -> Result:
     if result.exception is not None and not isinstance(result.exception, SystemExit):
         raise result.exception
     return result
+
+
+def refuse_report(source: str, options: Iterable[str], message: str, out: Path) -> None:
+    """`gcrules report` with these options says this, and writes nothing."""
+    done = invoke("report", source, "--no-3d", *options, "-o", str(out))
+    assert done.exit_code == 2
+    assert message in " ".join(done.stderr.split())
+    assert not out.exists()
 
 
 def shell(

@@ -94,6 +94,14 @@ class Desk:
     def one(self, testid: str) -> Any:
         return self.page.get_by_test_id(testid)
 
+    def stop(self, start: str, stop: str) -> None:
+        """Start what takes long, and stop it: it can be started again, and nothing is at fault."""
+        self.one(start).click()
+        self.one(stop).click()
+        self.one(stop).wait_for(state="detached")
+        assert self.one(start).is_enabled()
+        assert self.page.get_by_test_id("fault").count() == 0
+
     def run(self, script: str, argument: Any = None) -> Any:
         return self.page.evaluate(script, argument)
 

@@ -498,18 +498,10 @@ def test_aspects_and_a_free_box_are_told(desk: Desk) -> None:
     desk.page.wait_for_function("() => !gcrules.moving.active.value")
     desk.answered()
     assert desk.pose["translation"][2] == pytest.approx(-733.333, abs=1e-2)
-    desk.one("free-box").click()
-    desk.one("free-stop").click()
-    desk.one("free-stop").wait_for(state="detached")
-    assert desk.one("free-box").is_enabled()
-    assert desk.page.get_by_test_id("fault").count() == 0
+    desk.stop("free-box", "free-stop")
 
 
 def test_a_long_map_is_stopped(desk: Desk) -> None:
     motion(desk, "robot", "delta")
     desk.one("map-nodes").select_option("81")
-    desk.one("map-go").click()
-    desk.one("map-stop").click()
-    desk.one("map-stop").wait_for(state="detached")
-    assert desk.one("map-go").is_enabled()
-    assert desk.page.get_by_test_id("fault").count() == 0
+    desk.stop("map-go", "map-stop")

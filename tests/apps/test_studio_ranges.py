@@ -58,11 +58,7 @@ def test_whole_ranges_are_proved_and_stopped(desk: Desk) -> None:
     wide, turned = (-900.0, 900.0), (-80.0, 80.0)
     ranges(desk, x=wide, y=wide, z=wide, roll=turned, pitch=turned, yaw=turned)
     desk.one("boxes-most").select_option("2000000")
-    desk.one("boxes-go").click()
-    desk.one("boxes-stop").click()
-    desk.one("boxes-stop").wait_for(state="detached")
-    assert desk.one("boxes-go").is_enabled()
-    assert desk.page.get_by_test_id("fault").count() == 0
+    desk.stop("boxes-go", "boxes-stop")
 
 
 def ranges(desk: Desk, **wanted: tuple[float, float]) -> None:
@@ -157,11 +153,7 @@ def test_map_and_certificate_share_the_question(desk: Desk) -> None:
 def test_a_long_certificate_is_stopped(desk: Desk) -> None:
     certificate(desk, "robot", "6-rus", **dict.fromkeys("xyz", (-0.2, 0.2)), roll=(-10, 10), pitch=(-10, 10))
     desk.one("boxes-most").select_option("2000000")
-    desk.one("boxes-go").click()
-    desk.one("certify-stop").click()
-    desk.one("certify-stop").wait_for(state="detached")
-    assert desk.one("boxes-go").is_enabled()
-    assert desk.page.get_by_test_id("fault").count() == 0
+    desk.stop("boxes-go", "certify-stop")
 
 
 def test_kinds_of_boxes_are_told_apart_in_the_dark_and_on_a_telephone(desk: Desk) -> None:

@@ -9,6 +9,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from certificate_trees import sign_at
 from commands import invoke
 from places import EXAMPLES
 
@@ -56,7 +57,7 @@ def test_poses_within_the_limits_have_the_margin_that_is_proved() -> None:
             axis = np.array(_axis(k))
             tilted.append(_angle(rod, _about(axis, here.actuator_values[f"q{k}"]) @ before))
         kept = all(a <= math.degrees(here.actuator_values[q]) <= b for q, (a, b) in limits.items())
-        status = _status(found, np.radians([roll, pitch, yaw]))
+        status = sign_at(found, (roll, pitch, yaw))
         if kept and max(tilted) <= 40:
             inside += 1
             assert status in "fg"
@@ -84,26 +85,6 @@ def _turn(roll: float, pitch: float, yaw: float) -> np.ndarray:
 
 def _angle(a: np.ndarray, b: np.ndarray) -> float:
     return math.degrees(math.acos(min(1.0, float(a @ b / np.linalg.norm(a) / np.linalg.norm(b)))))
-
-
-def _status(found: Certificate, place: np.ndarray) -> str:
-    """What the tree says of a place."""
-    ends = [[float(a.start) * a.scale, float(a.stop) * a.scale] for a in found.asked.axes]
-    tree = iter(found.tree)
-
-    def skip() -> None:
-        if next(tree).isdigit():
-            skip()
-            skip()
-
-    while (sign := next(tree)).isdigit():
-        k = int(sign)
-        middle = sum(ends[k]) / 2
-        upper = place[k] > middle
-        ends[k][0 if upper else 1] = middle
-        if upper:
-            skip()
-    return sign
 
 
 def test_a_singular_pose_is_found_with_its_cause() -> None:
@@ -177,8 +158,8 @@ def test_a_tilt_is_a_cone_in_any_direction() -> None:
     assert math.pi * 20**2 / 100**2 < sum(found.shares[:2]) < 0.5  # boxes on the cone's border are free too
     for place in np.radians(np.random.default_rng(2).uniform(-50, 50, (500, 2))):
         if np.cos(place).prod() > math.cos(math.radians(20)):
-            assert _status(found, place) == "f"
-    assert _status(found, np.radians([29.0, 29.0])) == "o"
+            assert sign_at(found, np.degrees(place)) == "f"
+    assert sign_at(found, (29.0, 29.0)) == "o"
 
 
 @pytest.mark.parametrize(

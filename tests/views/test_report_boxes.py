@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from commands import invoke
+from commands import invoke, refuse_report
 from places import EXAMPLES
 from views.shown_sections import agrees, plain
 
@@ -133,11 +133,7 @@ def test_the_command_writes_the_same_page(tmp_path: Path) -> None:
     ],
 )
 def test_faults_of_the_command(options: list[str], message: str, tmp_path: Path) -> None:
-    out = tmp_path / "page.html"
-    done = invoke("report", OCTAHEDRAL, "--no-3d", *options, "-o", str(out))
-    assert done.exit_code == 2
-    assert message in " ".join(done.stderr.split())
-    assert not out.exists()
+    refuse_report(OCTAHEDRAL, options, message, tmp_path / "page.html")
 
 
 def test_faults_of_the_function() -> None:

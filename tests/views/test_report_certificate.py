@@ -16,7 +16,8 @@ from typing import Any
 
 import numpy as np
 import pytest
-from commands import invoke
+from certificate_trees import sign_at
+from commands import invoke, refuse_report
 from places import EXAMPLES, ROOT
 from views.shown_sections import agrees, plain
 
@@ -87,26 +88,6 @@ def test_the_file_of_a_page_is_proved_again(tmp_path: Path) -> None:
 
 
 # --- the picture ----------------------------------------------------------------------------------------------------
-
-
-def sign_at(c: Certificate, place: list[float]) -> str:
-    """What the tree says of a place in the units of the axes; it is read here by itself."""
-    ends = [[float(a.start), float(a.stop)] for a in c.axes]
-    tree = iter(c.tree)
-
-    def skip() -> None:
-        if next(tree).isdigit():
-            skip()
-            skip()
-
-    while (sign := next(tree)).isdigit():
-        k = int(sign)
-        middle = sum(ends[k]) / 2
-        upper = place[k] > middle
-        ends[k][0 if upper else 1] = middle
-        if upper:
-            skip()
-    return sign
 
 
 @cache
@@ -248,8 +229,4 @@ def test_a_certificate_that_took_long_is_shown_from_its_file(tmp_path: Path) -> 
     ],
 )
 def test_faults_of_the_command(options: list[str], message: str, tmp_path: Path) -> None:
-    out = tmp_path / "page.html"
-    done = invoke("report", OCTAHEDRAL, "--no-3d", *options, "-o", str(out))
-    assert done.exit_code == 2
-    assert message in " ".join(done.stderr.split())
-    assert not out.exists()
+    refuse_report(OCTAHEDRAL, options, message, tmp_path / "page.html")

@@ -16,6 +16,7 @@ __all__ = ["Symmetry", "symmetries_of"]
 
 _FOLDS = range(12, 1, -1)
 _FRAME = "xyz"
+_SEEN = 1e-6  # of a component that gives an axis its sense
 
 
 @dataclass(frozen=True, eq=False)
@@ -56,13 +57,13 @@ def symmetries_of(own: Layout, tolerance: float) -> tuple[Symmetry, ...]:
 
 def _axes(own: Layout, centre: Floats) -> Iterator[tuple[str, Floats]]:
     """Along the frame, and through what the places are spread out around."""
-    for name, a in zip("zxy", np.eye(3)[[2, 0, 1]], strict=True):
-        yield f"{name}", a
+    yield from zip("zxy", np.eye(3)[[2, 0, 1]], strict=True)
     away = own.shape.places - centre
     values, vectors = np.linalg.eigh(away.T @ away)
     for k in (0, 2):
         if abs(values[k] - values[1]) > 1e-3 * values[2] and np.abs(vectors[:, k]).max() < 1 - 1e-9:
-            yield f"({', '.join(f'{c:.4g}' for c in vectors[:, k])})", vectors[:, k]
+            axis = vectors[:, k] * np.sign(vectors[np.argmax(np.abs(vectors[:, k]) > _SEEN), k])
+            yield f"({', '.join(f'{c:.4g}' for c in axis)})", axis
 
 
 def _normals(own: Layout, centre: Floats, axis: Floats | None, tolerance: float) -> Iterator[tuple[str, Floats]]:

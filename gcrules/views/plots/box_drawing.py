@@ -21,7 +21,7 @@ from gcrules.poses.maps.axes import GridAxis
 from gcrules.poses.maps.cells import CROSSED, FREE, OUTSIDE, UNDECIDED
 from gcrules.views.drawing.palette import LIGHT
 
-__all__ = ["COLOURS", "Boxed", "Parts", "add_key", "boxes_of", "draw_boxes", "frame", "words_of"]
+__all__ = ["COLOURS", "Boxed", "Parts", "add_key", "boxes_of", "draw_boxes", "frame", "label_pair", "words_of"]
 
 Floats = NDArray[np.float64]
 Parts = Mapping[str, tuple[Floats, Floats]]
@@ -119,6 +119,19 @@ def frame(axes: Axes, first: GridAxis, second: GridAxis | None) -> None:
     axes.set(ylim=(float(second.start), float(second.stop)))
     if first.unit == second.unit and first.kind == second.kind:
         axes.set_aspect("equal")
+
+
+def label_pair(axes: Axes, first: GridAxis, second: GridAxis, at: tuple[int, int], last: int) -> None:
+    """The names and numbers of a pair of coordinates, one of all pairs up to the `last` coordinate: at the outer ones,
+    below and on the left.
+    """
+    i, j = at
+    axes.tick_params(direction="out", length=2.5, width=0.6, labelsize=7)
+    axes.set(xlabel=first.label if j == last else "", ylabel=second.label if i == 0 else "")
+    if j < last:
+        axes.set_xticklabels([])
+    if i > 0:
+        axes.set_yticklabels([])
 
 
 def add_key(made: Figure, words: Mapping[str, str], *more: Any) -> None:

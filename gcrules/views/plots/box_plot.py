@@ -13,7 +13,17 @@ from numpy.typing import NDArray
 
 from gcrules.poses.boxes.report import BoxMap
 from gcrules.poses.maps.cells import FREE, OUTSIDE
-from gcrules.views.plots.box_drawing import COLOURS, Boxed, Parts, add_key, boxes_of, draw_boxes, frame, words_of
+from gcrules.views.plots.box_drawing import (
+    COLOURS,
+    Boxed,
+    Parts,
+    add_key,
+    boxes_of,
+    draw_boxes,
+    frame,
+    label_pair,
+    words_of,
+)
 from gcrules.views.plots.saving import saved
 
 __all__ = ["WIDTH", "figure", "flat", "picture"]
@@ -81,12 +91,7 @@ def _pairs(m: BoxMap) -> Figure:
             vmax=top,
             interpolation="nearest",
         )
-        axes.tick_params(direction="out", length=2.5, width=0.6, labelsize=7)
-        axes.set(xlabel=first.label if j == n - 1 else "", ylabel=second.label if i == 0 else "")
-        if j < n - 1:
-            axes.set_xticklabels([])
-        if i > 0:
-            axes.set_yticklabels([])
+        label_pair(axes, first, second, (i, j), n - 1)
     assert image is not None
     bar = made.colorbar(
         image, ax=made.axes, location="top", shrink=0.5, aspect=40, pad=0.02, format=lambda v, _: f"{100 * v:.3g} %"

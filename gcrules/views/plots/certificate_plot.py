@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from gcrules.poses.certificates.certificate import Certificate
 from gcrules.views.drawing.palette import LIGHT
-from gcrules.views.plots.box_drawing import Parts, add_key, boxes_of, draw_boxes, frame, words_of
+from gcrules.views.plots.box_drawing import Parts, add_key, boxes_of, draw_boxes, frame, label_pair, words_of
 from gcrules.views.plots.box_plot import WIDTH, flat
 from gcrules.views.plots.saving import saved
 from gcrules.views.results.certificate_place import ShownPlace, shown_place
@@ -77,12 +77,7 @@ def _slices(c: Certificate, at: ShownPlace) -> tuple[Figure, Parts]:
             drawn |= set(parts)
             frame(axes, first, second)
             axes.set_aspect("auto")
-            axes.tick_params(direction="out", length=2.5, width=0.6, labelsize=7)
-            axes.set(xlabel=first.label if j == n - 1 else "", ylabel=second.label if i == 0 else "")
-            if j < n - 1:
-                axes.set_xticklabels([])
-            if i > 0:
-                axes.set_yticklabels([])
+            label_pair(axes, first, second, (i, j), n - 1)
     made.suptitle(c.task.mechanism.title, fontsize=11)
     return made, {name: ends for name, ends in every.items() if name in drawn}
 
