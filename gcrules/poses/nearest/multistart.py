@@ -26,6 +26,7 @@ Floats = NDArray[np.float64]
 
 _ROTATIONS, _BOTH = 800, 2500  # rays
 _STEPS = 48
+_JUMP = 4  # steps at once where the determinant falls slowly
 _STARTS = 8
 _HALVINGS = 12  # of an interval, to see which rays are the nearest
 _ROUNDING = 1e-9  # of the lengths of directions
@@ -107,17 +108,31 @@ def _along_rays(f: Callable[[Floats], Floats], directions: Floats, reach: float,
     """The first changes of sign along rays, found on a grid and then to the last bit; shape (N, dimension).
 
     Of the rays, those only that may be among the `_STARTS` nearest: the grid is left as soon as so many are found,
-    and so is a ray that changes behind so many others.
+    and so is a ray that changes behind so many others. Where f falls slowly, up to `_JUMP` steps of the grid are passed
+    over: half of those in which f would come to 0 at the same rate.
     """
+    start = min(int(free / reach * _STEPS), _STEPS)
+    last, value = np.full(len(directions), start), np.ones(len(directions))  # where f was seen to be positive
+    due = last + 1
     changed = np.zeros(len(directions), dtype=int)  # at which step, 0 for not yet
-    for step in range(1 + min(int(free / reach * _STEPS), _STEPS), _STEPS + 1):
+
+    def look(step: int, rays: NDArray[np.bool_]) -> None:
+        (at,) = np.nonzero((changed == 0) & (last < step) & rays)
+        new = f(directions[at] * (reach * step / _STEPS))
+        changed[at[new <= 0]] = step
+        at, new = at[new > 0], new[new > 0]
+        fall = np.maximum((value[at] - new) / (step - last[at]), new / (2 * _JUMP))
+        value[at], last[at], due[at] = new, step, step + np.maximum(new / (2 * fall), 1).astype(int)
+
+    for step in range(start + 1, _STEPS + 1):
         checkpoint()
-        changed[(changed == 0) & (f(directions * (reach * step / _STEPS)) <= 0)] = step
-        if np.count_nonzero(changed) >= _STARTS:
+        look(step, due <= step)
+        if np.count_nonzero(changed) >= _STARTS or step == _STEPS:
+            look(step, due > step)  # those that were passed over may have changed as well
             break
     hit = changed > 0
     rays = directions[hit]
-    low, high = reach * (changed[hit] - 1) / _STEPS, reach * changed[hit] / _STEPS
+    low, high = reach * last[hit] / _STEPS, reach * changed[hit] / _STEPS
     for _ in range(_HALVINGS):
         checkpoint()
         if len(high) > _STARTS:
