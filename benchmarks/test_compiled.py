@@ -65,7 +65,7 @@ def test_compiled(ratio: Callable[..., Any], robot: str, engine: str) -> None:
         pytest.skip(f"{engine} is not installed")
     analysis = analyze_legs(load_platform(EXAMPLES / f"{robot}.yaml"))
     assert analysis.platform is not None
-    value = gc.compiled(analysis, engine=engine)
+    value = gc.compiled(analysis, engine=engine, about="origin")
     legs = rig(analysis.structure, analysis.platform)
     turned = sum(leg != typed for leg, typed in zip(legs.legs, analysis.structure.legs, strict=True))
     sign = -((-1) ** turned)

@@ -54,8 +54,9 @@ def regular_cells(g: Grid, cells: Integers) -> Booleans:
 def _free(g: Grid, middle: Floats, half: float) -> Booleans:
     shifts, turn = reach(g, half)
     coordinates = g.coordinates(middle)
-    rotations = np.asarray(g.arrays(coordinates)[1])
-    return are_regular(g.rig, g.ends(coordinates), rotations, shifts, _axes(g, coordinates, half), turn)
+    ends = g.ends(coordinates)
+    rotations = np.broadcast_to(g.arrays(coordinates)[1], (len(ends), 3, 3))  # one for all where nothing turns
+    return are_regular(g.rig, ends, rotations, shifts, _axes(g, coordinates, half), turn)
 
 
 def _axes(g: Grid, coordinates: Floats, half: float) -> list[Floats]:
