@@ -461,6 +461,10 @@ export interface GalleryItem {
   detail: string;
   group: string;
   statement: string;
+  /** More words by which it is found. */
+  words: string;
+  /** The place among the cards that a newcomer knows; null for all others. */
+  familiar: number | null;
   /** A drawing, trusted (made by the server). */
   svg: string;
   source: Source;

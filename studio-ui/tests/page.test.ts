@@ -162,13 +162,19 @@ test("numbers are read as people type them", () => {
   assert.deepEqual([1, 0.1, 0.001, 5].map(digitsOf), [0, 1, 3, 0]);
 });
 
-test("the gallery finds cards by every word", () => {
-  const item = (id: string, group: string): GalleryItem =>
-    ({ id, title: id, detail: "", group, statement: "four planes", svg: "", source: { kind: "class", id } });
-  const gallery = { classes: [item("6-3", "c"), item("3-3", "c"), item("6-6", "a")], robots: [item("delta", "3")], examples: [] };
-  const titles = (query: string) => chosen(gallery, "all", query).map(({ title, items }) => `${title}:${items.length}`);
-  assert.deepEqual(titles(""), ["3:1", "c:2", "a:1"]);
-  assert.deepEqual(titles("Planes 6-3"), ["c:1"]);
+test("the gallery finds cards by every word, and shows those first that a newcomer knows", () => {
+  const item = (id: string, group: string, more: Partial<GalleryItem> = {}): GalleryItem => ({
+    ...{ id, title: id, detail: "", group, statement: "four planes", words: "Schönflies", familiar: null, svg: "" },
+    source: { kind: "class", id },
+    ...more,
+  });
+  const classes = [item("6-3", "c"), item("3-3", "c", { familiar: 1 }), item("6-6", "a")];
+  const gallery = { classes, robots: [item("delta", "3", { familiar: 0 }), item("3-RP*S", "3")], examples: [] };
+  const titles = (query: string) => chosen(gallery, "all", query).map(({ title, items }) => `${title}:${items.map(({ id }) => id)}`);
+  assert.deepEqual(titles(""), ["Well known:delta,3-3", "3:3-RP*S", "c:6-3", "a:6-6"]);
+  assert.deepEqual(titles("Planes 6-3"), ["c:6-3"]);
+  assert.deepEqual(titles("3rps"), ["3:3-RP*S"]);
+  assert.deepEqual(titles("schonflies 66"), ["a:6-6"]);
   assert.deepEqual(titles("nothing"), []);
 });
 

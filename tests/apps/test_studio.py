@@ -78,6 +78,9 @@ def test_gallery_lists_what_can_be_opened(page: Page) -> None:
         assert item["group"]
         assert item["svg"].startswith("<svg")
     assert page.ask("gallery") == found
+    told = [item["statement"] for item in found["classes"] if not item["id"].endswith(("-2", ".s"))]
+    assert [words for words in told if told.count(words) > 2] == []
+    assert {item["id"] for item in found["robots"] if "hexapod" in item["words"]} >= {"gough-stewart", "6-rus", "6-pus"}
 
 
 def product(monomial: dict[str, Any], points: Any) -> Fraction:

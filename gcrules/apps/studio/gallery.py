@@ -5,6 +5,7 @@ Nothing is analysed here: the first page is there at once.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from functools import cache
 
@@ -25,17 +26,19 @@ from gcrules.views.robots.skeleton import skeleton
 __all__ = ["gallery"]
 
 KIND_WORDS = {
-    "three-tetrahedra": "Singular when a tetrahedron is flat.",
-    "tetrahedron-planes-line": "Singular when a tetrahedron is flat, or two planes and a line meet in a point.",
-    "tetrahedron-four-lines": "Singular when a tetrahedron is flat, or two legs allow two turns in one ratio.",
-    "four-planes": "Singular when four planes meet in a point.",
-    "two-planes-three-lines": "Singular when two legs allow two turns in one ratio.",
+    "three-tetrahedra": "Singular when one of the tetrahedra {0}, {1} and {2} is flat.",
+    "tetrahedron-planes-line": "Singular when the tetrahedron {0} is flat, or the planes {1} and {2} and the line {3}"
+    " meet in a point.",
+    "tetrahedron-four-lines": "Singular when the tetrahedron {0} is flat, or the legs {2} and {4} allow two turns in"
+    " one ratio.",
+    "four-planes": "Singular when the planes {0}, {1}, {2} and {3} meet in a point.",
+    "two-planes-three-lines": "Singular when the legs {1} and {4} allow two turns in one ratio.",
     "transversals": "Singular when two legs allow the turns about two transversals in one ratio.",
     "one-incidence": "Singular when constructed planes and lines meet in a point.",
     "linear-complex": "Singular when the six legs belong to one linear complex.",
     "always-singular": "Singular in every pose.",
 }
-"""The kinds of conditions in a few words; the whole sentence names the points."""
+"""The kinds of conditions in a few words, with the joins of the expression in their sequence."""
 
 GROUPS = {
     "a": "Six lines",
@@ -46,6 +49,37 @@ GROUPS = {
     "f": "Two tetrahedra and two lines",
     "g": "Three tetrahedra",
 }
+
+
+FAMILIAR = (
+    ("example", "octahedral"),
+    ("robot", "gough-stewart"),
+    ("robot", "delta"),
+    ("robot", "3-rpr"),
+    ("robot", "3-rps"),
+)
+"""The cards that a newcomer knows, which come first."""
+
+_SIX_LEGS = "hexapod Gough Stewart platform six legs"
+_LIMBS = {2: "two limbs", 3: "tripod three limbs", 4: "four limbs", 5: "five limbs", 6: "hexapod six limbs"}
+_WORDS = {
+    "3-crr": "Cartesian gantry",
+    "3-rrr-spherical": "wrist orientation",
+    "5-rpur": "five axes",
+    "6-pus": "linear hexapod",
+    "8-cables": "cable-driven crane",
+    "agile-eye": "wrist camera orientation",
+    "delta": "pick and place Clavel",
+    "exechon": "machine tool five axes",
+    "h4": "Schoenflies SCARA 3T1R pick and place",
+    "par4": "Quattro Schoenflies SCARA 3T1R pick and place",
+    "quadrupteron": "SCARA 3T1R",
+    "4-ruu": "SCARA 3T1R",
+    "4-upu": "SCARA 3T1R",
+    "reachy-mini-head": "hexapod",
+    "tricept": "machine tool",
+}
+"""What people call robots beside their titles."""
 
 
 @cache
@@ -66,10 +100,26 @@ def _of_class(e: Entry) -> GalleryItem:
         "title": e.id + (f" · {e.name}" if e.name else ""),
         "detail": legs_text(e.legs),
         "group": "Always singular" if kind == "always-singular" else regular,
-        "statement": KIND_WORDS.get(kind, ""),
+        "statement": _in_few_words(e),
+        "words": f"{_SIX_LEGS} {'-'.join(reversed(e.id.split('.')[0].split('-')))}",
+        "familiar": _familiar("class", e.id),
         "svg": _of_structure(e.structure),
         "source": {"kind": "class", "id": e.id},
     }
+
+
+def _familiar(kind: str, name: str) -> int | None:
+    """The place among the cards that come first."""
+    return FAMILIAR.index((kind, name)) if (kind, name) in FAMILIAR else None
+
+
+def _in_few_words(e: Entry) -> str:
+    """The kind of the condition with what it is about; nothing for the kind of a user's own."""
+    words = KIND_WORDS.get(e.condition.kind, "")
+    try:
+        return words.format(*re.findall(r"\w+", e.condition.expression_text))
+    except IndexError:  # the catalog of a user has another expression of that kind
+        return ""
 
 
 def _of_structure(s: Structure) -> str:
@@ -88,9 +138,15 @@ def _of_robot(one: RobotFile) -> GalleryItem | None:
         "detail": robot.chain,
         "group": f"{robot.mobility} degrees of freedom",
         "statement": robot.note,
+        "words": " ".join(filter(None, [_LIMBS.get(len(robot.limbs), ""), _WORDS.get(one.id, ""), _of_six(robot)])),
+        "familiar": _familiar("robot", one.id),
         "svg": _of_limbs(robot),
         "source": {"kind": "robot", "id": one.id},
     }
+
+
+def _of_six(robot: Robot) -> str:
+    return _SIX_LEGS if robot.mobility == 6 and len(robot.limbs) == 6 else ""
 
 
 def _of_limbs(robot: Robot) -> str:
@@ -122,6 +178,8 @@ def _of_example(name: str) -> GalleryItem:
         "detail": legs_text(given.legs),
         "group": "Platforms with dimensions",
         "statement": given.note,
+        "words": _SIX_LEGS,
+        "familiar": _familiar("example", name),
         "svg": sketch(points, s.oriented, {"base": s.base, "platform": s.platform}),
         "source": {"kind": "example", "name": name},
     }

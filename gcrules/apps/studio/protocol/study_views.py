@@ -82,6 +82,10 @@ class GalleryItem(TypedDict):
     """A few words: the legs, the mobility."""
     group: str
     statement: str
+    words: str
+    """More words by which it is found."""
+    familiar: int | None
+    """The place among the cards that a newcomer knows; null for all others."""
     svg: str
     """A drawing, trusted (made by the server)."""
     source: SourceJson
