@@ -82,6 +82,8 @@ test("a link that is no link, or a broken one, opens nothing", async () => {
     const doc = await readFragment(link);
     assert.ok(doc === null || JSON.stringify(doc) === JSON.stringify(EMPTY), link);
   }
+  assert.deepEqual(await readFragment(""), EMPTY);
+  assert.equal(await readFragment("#s=!!"), null);
 });
 
 test("what a link says is checked field by field", () => {

@@ -108,11 +108,15 @@ def test_a_link_to_a_pose_far_away_opens(sit_down: SitDown, away: float) -> None
     assert desk.run("1 + 1") == 2
 
 
-def test_a_link_that_inflates_to_megabytes_opens_nothing(sit_down: SitDown) -> None:
+def test_a_link_that_inflates_to_megabytes_opens_nothing_and_that_is_said(sit_down: SitDown) -> None:
     source = {"kind": "class", "id": "3-3.3"}
-    assert sit_down().visit(fragment({"source": source}, deflated=True)).run("gcrules.source$.value") == source
+    desk = sit_down().visit(fragment({"source": source}, deflated=True))
+    assert desk.run("gcrules.source$.value") == source
+    assert desk.one("unread").count() == 0
     desk = sit_down().visit(fragment({"source": source, "bench": "x" * 40_000_000}, deflated=True))
     assert desk.run("gcrules.source$.value") is None
+    desk.one("unread").get_by_role("button").click()
+    assert desk.one("unread").count() == 0
 
 
 # --- names, sizes, colours -----------------------------------------------------------------------------------------

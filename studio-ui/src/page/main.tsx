@@ -3,7 +3,6 @@ import { render } from "preact";
 import { openClient } from "./net/client";
 import { StoreProvider } from "./parts/context";
 import { Shell } from "./shell/shell";
-import { EMPTY } from "./state/doc";
 import { arriving, readFragment } from "./state/fragment";
 import { createStore, type Store } from "./state/store";
 import "katex/dist/katex.min.css";
@@ -17,8 +16,7 @@ declare global {
 }
 
 async function start(root: HTMLElement): Promise<void> {
-  const doc = (await readFragment(arriving())) ?? EMPTY;
-  const store = createStore(openClient(`ws://${location.host}/ws`), doc);
+  const store = createStore(openClient(`ws://${location.host}/ws`), await readFragment(arriving()));
   window.gcrules = store;
   root.replaceChildren();
   render(

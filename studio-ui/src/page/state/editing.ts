@@ -1,6 +1,6 @@
 // The document as a signal, its changes, undo and redo, and its copy in the address bar.
-import { batch, computed, effect, signal, type ReadonlySignal } from "@preact/signals";
-import { HOME, TOUR, sameSource, type Doc, type PanelId } from "./doc";
+import { batch, computed, effect, signal, type ReadonlySignal, type Signal } from "@preact/signals";
+import { EMPTY, HOME, TOUR, sameSource, type Doc, type PanelId } from "./doc";
 import { leave, plainFragment, readFragment, writeFragment } from "./fragment";
 import { begin, closed, moved, record, redone, undone, type History } from "./history";
 import type { Source, StageId } from "../../protocol";
@@ -9,6 +9,8 @@ export interface Editing extends Fields {
   doc: ReadonlySignal<Doc>;
   canUndo: ReadonlySignal<boolean>;
   canRedo: ReadonlySignal<boolean>;
+  /** Whether the page came by a link that cannot be read; until it is put away. */
+  unread: Signal<boolean>;
   /** Changes the document; changes in a row with the same key are undone as one. */
   edit(change: Partial<Doc>, key?: string): void;
   /** Ends a row of changes: the next one is a step of its own. */
@@ -39,8 +41,8 @@ function fieldsOf(doc: ReadonlySignal<Doc>): Fields {
 
 const PAUSE = 300; // milliseconds of rest before the address bar is written
 
-export function createEditing(start: Doc): Editing {
-  const history = signal<History>(begin(start));
+export function createEditing(start: Doc | null): Editing {
+  const history = signal<History>(begin(start ?? EMPTY));
   const doc = computed(() => history.value.present);
 
   const edit = (change: Partial<Doc>, key: string | null = null): void => {
@@ -52,6 +54,7 @@ export function createEditing(start: Doc): Editing {
     ...fieldsOf(doc),
     canUndo: computed(() => history.value.past.length > 0),
     canRedo: computed(() => history.value.future.length > 0),
+    unread: signal(start === null),
     edit,
     settle: () => void (history.value = closed(history.peek())),
     go: (where) => void (history.value = moved(history.peek(), where)),
@@ -67,7 +70,7 @@ export function createEditing(start: Doc): Editing {
   return editing;
 }
 
-function keepInAddress({ doc, edit }: Editing): void {
+function keepInAddress({ doc, edit, unread }: Editing): void {
   let timer = 0;
   let written = location.hash;
   let kept: Doc | null = null; // what stands in the address
@@ -96,6 +99,7 @@ function keepInAddress({ doc, edit }: Editing): void {
   window.addEventListener("hashchange", async () => {
     if (location.hash === written) return;
     const found = await readFragment(location.hash);
+    unread.value = found === null;
     if (found) batch(() => edit(found));
   });
 }

@@ -20,8 +20,9 @@ export function plainFragment(doc: Doc): string {
   return json === "{}" ? "" : `#s=${toBase64(new TextEncoder().encode(json))}`;
 }
 
-/** The document of a fragment; null if there is none or if it cannot be read. */
+/** The document of a fragment, the empty one if there is none; null if it cannot be read. */
 export async function readFragment(fragment: string): Promise<Doc | null> {
+  if (fragment.length < 2) return EMPTY;
   const found = /^#([sz])=([\w-]+)$/.exec(fragment);
   if (!found) return null;
   try {

@@ -33,7 +33,7 @@ export interface Store extends Editing, Studying {
   taste: Taste;
 }
 
-export function createStore(client: Client, start: Doc): Store {
+export function createStore(client: Client, start: Doc | null): Store {
   const editing = createEditing(start);
   const studying = createStudying(client, editing);
   const gallery = signal<Gallery | null>(null);
