@@ -20,6 +20,7 @@ import { stepped, valueOf, within } from "../src/page/panels/motion/spots";
 import { latest } from "../src/page/net/latest";
 import { driven, liesBetween, type Driven } from "../src/page/lib/way";
 import { moved as shifted, poseAt } from "../src/page/state/timeline";
+import { isDrawn } from "../src/viewer/model";
 import { contrast, legible, ROLES } from "../src/viewer/palette";
 import { sideBySide } from "../src/viewer/names";
 import { rotationVector } from "../src/viewer/pose";
@@ -164,6 +165,15 @@ test("numbers are read as people type them", () => {
   assert.deepEqual([1, 0.1, 0.001, 5].map(digitsOf), [0, 1, 3, 0]);
 });
 
+const zero: Vec3 = [0, 0, 0];
+test("an entity is said to be drawn only where it has a shape", () => {
+  const scene = { points: { A: zero, B: [1, 0, 0] as Vec3 }, directions: { u: [1, 0, 0] as Vec3, v: [0, 1, 0] as Vec3, w: [0, 0, 1] as Vec3 } };
+  const drawn = (kind: string, ...points: string[]) => isDrawn(scene, { kind, points } as Entity);
+  assert.ok(drawn("plane", "u", "v", "A") && drawn("line", "u", "v") && drawn("line", "A", "u") && drawn("tetrahedron", "u", "v", "w", "A"));
+  assert.ok(!drawn("plane", "u", "v", "w"), "the plane at infinity");
+  assert.ok(!drawn("plane", "A", "B", "i"), "an unknown point");
+});
+
 test("the gallery finds cards by every word, and shows those first that a newcomer knows", () => {
   const item = (id: string, group: string, more: Partial<GalleryItem> = {}): GalleryItem => ({
     ...{ id, title: id, detail: "", group, statement: "four planes", words: "Schönflies", familiar: null, svg: "" },
@@ -180,7 +190,6 @@ test("the gallery finds cards by every word, and shows those first that a newcom
   assert.deepEqual(titles("nothing"), []);
 });
 
-const zero: Vec3 = [0, 0, 0];
 test("poses compare by value", () => {
   assert.ok(samePose(HOME, { translation: zero, quaternion: [1, 0, 0, 0] }));
   assert.ok(!samePose(HOME, { ...HOME, coordinates: [0] }));

@@ -4,7 +4,7 @@ import { drawnLimbs } from "./limbs";
 import { drawnMotion, swung } from "./motion";
 import { body, disc, patch, stretched, throughBall, volume, type Outline } from "./solids";
 import type { Scene, SceneEntity, Vec3 } from "./types";
-import { along, centre, distance, sub, unit } from "./vectors";
+import { along, centre, cross, distance, dot, sub, unit } from "./vectors";
 
 /** Letters of an entity's name that are written beside it; a longer one stands in the legend alone. */
 const LONGEST_LABEL = 20;
@@ -65,11 +65,24 @@ function emphasis(d: Drawing, id: string): number {
   return !chosen?.length ? 1 : chosen.includes(id) ? 1.8 : 0.35;
 }
 
+/** The places of an entity's points, and the directions of those at infinity. */
+function placesOf({ points, directions }: Placed, e: SceneEntity): { corners: Vec3[]; ways: Vec3[] } {
+  const among = (known: Record<string, Vec3> | undefined) => e.points.flatMap((n) => (known?.[n] ? [known[n]] : []));
+  return { corners: among(points), ways: among(directions) };
+}
+
+type Placed = Pick<Scene, "points" | "directions">;
+
+/** Whether an entity has a shape in space: the plane at infinity has none, nor has what goes through unknown points. */
+export function isDrawn(scene: Placed, e: SceneEntity): boolean {
+  const { corners, ways } = placesOf(scene, e);
+  return corners.length + ways.length === e.points.length && (corners.length > 0 || e.kind === "line");
+}
+
 function entityShape(d: Drawing, e: SceneEntity): void {
   const { scene } = d;
-  const corners = e.points.flatMap((n) => (scene.points[n] ? [scene.points[n]] : []));
-  const ways = e.points.flatMap((n) => (scene.directions?.[n] ? [scene.directions[n] as Vec3] : []));
-  if (corners.length === 0 || corners.length + ways.length < e.points.length) return; // at infinity, or not known
+  if (!isDrawn(scene, e)) return;
+  const { corners, ways } = placesOf(scene, e);
   const strength = emphasis(d, e.id);
   const colour = strength < 1 ? d.pale(d.entityColour(e.colour), 0.55) : d.entityColour(e.colour);
   const marks = (scene.constructed ?? []).flatMap((c) =>
@@ -99,6 +112,16 @@ function entityShape(d: Drawing, e: SceneEntity): void {
     if (!ring) return;
     face(all(ring), 0.24);
     label(apart(d, ring));
+  } else if (e.kind === "line" && corners.length === 0) {
+    // a line at infinity is what all planes through its directions have in common: one of them, with its normal
+    const normal = cross(ways[0]!, ways[1]!);
+    if (Math.hypot(...normal) < 1e-9) return;
+    const near = scene.entities.flatMap((other) => placesOf(scene, other).corners);
+    const [at, reach] = [near.length ? centre(near) : d.middle, 0.3 * scene.size];
+    face(all(disc(normal, dot(normal, at), at, reach)), 0.16);
+    const tip = along(at, unit(normal), 1.2 * reach);
+    d.arrow(at, tip, colour, strength > 1 ? 1.3 : 0.9);
+    label(tip);
   } else if (e.kind === "line") {
     const [from, to] = [corners[0]!, corners[1] ?? along(corners[0]!, ways[0]!, scene.size)];
     const [a, b] = stretched(from, to, SIZES.extra * scene.size, marks);

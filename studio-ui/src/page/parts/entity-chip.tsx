@@ -1,22 +1,27 @@
 // An entity by name, in its colour: pointing at it lights it up everywhere.
 import type { Entity } from "../../protocol";
+import { isDrawn } from "../../viewer/model";
 import { tone } from "../lib/tint";
 import { useStore } from "./context";
 import { PointNames } from "./point-name";
 
 export function EntityChip({ entity, named = true }: { entity: Entity; named?: boolean }) {
-  const { lit } = useStore();
+  const { lit, study, posing } = useStore();
   const { kind, id, label } = entity;
+  const known = study.value?.entities.some((own) => own.id === id); // others are those of a panel
+  const directions = posing.numbers.value?.directions;
+  const far = known && posing.numbers.value !== null && !isDrawn({ points: study.value!.points, directions }, entity);
   const on = lit.current.value?.entity === id;
   return (
     <button
       type="button"
-      class={on ? "chip lit" : "chip"}
+      class={`chip${on ? " lit" : ""}${far ? " far" : ""}`}
       style={tone(entity)}
       data-entity={id}
       data-testid={`entity-${id}`}
       aria-pressed={lit.pinned.value?.entity === id}
-      aria-label={`${kind} ${label}`}
+      aria-label={`${kind} ${label}${far ? ", at infinity, not drawn" : ""}`}
+      title={far ? "At infinity: there is nothing of it to be drawn" : undefined}
     >
       <span class={`swatch ${kind}`} aria-hidden="true" />
       {named && <span class="kind">{kind}</span>}

@@ -43,7 +43,7 @@ export function ConditionView({ study, sentence }: { study: Study; sentence: str
             {all.map(({ kind }, i) => (
               <option key={i} value={i}>
                 {kind.replaceAll("-", " ")}
-                {i === 0 ? " (shown in 3D)" : ""}
+                {i === 0 && study.entities.length > 0 ? " (shown in 3D)" : ""}
               </option>
             ))}
           </select>
