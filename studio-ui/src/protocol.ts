@@ -695,7 +695,7 @@ export interface Reading {
 export interface Sign {
   expression: string;
   sign: number;
-  /** What is singular where it is 0; "" where nothing is known of it. */
+  /** What is singular where it is 0; "" for the determinant of the undriven joints' screws, which says no more. */
   statement: string;
 }
 
@@ -724,7 +724,7 @@ export interface Numbers {
   /** Unit vectors of points at infinity, in this pose. */
   directions: Record<string, Vec3>;
   notes: string[];
-  /** Of the factors of the condition: where one changes between two poses, every way between them is singular. */
+  /** Of the factors of the condition, and of the determinant of the undriven joints' screws: where one changes between two poses, every way between them is singular. */
   signs: Sign[];
 }
 

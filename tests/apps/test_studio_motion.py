@@ -15,7 +15,11 @@ import pytest
 
 import gcrules as gc
 from gcrules.mechanisms.description.discovery import robots
+from gcrules.mechanisms.limbs import Limbs
+from gcrules.mechanisms.load import read_robot
+from gcrules.poses.limbs.many import Solved
 from gcrules.poses.maps.cells import MEANINGS
+from gcrules.poses.signs.of_limbs import DETERMINANT, signs_of_limbs
 from gcrules.views.plots.path_plot import FRAME
 
 pytest.importorskip("starlette", reason="needs the extra gcrules[studio]")
@@ -189,7 +193,18 @@ def test_signs_change_where_the_path_crosses(page: Page) -> None:
         pose = {**HOME, "translation": [0, 0, -490 * (a + b) / 2]}
         signs.append([s["sign"] for s in page.ask("pose", source=OCTAHEDRAL, pose=pose)["signs"]])
     assert signs == [signs[0], [-s for s in signs[0]], signs[0], [-s for s in signs[0]]]
-    assert page.ask("pose", source=RPS, pose=HOME)["signs"][0]["sign"] != 0
+
+
+@pytest.mark.parametrize("robot", ["3-rps", "capaman", "4-ups-sp", "tricept", "4-ruu"])
+def test_signs_of_robots_of_joints_are_those_that_change_at_singular_poses_only(page: Page, robot: str) -> None:
+    """Those of plans and aspects: none of a factor with a cofactor, or with lines that were chosen for a limb."""
+    m = Limbs.of(read_robot(robot))
+    home = Solved.of(m, np.concatenate(m.linkage.home.joint_values)[None])
+    expected = [(s.expression, s.sign) for s in signs_of_limbs(m, home)]
+    found = page.ask("pose", source={"kind": "robot", "id": robot}, pose=HOME)["signs"]
+    assert [(s["expression"], s["sign"]) for s in found] == expected
+    assert all(s["sign"] for s in found)
+    assert [s["statement"] == "" for s in found] == [s["expression"] == DETERMINANT for s in found]
 
 
 def test_a_path_that_is_singular_throughout_says_so(page: Page) -> None:

@@ -16,12 +16,14 @@ from gcrules.core.errors import InputError
 from gcrules.mechanisms.kinematics.leading import leading
 from gcrules.mechanisms.kinematics.solve import free_coordinates
 from gcrules.mechanisms.limbs import Limbs
-from gcrules.poses.limbs.factors import ConditionFactor, superbracket_value
-from gcrules.poses.limbs.pose_report import cause_of, report_of_limbs
+from gcrules.poses.limbs.factors import superbracket_value
+from gcrules.poses.limbs.many import Solved
+from gcrules.poses.limbs.pose_report import report_at, report_of_limbs, solution_at
 from gcrules.poses.limbs.report import RobotPose
 from gcrules.poses.numbers.motion import Twist
+from gcrules.poses.signs.of_limbs import DETERMINANT, signs_of_limbs
 from gcrules.screws.pose_text import ANGLES, SHIFTS, TURNS
-from gcrules.screws.threshold import DEFAULT
+from gcrules.screws.threshold import DEFAULT, angle_threshold
 from gcrules.views.results.amplification import actuator_notes
 from gcrules.views.results.singularity_types import in_words
 from gcrules.views.robots.limb_views import limb_views, unit_directions
@@ -119,7 +121,9 @@ def values_of(subject: Subject, found: RobotPose) -> dict[str, list[float]]:
 def numbers_of_limbs(limbs: Limbs, subject: Subject, pose: PoseJson, threshold: str | None) -> Numbers:
     """The numbers in a configuration. Raises InputError where the robot does not assemble."""
     robot = limbs.analysis
-    found = configuration(limbs, pose, threshold)
+    solution = solution_at(limbs.linkage, actuators=amounts_at(limbs, pose) or None)
+    found = report_at(limbs.linkage, robot, solution, angle_threshold(threshold or DEFAULT, "for robots of joints"))
+    there = Solved.of(limbs, np.concatenate(solution.configuration.joint_values)[None])
     values = values_of(subject, found)
     names = subject.points
     near = found.verdict != "regular"
@@ -159,16 +163,11 @@ def numbers_of_limbs(limbs: Limbs, subject: Subject, pose: PoseJson, threshold: 
             *([] if found.assembly.doubt is None else [f"Branch: {found.assembly.branch}."]),
         ],
         "signs": [
-            {"expression": f.expression, "sign": (f.value > 0) - (f.value < 0), "statement": cause_of(f)}
-            for f in found.factors
-            if f.live and isfinite(f.value) and _continuous(f, len(found.factors))
+            {"expression": e, "sign": s.sign, "statement": "" if e == DETERMINANT else s.statement}
+            for s in signs_of_limbs(limbs, there)
+            for e in [s.expression]
         ],
     }
-
-
-def _continuous(f: ConditionFactor, number: int) -> bool:
-    """Whether its sign changes only where it is 0. A quotient by a cofactor has poles, unless it is the only factor."""
-    return not f.cofactor or number == 1
 
 
 def motion_view(twist: Twist, centre: tuple[float, ...], unit: str) -> MotionView:

@@ -44,7 +44,7 @@ from gcrules.screws.pose_text import ANGLES, COORDINATES, Amount
 from gcrules.screws.threshold import DEFAULT, Threshold, angle_threshold, degrees, margin_of, turn_of
 from gcrules.screws.verdict import SOLVED, decide
 
-__all__ = ["cause_of", "first_singular_pose", "report_at", "report_of_limbs", "target_of"]
+__all__ = ["cause_of", "first_singular_pose", "report_at", "report_of_limbs", "solution_at", "target_of"]
 
 _BLURRED = 1e-10
 """What rounding may do to σ without being told: a tenth of `SINGULAR`."""
@@ -65,8 +65,7 @@ def report_of_limbs(
     configuration if that is asked for. Raises InputError.
     """
     limit = angle_threshold(threshold, "for robots described by joints")
-    wanted = target_of(m.linkage, at, actuators, degrees)
-    solution = solve(m.linkage, wanted) if wanted is not None else _at_home(m.linkage)
+    solution = solution_at(m.linkage, at, actuators, degrees)
     found = report_at(m.linkage, m.analysis, solution, limit)
     if not nearest or found.verdict == "singular":
         return found
@@ -147,8 +146,10 @@ def _open(found: FirstSingular) -> str:
     return f"at {listed(words)} of the way it is not decided"
 
 
-def _at_home(m: Linkage) -> Solution:
-    return Solution(m.home, Target((), np.zeros(0), text="home"))
+def solution_at(m: Linkage, at: Any = None, actuators: Any = None, degrees: bool = False) -> Solution:
+    """The configuration in which the loops are closed at what is wanted, as for `target_of`; home where nothing is."""
+    wanted = target_of(m, at, actuators, degrees)
+    return solve(m, wanted) if wanted is not None else Solution(m.home, Target((), np.zeros(0), text="home"))
 
 
 def target_of(m: Linkage, at: Any, actuators: Any, degrees: bool = False) -> Target | None:

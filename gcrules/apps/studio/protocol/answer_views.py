@@ -73,7 +73,7 @@ class SignView(TypedDict):
     expression: str
     sign: int
     statement: str
-    """What is singular where it is 0; "" where nothing is known of it."""
+    """What is singular where it is 0; "" for the determinant of the undriven joints' screws, which says no more."""
 
 
 class Numbers(TypedDict):
@@ -102,7 +102,9 @@ class Numbers(TypedDict):
     """Unit vectors of points at infinity, in this pose."""
     notes: list[str]
     signs: list[SignView]
-    """Of the factors of the condition: where one changes between two poses, every way between them is singular."""
+    """Of the factors of the condition, and of the determinant of the undriven joints' screws: where one changes between
+    two poses, every way between them is singular.
+    """
 
 
 class SingularPoseView(TypedDict):

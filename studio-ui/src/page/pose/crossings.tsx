@@ -1,5 +1,5 @@
 // The singular poses of the way, with their causes; and over the picture what has just been crossed.
-import type { PathAnswer, Pose, Study } from "../../protocol";
+import type { PathAnswer, Pose, Sign, Study } from "../../protocol";
 import { short } from "../lib/format";
 import { useStore } from "../parts/context";
 import { Icon } from "../parts/icon";
@@ -64,9 +64,7 @@ export function CrossingAlert() {
         ) : (
           seen && (
             <>
-              <b>A singular pose was crossed</b> {span(seen.from, seen.to, shown)}: on the way{" "}
-              <Prose text={seen.signs.map(({ statement }) => statement).join("; and ")} />. A factor of the condition has changed
-              its sign.
+              <b>A singular pose was crossed</b> {span(seen.from, seen.to, shown)}: <Changed signs={seen.signs} />
             </>
           )
         )}
@@ -80,6 +78,17 @@ export function CrossingAlert() {
         <Icon name="close" size={14} />
       </button>
     </div>
+  );
+}
+
+/** What a change of signs tells. */
+function Changed({ signs }: { signs: readonly Sign[] }) {
+  const named = signs.flatMap(({ statement }) => statement || []);
+  if (named.length === 0) return <>the determinant of the undriven joints' screws has changed its sign.</>;
+  return (
+    <>
+      on the way <Prose text={named.join("; and ")} />. A factor of the condition has changed its sign.
+    </>
   );
 }
 
