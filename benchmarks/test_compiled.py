@@ -66,7 +66,7 @@ def test_compiled(ratio: Callable[..., Any], robot: str, engine: str) -> None:
     analysis = analyze_legs(load_platform(EXAMPLES / f"{robot}.yaml"))
     assert analysis.platform is not None
     value = gc.compiled(analysis, engine=engine, about="origin")
-    legs = rig(analysis.structure, analysis.platform)
+    legs = rig(analysis.structure, analysis.platform, "origin")
     turned = sum(leg != typed for leg, typed in zip(legs.legs, analysis.structure.legs, strict=True))
     sign = -((-1) ** turned)
     ready = rows_by_cross(legs.base, legs.arms)

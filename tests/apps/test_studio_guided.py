@@ -161,6 +161,23 @@ def test_guided_path(desk: Desk, name: str, kind: str) -> None:
     desk.step("structure")
 
 
+def test_after_the_last_step_one_goes_on_and_the_picture_can_stand_alone(desk: Desk) -> None:
+    desk.open("robot", "3-rps", "statement")
+    desk.one("stage-next").click()
+    assert [desk.one(f"go-{panel}").inner_text().strip() for panel in ("motion", "manual", "take-away")] == [
+        "Move it",
+        "Try by hand",
+        "Take away",
+    ]
+    desk.page.keyboard.press("f")
+    window = desk.page.viewport_size
+    assert desk.page.locator(".viewer-pane").bounding_box() == {"x": 0, "y": 0, **window}
+    desk.page.keyboard.press("Escape")
+    assert desk.page.locator(".viewer-pane").bounding_box()["width"] < window["width"]
+    desk.one("go-motion").click()
+    desk.page.wait_for_function("() => gcrules.panel$.value === 'motion'")
+
+
 def test_the_paper_s_robot_of_four_freedoms(desk: Desk) -> None:
     """Joints and wrenches, the equivalent structure beside the robot, and the three tetrahedra of the paper."""
     desk.one("gallery-robots").click()

@@ -5,8 +5,9 @@ import type { Store } from "../state/store";
 export function useKeys(store: Store): void {
   useEffect(() => {
     const press = (event: KeyboardEvent): void => {
-      if (!(event.ctrlKey || event.metaKey) || event.altKey || writes(event.target)) return;
+      if (event.altKey || writes(event.target)) return;
       const key = event.key.toLowerCase();
+      if (!(event.ctrlKey || event.metaKey)) return enlarge(store, key);
       const act = key === "z" ? (event.shiftKey ? store.redo : store.undo) : key === "y" ? store.redo : null;
       if (!act) return;
       event.preventDefault();
@@ -16,6 +17,12 @@ export function useKeys(store: Store): void {
     addEventListener("keydown", press);
     return () => removeEventListener("keydown", press);
   }, [store]);
+}
+
+/** F shows the picture alone, Escape the page again. */
+function enlarge({ space, study }: Store, key: string): void {
+  if (key === "f" && study.peek() && space.viewer.peek()) space.large.value = !space.large.peek();
+  if (key === "escape") space.large.value = false;
 }
 
 function writes(target: EventTarget | null): boolean {

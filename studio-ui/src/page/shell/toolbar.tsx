@@ -54,6 +54,17 @@ export function Toolbar() {
           </button>
         ))}
       </div>
+      <button
+        type="button"
+        class="large"
+        title="The picture alone (F)"
+        aria-label="The picture alone"
+        aria-pressed={space.large.value}
+        data-testid="large"
+        onClick={() => (space.large.value = !space.large.value)}
+      >
+        <Icon name={space.large.value ? "close" : "large"} size={16} />
+      </button>
       <details class="layers" ref={layers}>
         <summary aria-label="What is shown" title="What is shown" data-testid="layers">
           <Icon name="layers" size={16} />

@@ -11,8 +11,15 @@ export function ViewerPane() {
   const store = useStore();
   const box = useRef<HTMLDivElement>(null);
   useEffect(() => (box.current ? connect(box.current, store) : undefined), [store]);
+  const { large, viewer } = store.space;
+  const before = useRef(large.value);
+  useEffect(() => {
+    if (before.current === large.value) return;
+    before.current = large.value;
+    requestAnimationFrame(() => viewer.peek()?.setView("fit")); // once it has its new size
+  }, [large.value]);
   return (
-    <section class="viewer-pane" aria-label="Robot in 3D">
+    <section class={store.space.large.value ? "viewer-pane large" : "viewer-pane"} aria-label="Robot in 3D">
       <div class="viewer" ref={box} data-testid="viewer" />
       <Toolbar />
       <Warning />

@@ -30,6 +30,13 @@ const texOf = (pieces: readonly Piece[]): string => pieces.map(({ tex }) => tex)
 const WITH_CONDITION = ["condition", "statement"];
 const WITH_FIGURE = ["limbs", "equivalent"];
 
+/** Where one goes on after the last step. */
+const NEXT = [
+  ["motion", "Move it"],
+  ["manual", "Try by hand"],
+  ["take-away", "Take away"],
+] as const;
+
 export function StageView({ study, stage, number }: { study: Study; stage: Stage; number: number }) {
   const { go } = useStore();
   const listed = foundBy(study.stages, stage.id);
@@ -86,10 +93,16 @@ export function StageView({ study, stage, number }: { study: Study; stage: Stage
         <button type="button" class="quiet" disabled={!before} data-testid="stage-back" onClick={() => before && go({ stage: before.id })}>
           <Icon name="back" size={16} /> {before?.title ?? "Back"}
         </button>
-        {after && (
+        {after ? (
           <button type="button" class="primary" data-testid="stage-next" onClick={() => go({ stage: after.id })}>
             {after.title} <Icon name="next" size={16} />
           </button>
+        ) : (
+          NEXT.map(([panel, words]) => (
+            <button type="button" class="onward" key={panel} data-testid={`go-${panel}`} onClick={() => go({ panel })}>
+              <Icon name={panel === "motion" ? "map" : panel} size={16} /> {words}
+            </button>
+          ))
         )}
       </nav>
     </section>

@@ -8,6 +8,8 @@ export interface Space {
   viewer: Signal<Viewer | null>;
   mode: Signal<Mode>;
   layers: Signal<Record<Layer, boolean>>;
+  /** Whether the picture takes the whole window. */
+  large: Signal<boolean>;
   /** Whether the gained motion is being played. */
   playing: Signal<boolean>;
   /** What the panel that is open adds to the picture; it takes it back when it closes. */
@@ -23,6 +25,7 @@ export function createSpace(): Space {
     viewer: signal(null),
     mode: signal<Mode>("orbit"),
     layers: signal({ entities: true, labels: true, legs: true, wrenches: true, grid: true, motion: true }),
+    large: signal(false),
     playing: signal(false),
     overlay: signal(null),
     onPick(take) {
