@@ -320,6 +320,22 @@ def test_the_report_opens_as_a_file(desk: Desk, taken: Callable[[str], Path]) ->
     assert [url for url in requests if not url.startswith(("file:", "data:", "blob:"))] == []
 
 
+def test_back_leads_to_the_last_panel_and_keeps_the_pose(desk: Desk) -> None:
+    """Not out of the studio; to another structure it leads as well, and forward again."""
+    desk.open("example", "octahedral", "statement")
+    desk.run("gcrules.go({ panel: 'motion' })")
+    desk.slide("z", -20)
+    at = "() => gcrules.panel$.value === '{}' && gcrules.pose$.value.translation[2] === -20"
+    desk.page.wait_for_function(at.format("motion"))
+    desk.page.go_back()
+    desk.page.wait_for_function(at.format("guided"))
+    desk.page.go_forward()
+    desk.page.wait_for_function(at.format("motion"))
+    desk.page.go_back()
+    desk.page.go_back()
+    desk.page.wait_for_function("() => gcrules.panel$.value === 'start'")
+
+
 def test_the_link_restores_the_state(desk: Desk) -> None:
     opened(desk, OCTAHEDRAL, "take-away")
     desk.run("gcrules.edit({pose: {translation: [0.1, 0, 0.2], quaternion: [1, 0, 0, 0]}, bench: 'ab /\\\\ cde'})")

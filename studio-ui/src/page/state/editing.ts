@@ -70,15 +70,41 @@ export function createEditing(start: Doc | null): Editing {
   return editing;
 }
 
-function keepInAddress({ doc, edit, unread }: Editing): void {
+/** The state of entries of the browser's history that the page has written itself. */
+const OWN = "gcrules-studio";
+
+/** Keeps the document in the address; another panel or structure is a place of its own, to which the browser's "back" leads. */
+function keepInAddress({ doc, edit, go, panel$, source$, unread }: Editing): void {
   let timer = 0;
   let written = location.hash;
   let kept: Doc | null = null; // what stands in the address
 
-  const replace = (fragment: string): void => {
+  const write = (fragment: string, how: "pushState" | "replaceState"): void => {
     written = fragment;
-    history.replaceState(null, "", fragment || location.pathname + location.search);
+    history[how](OWN, "", fragment || location.pathname + location.search);
   };
+
+  history.replaceState(OWN, "", location.href);
+  let place = { panel: panel$.peek(), source: source$.peek() };
+  const moved = (now: typeof place): boolean => {
+    const other = now.panel !== place.panel || !sameSource(now.source, place.source);
+    place = now;
+    return other;
+  };
+  effect(() => {
+    if (moved({ panel: panel$.value, source: source$.value })) write(plainFragment(doc.peek()), "pushState");
+  });
+  let visits = 0;
+  window.addEventListener("popstate", async ({ state }) => {
+    if (state !== OWN) return;
+    const visit = ++visits;
+    written = location.hash;
+    const found = await readFragment(written);
+    if (!found || visit !== visits) return; // the browser is elsewhere by now
+    place = found; // where the browser is already
+    if (sameSource(found.source, doc.peek().source)) go({ panel: found.panel, ...(found.stage && { stage: found.stage }) });
+    else edit(found);
+  });
   effect(() => {
     const now = doc.value;
     window.clearTimeout(timer);
@@ -86,14 +112,14 @@ function keepInAddress({ doc, edit, unread }: Editing): void {
       timer = 0;
       const fragment = await writeFragment(now);
       if (now !== doc.peek()) return;
-      replace(fragment);
+      write(fragment, "replaceState");
       kept = now;
     }, PAUSE);
   });
   window.addEventListener("pagehide", () => {
     if (doc.peek() === kept) return;
     const fragment = plainFragment(doc.peek());
-    replace(fragment);
+    write(fragment, "replaceState");
     leave(fragment); // a reload has read the address by now
   });
   window.addEventListener("hashchange", async () => {
