@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import ast
 import re
 from pathlib import Path
 
+import click
 import pytest
 from click.testing import CliRunner, Result
 from commands import assert_refused
@@ -334,3 +336,21 @@ def test_help_with_a_topic_is_told_its_colon(text: str, topic: str) -> None:
 def test_help_with_a_word_may_be_points() -> None:
     *_, answer = Interpreter().feed("rank 6\nhelp o")
     assert answer.fault is None
+
+
+# --- commands that messages name ------------------------------------------------------------------------------------
+
+
+def test_messages_name_commands_that_exist() -> None:
+    """Of a group the command of the group too."""
+    named = set()
+    for path in sorted((ROOT / "gcrules").rglob("*.py")):
+        for constant in ast.walk(ast.parse(path.read_text("utf-8"))):
+            if isinstance(constant, ast.Constant) and isinstance(constant.value, str):
+                named |= set(re.findall(r'[`"]gcrules ([a-z]+)(?: ([a-z]+))?', constant.value))
+    assert len(named) > 20
+    for first, second in sorted(named):
+        command = cli.get_command(click.Context(cli), first)
+        assert command is not None, first
+        if isinstance(command, click.Group) and second and not command.invoke_without_command:
+            assert command.get_command(click.Context(command), second) is not None, (first, second)

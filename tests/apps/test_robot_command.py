@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import json
 import os
+import re
 from pathlib import Path
 from typing import Any
 from xml.etree import ElementTree
 
 import pytest
 from click.testing import CliRunner
+from commands import invoke
 from mechanisms.shipped_robots import GOOD
 
 from gcrules.apps.cli import cli
@@ -169,3 +171,5 @@ def test_a_new_robot_needs_an_id_of_its_own(taken: str, tmp_path: Path, monkeypa
     found = run("new", taken)
     assert (found.exit_code, f"{taken} is the id of" in found.output) == (2, True)
     assert not list(tmp_path.iterdir())
+    (shows,) = re.findall(r"`gcrules (.+)` shows what has it", found.output)
+    assert invoke(*shows.split()).exit_code == 0

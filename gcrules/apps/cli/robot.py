@@ -50,7 +50,11 @@ _singular = deferred("gcrules.poses.pose:singular")
 _figure = deferred("gcrules.views.figure:figure")
 _save = deferred("gcrules.views.drawing.drawing_files:save")
 
-_OWNERS = {"robot": "a robot", "class": "a class of the catalog", "example": "an example"}
+_OWNERS = {  # of an id: what it is, and the command that shows it
+    "robot": ("a robot", "robot show"),
+    "class": ("a class of the catalog", "catalog show"),
+    "example": ("an example", "analyze"),
+}
 
 _plugins = click.option("--plugins", "folders", multiple=True, metavar="DIR", help="Add a folder of plugins.")
 _name = click.argument("name", metavar="ID|FILE")
@@ -283,9 +287,10 @@ def new_command(robot_id: str, path: str | None) -> None:
     """Write a commented robot file to begin with; it passes `gcrules robot check`."""
     text = skeleton(robot_id)
     if kind := kind_of_id(robot_id):
+        what, command = _OWNERS[kind]
         raise InputError(
-            f"{robot_id} is the id of {_OWNERS[kind]} already",
-            hint=f"choose another one; `gcrules view {robot_id}` shows what has it",
+            f"{robot_id} is the id of {what} already",
+            hint=f"choose another one; `gcrules {command} {robot_id}` shows what has it",
         )
     if path is None:
         folder = Path(robot_id)
