@@ -187,6 +187,7 @@ SIGNATURES: dict[str, dict[str, ArgumentKind]] = {
         "rotation": TEXT,
         "about": _ABOUT,
         "limit": COUNT,
+        "product": optional(FLAG),
     },
     "map_status": {"store": FILE},
     "refine_map": {

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import json
 import math
 from dataclasses import replace
@@ -12,6 +13,7 @@ import pytest
 from click.testing import CliRunner
 from commands import assert_refused
 from mechanisms.shipped_robots import analysis
+from mpmath import mpf, sqrt
 
 import gcrules as gc
 from gcrules.apps.cli import cli
@@ -107,9 +109,72 @@ def test_robots_without_a_locus_say_why_and_what_to_use(name: str) -> None:
 
 
 @pytest.mark.parametrize("name", ["6-rus", "6-pus"])
-def test_too_many_working_modes_are_refused(name: str) -> None:
-    with pytest.raises(LimitReached, match="64 working modes"):
-        gc.locus(analysis(name), over="x", at="y=0.1")
+def test_products_over_too_many_working_modes_are_refused(name: str) -> None:
+    with pytest.raises(LimitReached, match="64 working modes") as fault:
+        gc.locus(analysis(name), over="x", at="y=0.1", product=True)
+    assert "product=False" in (fault.value.hint or "")
+
+
+def in_mode(found: RobotLocus, at: dict[str, float], signs: str) -> list[Any]:
+    """The polynomials where roots are kept, by their radicands; of robots whose roots are + in home's mode."""
+    known = {n: mpf(x) for n, x in at.items()}
+    for root, sign in zip(found.roots, signs, strict=True):
+        assert not root.sign
+        radicand = root.radicand([known[n] for n in root.radicand.variables])
+        known[root.name] = mpf(f"{sign}1") * sqrt(radicand)
+    return [part.form([known[n] for n in part.form.variables]) for part in found.parts]
+
+
+KEPT: dict[str, tuple[dict[str, float], str, tuple[float, float]]] = {
+    **{name: CROSSED[name] for name in ("3-rrr", "orthoglide", "3-rps", "3-rrr-spherical")},
+    "6-rus": ({"x": 0.01, "y": -0.44, "roll": -0.35, "pitch": 0.54, "yaw": -0.02}, "z", (0.0, -0.8)),
+}
+
+
+@pytest.mark.parametrize("name", KEPT)
+def test_with_roots_the_sign_changes_where_paths_are_singular(name: str) -> None:
+    """The same second road; now the mode is told apart, so that the sign changes in home's."""
+    fixed, free, ends = KEPT[name]
+    a = analysis(name)
+    found = gc.locus(a, over=free, at=written(fixed), product=False)
+    assert not found.multiplied
+    path = gc.path(a, ["home", *(written({**fixed, free: end}) for end in ends)], samples=10)
+    at = [c.coordinates[path.names.index(free)] for c in path.crossings if c.parameter > 1]
+    assert at
+    (variable,) = found.question.free
+    home, turns = "+" * len(found.roots), free in ("roll", "pitch", "yaw")
+    for x in at:
+        near = (math.tan(y / 2) if turns else y for y in (x - 1e-5, x + 1e-5))
+        below, above = (in_mode(found, {variable: y}, home) for y in near)
+        assert any(v * w < 0 for v, w in zip(below, above, strict=True))
+
+
+@pytest.mark.parametrize(("name", "over", "at"), [("delta", "x", "y=0.2, z=0.1"), ("3-rps", "z", "roll=0.1rad")])
+def test_the_product_is_that_of_all_modes(name: str, over: str, at: str) -> None:
+    kept, multiplied = (gc.locus(analysis(name), over=over, at=at, product=p) for p in (False, True))
+    assert [r.name for r in kept.roots] == [r.name for r in multiplied.roots]
+    modes = ["".join(signs) for signs in itertools.product("+-", repeat=len(kept.roots))]
+    for x in (0.03, -0.11):
+        every = [in_mode(kept, {over: x}, signs) for signs in modes]
+        for k, (one, other) in enumerate(zip(kept.parts, multiplied.parts, strict=True)):
+            left = math.prod(
+                float(one.coefficient) * values[k] / math.prod(p([x]) ** n for p, n in one.below) for values in every
+            )
+            right = float(other.coefficient) * other.form([x]) / math.prod(p([x]) ** n for p, n in other.below)
+            assert len(other.roots) == len(kept.roots)
+            assert left == pytest.approx(right, rel=1e-6)
+
+
+@pytest.mark.parametrize("name", ["delta", "3-prs", "3-rrr", "6-rus"])
+def test_long_products_are_left_out(name: str) -> None:
+    """All coordinates of the translation are free, of robots whose product would have degrees of hundreds."""
+    found = gc.locus(analysis(name), over="x" if name == "6-rus" else None)
+    assert not found.multiplied
+    assert set(found.variables) == {*found.question.free, *(r.name for r in found.roots)}
+    assert found.degrees["total"] < 60
+    answer = found.to_json()
+    assert (answer["multiplied"], answer["variables"]) == (False, list(found.variables))
+    assert "a sign for each root" in str(found)
 
 
 def test_a_home_far_away_has_the_same_locus() -> None:

@@ -28,6 +28,12 @@ __all__ = ["locus"]
     metavar="KIND",
     help="quaternion (e0 to e3), rodrigues (c1 to c3), or a sequence zyx: tangents of half the angles (t1 to t3).",
 )
+@click.option(
+    "--product/--roots",
+    default=None,
+    help="Multiply over all working modes of a robot of joints, or leave the roots in that tell them apart; by default"
+    " products are left out that may be long.",
+)
 @about_option
 @click.option("--export", metavar="|".join(FORMATS), help="Print the polynomial alone, for that program.")
 @limit_option(MAX_TERMS, "Search for factors of polynomials of so many terms, where no proof decides.")
@@ -40,6 +46,7 @@ def locus(
     fix: str | None,
     at: str | None,
     rotation: str,
+    product: bool | None,
     about: str,
     export: str | None,
     limit: int,
@@ -56,13 +63,14 @@ def locus(
 
     The variables are x, y, z (the translation in the file's unit) and those of the rotation. "-" reads the file from
     standard input; the id of a robot, as of "gcrules robot list", does as well. For robots of joints that are not six
-    legs there is a polynomial for each factor of the condition, multiplied over all working modes; their variables are
-    x, y, z and t_roll, t_pitch, t_yaw, tangents of half the angles, and --at names coordinates, "z=1/2, yaw=30deg".
+    legs there is a polynomial for each factor of the condition; their variables are x, y, z and t_roll, t_pitch, t_yaw,
+    tangents of half the angles, and --at names coordinates, "z=1/2, yaw=30deg". It is multiplied over all working
+    modes, or the roots that tell these apart are variables too.
     """
     if export is not None and (out.json or out.latex):
         raise click.UsageError("--export excludes --json and --latex.")
     loaded = warn(read_source(file, mode=mode))
     with working("computing"):
-        found = computed(loaded, over, fix=fix, at=at, rotation=rotation, about=about, limit=limit)
+        found = computed(loaded, over, fix=fix, at=at, rotation=rotation, about=about, limit=limit, product=product)
         text = found.text(unicode=out.unicode) if export is None else found.written(export)
     out.show(found, text)

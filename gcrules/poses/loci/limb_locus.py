@@ -16,15 +16,14 @@ from gcrules.core.frozen import FrozenMap
 from gcrules.mechanisms.limbs import Limbs
 from gcrules.poses.compiling.vectors import add
 from gcrules.poses.loci.closed_form import ClosedFactor, closed_form
-from gcrules.poses.loci.elimination import Eliminated, Norm, eliminated
+from gcrules.poses.loci.elimination import Eliminated, Numerator, eliminated
 from gcrules.poses.loci.factors import PossibleFactor, factored
 from gcrules.poses.loci.form import PolynomialForm
 from gcrules.poses.loci.known import whole_ring
-from gcrules.poses.loci.limb_question import LimbQuestion, limb_question
+from gcrules.poses.loci.limb_question import TANGENTS, limb_question
 from gcrules.poses.loci.limb_report import LocusPart, RobotLocus, RobotLocusFactor
 from gcrules.poses.loci.working_modes import CHECKS, Modes
 from gcrules.screws.pose import Pose
-from gcrules.screws.pose_text import SHIFTS
 
 __all__ = ["limb_locus"]
 
@@ -36,6 +35,7 @@ def limb_locus(
     at: str | Mapping[str, Any] | Pose | None,
     rotation: str,
     limit: int,
+    product: bool | None = None,
 ) -> RobotLocus:
     """The locus of a robot of joints; arguments as those of `locus`.
 
@@ -44,38 +44,39 @@ def limb_locus(
     """
     asked = limb_question(m.linkage, over, fix, at, rotation)
     form = closed_form(m, asked.coordinates)
-    norms = eliminated(form, asked)
-    modes = Modes(form, asked, norms, m.linkage.size)
+    found = eliminated(form, asked, product)
+    modes = Modes(form, asked, found, m.linkage.size)
     parts = []
-    for factor, norm in zip(form.factors, norms.norms, strict=True):
-        if norm.form.terms:
-            modes.check(factor, norm)
-        parts.append(_part(modes, factor, norm, norms, asked, limit))
+    for factor, numerator in zip(form.factors, found.numerators, strict=True):
+        if numerator.form.terms:
+            modes.check(factor, numerator)
+        parts.append(_part(modes, factor, numerator, found, limit))
     return RobotLocus(
         robot=m.robot,
         question=asked,
         centre=add(form.centre, m.linkage.origin),
         parts=tuple(parts),
-        roots=norms.roots,
+        roots=found.roots,
+        multiplied=found.multiplied,
         checked=FrozenMap({"configurations": form.compared, "norms": CHECKS}),
         limit=limit,
         chosen=any(part.chosen for part in m.analysis.parts),
     )
 
 
-def _part(
-    modes: Modes, factor: ClosedFactor, norm: Norm, every: Eliminated, asked: LimbQuestion, limit: int
-) -> LocusPart:
+def _part(modes: Modes, factor: ClosedFactor, numerator: Numerator, every: Eliminated, limit: int) -> LocusPart:
     found: tuple[RobotLocusFactor, ...] | None = ()
     undecided = ("", "")
-    if norm.form.terms:
-        ring = whole_ring(asked.free)
-        turns = [PossibleFactor("norm", "", 1 + x**2) for x in ring.gens if str(x) not in SHIFTS]
+    if numerator.form.terms:
+        ring = whole_ring(numerator.form.variables)
+        turns = [PossibleFactor("norm", "", 1 + x**2) for x in ring.gens if str(x) in TANGENTS]
         try:
-            irreducible = factored(ring.from_dict(dict(norm.form.terms)), turns, limit)
+            irreducible = factored(ring.from_dict(dict(numerator.form.terms)), turns, limit)
             forms = [(kind, name, PolynomialForm.of(f), times) for kind, name, f, times in irreducible]
             found = tuple(
-                RobotLocusFactor(kind, name, p, times, modes.sightings(factor, norm, p))
+                RobotLocusFactor(
+                    kind, name, p, times, modes.sightings(factor, numerator, p) if every.multiplied else None
+                )
                 for kind, name, p, times in forms
             )
         except LimitReached as fault:
@@ -86,10 +87,10 @@ def _part(
         factor.expression,
         factor.kind,
         factor.statement,
-        norm.form,
-        norm.coefficient,
-        norm.below,
-        tuple(every.roots[k].name for k in norm.roots),
+        numerator.form,
+        numerator.coefficient,
+        numerator.below,
+        tuple(every.roots[k].name for k in numerator.roots),
         found,
         undecided,
     )

@@ -23,9 +23,12 @@ from gcrules.poses.loci.variables import read_fixed, read_free
 from gcrules.screws.pose import Pose, exact
 from gcrules.screws.pose_text import SHIFTS, TURNS, Amount, check_known, read_named
 
-__all__ = ["LimbQuestion", "limb_question", "variable"]
+__all__ = ["TANGENTS", "LimbQuestion", "limb_question", "variable"]
 
 _TANGENT = "t_"
+TANGENTS = tuple(_TANGENT + n for n in TURNS)
+"""The variables of the turn."""
+
 _DENOMINATORS = 10**6  # of half-tangents of angles that are given
 
 

@@ -25,14 +25,17 @@ __all__ = ["LocusPart", "RobotLocus", "RobotLocusFactor"]
 @dataclass(frozen=True)
 class RobotLocusFactor(LocusFactor):
     """An irreducible factor of a part. `kind` is condition | norm (of a half-tangent: 1 + t², zero in no pose).
-    `seen` says in which working modes the robot is singular at zeros of it.
+    `seen` says in which working modes the robot is singular at zeros of it; None if its roots are variables, whose
+    signs are the mode.
     """
 
-    seen: Sightings
+    seen: Sightings | None
 
     def to_json(self) -> dict[str, Any]:
-        seen = self.seen
-        return super().to_json() | {"zeros": seen.zeros, "assembled": seen.assembled, "modes": list(seen.modes)}
+        found, seen = super().to_json(), self.seen
+        if seen is None:
+            return found
+        return found | {"zeros": seen.zeros, "assembled": seen.assembled, "modes": list(seen.modes)}
 
 
 @dataclass(frozen=True)
@@ -42,7 +45,9 @@ class LocusPart:
     The product of it over all signs of the `roots`, the working modes, is `coefficient` · `form` / ∏ `below`^power,
     exactly, in lowest terms. So `form`, with whole coefficients without a common divisor, is 0 exactly where the
     factor vanishes in some working mode, with roots of negative radicands counted too (and where `below` is 0 a place
-    is not definite). `found` are its irreducible factors, None where they are `undecided` within the limit.
+    is not definite). Where roots are kept (`RobotLocus.multiplied` is False) the same is said of the factor itself,
+    not of the product, and their names are variables of the form: it is 0 where the factor vanishes in the mode of
+    their signs. `found` are its irreducible factors, None where they are `undecided` within the limit.
     """
 
     expression: str
@@ -63,7 +68,7 @@ class LocusPart:
     @property
     def degrees(self) -> dict[str, int]:
         """Those of the form, as `RobotLocus.degrees`."""
-        return degrees_of(self.form)
+        return degrees_of(self.form, self.roots)
 
     @property
     def factors(self) -> tuple[RobotLocusFactor, ...]:
@@ -94,10 +99,12 @@ class LocusPart:
 class RobotLocus(LocusPolynomial, Shown):
     """The singular configurations over the free variables of the `question`, whose other coordinates are fixed.
 
-    Each of the `parts` is a factor of the condition. `roots` are what was eliminated; `centre` is what the platform
-    turns about, in the frame of the file. `checked` says at how many configurations the closed form was compared with
-    the joints, and at how many poses each norm was computed again from all working modes; `limit` is that of factors;
-    `chosen` says that the condition vanishes, too, where lines that were chosen for a limb depend on each other.
+    Each of the `parts` is a factor of the condition. `roots` tell apart the working modes: if `multiplied`, the forms
+    are products over all of them; else the roots are variables beside those of the question. `centre` is what the
+    platform turns about, in the frame of the file. `checked` says at how many configurations the closed form was
+    compared with the joints, and at how many poses each form was computed again from the working modes; `limit` is that
+    of factors; `chosen` says that the condition vanishes, too, where lines that were chosen for a limb depend on each
+    other.
     """
 
     robot: Robot
@@ -105,6 +112,7 @@ class RobotLocus(LocusPolynomial, Shown):
     centre: tuple[Any, ...]
     parts: tuple[LocusPart, ...]
     roots: tuple[FormalRoot, ...]
+    multiplied: bool
     checked: Mapping[str, int]
     limit: int
     chosen: bool = False
@@ -114,7 +122,7 @@ class RobotLocus(LocusPolynomial, Shown):
         """The product of the parts' forms."""
         if len(self.parts) == 1:
             return self.parts[0].form
-        ring = whole_ring(self.question.free)
+        ring = whole_ring(self.variables)
         total = ring.one
         for part in self.parts:
             total = total * ring.from_dict(dict(part.form.terms))
@@ -132,7 +140,12 @@ class RobotLocus(LocusPolynomial, Shown):
 
     @property
     def variables(self) -> tuple[str, ...]:
-        return self.question.free
+        """Those of the question, and the roots where they are kept."""
+        return self.question.free if self.multiplied else (*self.question.free, *(r.name for r in self.roots))
+
+    @property
+    def degrees(self) -> dict[str, int]:
+        return degrees_of(self.form, [r.name for r in self.roots])
 
     @property
     def factors(self) -> tuple[RobotLocusFactor, ...]:
@@ -148,15 +161,18 @@ class RobotLocus(LocusPolynomial, Shown):
             "robot": self.robot.id,
             "about": [str(c) for c in self.centre],
             "coordinates": list(q.coordinates),
-            "variables": list(q.free),
+            "variables": list(self.variables),
             "fixed": {n: str(c) for n, c in q.fixed.items()},
             "verdict": self.verdict,
             "roots": [r.to_json() for r in self.roots],
+            "multiplied": self.multiplied,
             "parts": [part.to_json() for part in self.parts],
             "checked": dict(self.checked),
             "vanishes_where_chosen_lines_depend": self.chosen,
         }
 
     def __repr__(self) -> str:
-        degrees = ", ".join(f"{p.kind} of degree {p.form.degree} with {len(p.form.terms)} terms" for p in self.parts)
-        return f"<RobotLocus {self.robot.id} in {', '.join(self.variables)}: {degrees}>"
+        degrees = ", ".join(
+            f"{p.kind} of degree {p.degrees['total']} with {len(p.form.terms)} terms" for p in self.parts
+        )
+        return f"<RobotLocus {self.robot.id} in {', '.join(self.question.free)}: {degrees}>"

@@ -58,6 +58,7 @@ def locus(
     rotation: str = "quaternion",
     about: str | Sequence[Any] = "centroid",
     limit: int = MAX_TERMS,
+    product: bool | None = None,
 ) -> Locus | RobotLocus:
     """The polynomial whose zeros are the robot's singular poses, exact, with degrees and factors (a `Locus`).
 
@@ -69,16 +70,17 @@ def locus(
     Polynomials of up to `limit` terms are searched for factors where no proof decides. Raises InputError for unknown
     variables, where nothing is free, and for degenerate robots.
 
-    Of other robots of joints it is a `RobotLocus`: a polynomial for each factor of the condition, multiplied over all
-    working modes. Its variables are coordinates that determine the pose, x, y, z and t_roll, t_pitch, t_yaw, the
-    tangents of half the angles ("yaw" names t_yaw too); `at` gives others by their names ("z=1/2, yaw=30deg"), and
-    those that are not named are 0. Raises InputError where the loops cannot be eliminated, with what to use instead,
-    and LimitReached where that makes too large polynomials.
+    Of other robots of joints it is a `RobotLocus`: a polynomial for each factor of the condition. Its variables are
+    coordinates that determine the pose, x, y, z and t_roll, t_pitch, t_yaw, the tangents of half the angles ("yaw"
+    names t_yaw too); `at` gives others by their names ("z=1/2, yaw=30deg"), and those that are not named are 0. With
+    the `product` it is multiplied over all working modes; without, the roots that tell the modes apart are variables
+    too; by default (None) products are left out that may be long. Raises InputError where the loops cannot be
+    eliminated, with what to use instead, and LimitReached where that makes too large polynomials.
     """
     m = mechanism(source, about=about)
     if has_six_legs(m):
-        return _locus(m.six_legs(), over, fix, at, rotation, limit)
-    return method(_METHODS, m, "the locus")(over, fix, at, rotation, limit)
+        return _locus(m.six_legs(), over, fix, at, rotation, limit, product)
+    return method(_METHODS, m, "the locus")(over, fix, at, rotation, limit, product)
 
 
 def _locus(
@@ -88,8 +90,9 @@ def _locus(
     at: str | Pose | None,
     rotation: str,
     limit: int,
+    _product: bool | None = None,
 ) -> Locus:
-    """That of a platform on six legs."""
+    """That of a platform on six legs, whose poses need no roots."""
     moving = m.rig
     asked = question(over, fix, at, rotation, moving.unit)
     ring = rational_ring(asked.free)

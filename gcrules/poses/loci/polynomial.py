@@ -2,6 +2,7 @@ r"""What every locus has: one polynomial, with its degrees, its values, and how 
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 from gcrules.poses.loci.form import PolynomialForm
@@ -50,13 +51,16 @@ class LocusPolynomial:
         return self.form.written(style)
 
 
-def degrees_of(form: PolynomialForm) -> dict[str, int]:
-    """The degree in each variable, in the translation and the rotation (where they are free), and in all."""
-    turning = [n for n in form.variables if n not in TRANSLATION]
-    groups = {"translation": [n for n in TRANSLATION if n in form.variables], "rotation": turning}
-    found = {n: form.degree_in([n]) for n in form.variables}
+def degrees_of(form: PolynomialForm, roots: Sequence[str] = ()) -> dict[str, int]:
+    """The degree in each variable, in the translation and the rotation (where they are free), and in all; without
+    variables that are `roots`, whose degree is 1 at most.
+    """
+    free = [n for n in form.variables if n not in roots]
+    turning = [n for n in free if n not in TRANSLATION]
+    groups = {"translation": [n for n in TRANSLATION if n in free], "rotation": turning}
+    found = {n: form.degree_in([n]) for n in free}
     found |= {name: form.degree_in(names) for name, names in groups.items() if names}
-    return found | {"total": form.degree}
+    return found | {"total": form.degree_in(free)}
 
 
 def listed(form: PolynomialForm) -> dict[str, Any]:

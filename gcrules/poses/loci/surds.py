@@ -27,9 +27,9 @@ from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import InputError, LimitReached
 from gcrules.poses.loci.form import PolynomialForm
 
-__all__ = ["MAX_SURD_TERMS", "Surd", "SurdField", "norm"]
+__all__ = ["MAX_SURD_TERMS", "Surd", "SurdField", "eliminated_roots", "norm"]
 
-MAX_SURD_TERMS = 30_000
+MAX_SURD_TERMS = 60_000
 """Surds of more terms are not computed with."""
 
 _FACTORED = 80  # terms of divisors that are factored; longer ones stay whole
@@ -40,11 +40,14 @@ Parts = Mapping[int, Any]
 
 
 class SurdField:
-    """The variables are those of `ring`, over the whole numbers; roots and divisors come as they are needed."""
+    """The variables are those of `ring`, over the whole numbers; roots and divisors come as they are needed. The square
+    root of a surd is its formal root times a number whose sign is that of the product of the divisors in `signs`.
+    """
 
     def __init__(self, ring: Any) -> None:
         self.ring = ring
         self.radicands: list[Parts] = []
+        self.signs: list[tuple[int, ...]] = []
         self.divisors: list[Any] = []
         self.values: list[int] = []
         self.gens = tuple(Surd(self, Fraction(1), {0: x}, {}) for x in ring.gens)
@@ -113,9 +116,10 @@ class SurdField:
             parts, twice = self.product(parts, self.radicands[last]), twice ^ (1 << last)
         return parts
 
-    def root(self, radicand: Parts) -> int:
+    def root(self, radicand: Parts, signs: tuple[int, ...]) -> int:
         """The number of a new root: two joints have signs of their own, also where their radicands are equal."""
         self.radicands.append(radicand)
+        self.signs.append(signs)
         return len(self.radicands) - 1
 
     def divided_by(self, p: Any) -> tuple[Fraction, dict[int, int]]:
@@ -216,8 +220,9 @@ class Surd:
             return self
         odd = field.power({k: n % 2 for k, n in self.below.items()})
         square, rest = _square_part(self.scale.numerator * self.scale.denominator)
-        number = field.root({m: p * odd * rest for m, p in self.parts.items()})
         below = {k: (n + 1) // 2 for k, n in self.below.items()}
+        signs = tuple(k for k, n in below.items() if n % 2)
+        number = field.root({m: p * odd * rest for m, p in self.parts.items()}, signs)
         return Surd(field, Fraction(square, self.scale.denominator), {1 << number: field.ring.one}, below)
 
     def __str__(self) -> str:
@@ -227,6 +232,18 @@ class Surd:
         )
         below = " ".join(f"({PolynomialForm.of(self.field.divisors[k])})^{n}" for k, n in self.below.items())
         return f"({self.scale}) {above}" + (f" / {below}" if below else "")
+
+
+def eliminated_roots(x: Surd) -> tuple[int, ...]:
+    """The roots that a surd depends on, also through radicands."""
+    every, left = 0, x.roots
+    while left:
+        last = left.bit_length() - 1
+        every |= 1 << last
+        left ^= 1 << last
+        for mask in x.field.radicands[last]:
+            left |= mask
+    return tuple(k for k in range(every.bit_length()) if every >> k & 1)
 
 
 def norm(x: Surd) -> tuple[Surd, tuple[int, ...]]:

@@ -1,4 +1,5 @@
-r"""Which working modes the factors of a locus belong to, seen at zeros of them; and the norms computed a second time.
+r"""Which working modes the factors of a locus belong to, seen at zeros of them; and the polynomials computed a second
+time.
 
 A working mode is a choice of sign for each root, + being home's. On random lines through home's surroundings the real
 zeros of a factor are bisected, and there the factor of the condition is computed from the joints' places in long
@@ -11,22 +12,22 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from itertools import pairwise, product
-from math import lcm
+from math import lcm, prod
 from typing import Any
 
 from gcrules.core.budget import checkpoint
 from gcrules.core.dataclass import dataclass
-from gcrules.core.errors import EngineFault
+from gcrules.core.errors import EngineFault, InputError
 from gcrules.core.seeds import drawn
 from gcrules.poses.loci.closed_form import ClosedFactor, ClosedForm
-from gcrules.poses.loci.elimination import Eliminated, Norm
+from gcrules.poses.loci.elimination import Eliminated, Numerator
 from gcrules.poses.loci.form import PolynomialForm
 from gcrules.poses.loci.limb_question import LimbQuestion
 from gcrules.screws.pose_text import SHIFTS
 
 __all__ = ["CHECKS", "Modes", "Sightings"]
 
-CHECKS = 3  # poses at which norms are computed again
+CHECKS = 3  # poses at which polynomials are computed again
 _DIGITS = 80
 _SAME = 40  # digits that have to agree
 _LINES = 10
@@ -57,11 +58,11 @@ class Modes:
     eliminated: Eliminated
     size: float
 
-    def signs(self, norm: Norm) -> Iterator[tuple[int, ...]]:
+    def signs(self, norm: Numerator) -> Iterator[tuple[int, ...]]:
         """All choices of signs of the norm's roots, home's first."""
         return product((1, -1), repeat=len(norm.roots))
 
-    def value(self, factor: ClosedFactor, norm: Norm, signs: Sequence[int], at: Sequence[Any]) -> Any:
+    def value(self, factor: ClosedFactor, norm: Numerator, signs: Sequence[int], at: Sequence[Any]) -> Any:
         """The factor of the condition in a mode, complex where a radicand is negative."""
         from mpmath import mp, mpf
 
@@ -76,31 +77,66 @@ class Modes:
         above, below = self.form.values(inputs, root, lambda x: 1 / x, [factor.value, factor.over])
         return above / below
 
-    def check(self, factor: ClosedFactor, norm: Norm) -> None:
-        """Two roads: the product over all modes in long decimals. Raises EngineFault where it is another number."""
+    def check(self, factor: ClosedFactor, norm: Numerator) -> None:
+        """Two roads: the factor in all modes in long decimals. Raises EngineFault where the product of them, or with
+        the roots one of them, is another number; InputError where it is 0 in some mode at each of these poses.
+        """
         from mpmath import mp, mpf
 
+        every = list(self.signs(norm))
+        zero = set(every)
         rng = drawn("norm", factor.expression, str(norm.coefficient))
-        for _ in range(CHECKS):
+        for k in range(CHECKS):
             checkpoint()
             exact = [Fraction(rng.randint(-(1 << 30), 1 << 30), 1 << 30) * self._reach(n) for n in self.question.free]
             with mp.workdps(_DIGITS):
                 at = [mpf(x.numerator) / x.denominator for x in exact]
-                found = mpf(1)
-                for signs in self.signs(norm):
-                    found *= self.value(factor, norm, signs, at)
-                expected = norm.coefficient * norm.form(exact)
-                for p, n in norm.below:
-                    expected /= p(exact) ** n
-                wanted = mpf(expected.numerator) / expected.denominator
-                if abs(found - wanted) > mpf(10) ** -_SAME * abs(wanted):
-                    raise EngineFault(f"the product of {factor.expression} over the working modes is another number")
+                modes = every if self.eliminated.multiplied or not k else [every[0], *zero]
+                values = {signs: self.value(factor, norm, signs, at) for signs in modes}
+                if self.eliminated.multiplied:
+                    agrees = _same(prod(values.values()), self._expected(norm, exact))
+                else:
+                    least = max(map(abs, values.values())) * mpf(10) ** -_SAME
+                    zero &= {m for m, v in values.items() if abs(v) <= least}
+                    roots = {signs: self._root_values(norm, signs, exact) for signs in modes}
+                    agrees = all(_same(v, self._expected(norm, [*at, *roots[m]]), least) for m, v in values.items())
+            if not agrees:
+                raise EngineFault(f"{factor.expression} over the working modes is another number")
+        if not self.eliminated.multiplied and zero:
+            raise InputError(
+                "in one of the working modes every pose is singular there",
+                hint="leave another coordinate free; gcrules map, path and pose --nearest keep to home's working mode",
+            )
+
+    def _expected(self, norm: Numerator, at: Sequence[Any]) -> Any:
+        """What the numerator says; exact for Fractions."""
+        found = norm.form(at) * norm.coefficient.numerator / norm.coefficient.denominator
+        for p, n in norm.below:
+            found /= p(at[: len(p.variables)]) ** n
+        return found
+
+    def _root_values(self, norm: Numerator, signs: Sequence[int], exact: Sequence[Fraction]) -> list[Any]:
+        """The roots by their radicands and signs, in long decimals."""
+        from mpmath import mp, mpf
+
+        by = dict(zip(norm.roots, signs, strict=True))
+        known: dict[str, Any] = dict(zip(self.question.free, exact, strict=True))
+        for k, root in enumerate(self.eliminated.roots):
+            home = prod(1 if p([known[n] for n in p.variables]) > 0 else -1 for p in root.sign)
+            values = [known[n] for n in root.radicand.variables]
+            if not all(isinstance(v, Fraction) for v in values):
+                values = [mpf(v.numerator) / v.denominator if isinstance(v, Fraction) else v for v in values]
+            radicand = root.radicand(values)
+            if isinstance(radicand, Fraction):
+                radicand = mpf(radicand.numerator) / radicand.denominator
+            known[root.name] = mp.sqrt(radicand) * by.get(k, 1) * home
+        return [known[root.name] for root in self.eliminated.roots]
 
     def _reach(self, name: str) -> Fraction:
         """How far lines go: a whole number of lengths, so that points have short coordinates; 1 for half-tangents."""
         return max(Fraction(round(self.size * 16), 16), Fraction(1, 16)) * 2 if name in SHIFTS else Fraction(1)
 
-    def sightings(self, factor: ClosedFactor, norm: Norm, p: PolynomialForm) -> Sightings:
+    def sightings(self, factor: ClosedFactor, norm: Numerator, p: PolynomialForm) -> Sightings:
         """The modes of an irreducible factor of the norm, where zeros of it are met."""
         from mpmath import mp
 
@@ -116,7 +152,7 @@ class Modes:
                     break
         return Sightings(zeros, assembled, tuple(sorted(modes)))
 
-    def _vanishes(self, factor: ClosedFactor, norm: Norm, signs: Sequence[int], at: Any, near: Any) -> bool:
+    def _vanishes(self, factor: ClosedFactor, norm: Numerator, signs: Sequence[int], at: Any, near: Any) -> bool:
         from mpmath import mpc
 
         try:
@@ -158,6 +194,14 @@ class Modes:
                 if low * high < 0:
                     t = _bisected(value, left, right, low)
                     yield point(t), point(t + mpf(_NEAR))
+
+
+def _same(found: Any, expected: Any, least: Any = 0) -> bool:
+    """Whether two numbers agree, or both are less than what counts as 0."""
+    from mpmath import mpf
+
+    wanted = mpf(expected.numerator) / expected.denominator if isinstance(expected, Fraction) else expected
+    return bool(abs(found - wanted) <= max(mpf(10) ** -_SAME * abs(wanted), least))
 
 
 def _differences(p: PolynomialForm, start: Sequence[Fraction], along: Sequence[Fraction]) -> list[Any]:

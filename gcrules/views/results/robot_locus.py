@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from fractions import Fraction
 from textwrap import fill
 
 from gcrules.poses.loci.form import PolynomialForm
 from gcrules.poses.loci.limb_report import LocusPart, RobotLocus, RobotLocusFactor
-from gcrules.poses.loci.polynomial import degrees_of
 from gcrules.poses.loci.variables import TRANSLATION
+from gcrules.poses.loci.working_modes import Sightings
 from gcrules.views.results.locus import SHOWN, counted, degrees_text, form_latex, size_text
 from gcrules.views.text_tables import WIDTH, table
 
@@ -23,16 +24,21 @@ _ALONE = (
     "Each polynomial is a factor of the condition. A pose is singular exactly where one of them is 0, as far as no limb"
     " is singular by itself{}."
 )
+_KEPT = (
+    "Each polynomial is a factor of the condition, in the coordinates and in roots whose signs are the working mode. A"
+    " pose is singular in a mode exactly where one of them is 0, as far as no limb is singular by itself{}."
+)
+_EXCEPT = ", but where other signs are told"
 _CHOSEN = ", or lines that were chosen for a limb depend on each other"
 
 
 def as_text(found: RobotLocus, *, unicode: bool = False) -> str:
     """The summary, and polynomials that are short."""
-    head = (_HEAD if found.roots else _ALONE).format(_CHOSEN if found.chosen else "")
-    lines = [fill(head, WIDTH), "", *table(list(_rows(found)))]
+    head = (_ALONE if not found.roots else _HEAD if found.multiplied else _KEPT).format(_CHOSEN if found.chosen else "")
+    lines = [fill(head, WIDTH), "", *table(list(_rows(found, unicode)))]
     for number, part in enumerate(found.parts, 1):
         name = _name(found, number)
-        lines += ["", *table(list(_part(part, name, len(found.roots), unicode)))]
+        lines += ["", *table(list(_part(part, name, found, unicode)))]
         lines += [""] if part.form.terms else []
         if len(part.form.terms) > SHOWN:
             lines.append(f"{name} is long: --export sympy (or maple, singular), --json or --latex prints it.")
@@ -45,7 +51,7 @@ def _name(found: RobotLocus, number: int) -> str:
     return "P" if len(found.parts) == 1 else f"P{number}"
 
 
-def _rows(found: RobotLocus) -> Iterator[tuple[str, str]]:
+def _rows(found: RobotLocus, unicode: bool) -> Iterator[tuple[str, str]]:
     q = found.question
     shift = [n for n in q.free if n in TRANSLATION]
     turn = [n for n in q.free if n not in TRANSLATION]
@@ -59,31 +65,48 @@ def _rows(found: RobotLocus) -> Iterator[tuple[str, str]]:
     yield "centre", f"the platform turns about {', '.join(map(str, found.centre))}"
     for root in found.roots:
         yield "root", f"{root.name} tells apart two places of {root.places}; {root.name}^2 = {_short(root.radicand)}"
+        if root.sign and not found.multiplied:
+            sign = (" · " if unicode else " * ").join(f"({_short(p)})" for p in root.sign)
+            yield "", f"in home's mode its sign is that of {sign}"
+    if found.roots and not found.multiplied:
+        yield "modes", f"{2 ** len(found.roots)}, a sign for each root; home's are +{_EXCEPT * _signed(found)}"
     c = found.checked
-    norms = f"; products over the working modes at {c['norms']} poses, to 40 digits" if found.roots else ""
-    yield "checked", f"places against the joints in {c['configurations']} configurations{norms}"
+    what = "products over the working modes" if found.multiplied else "polynomials in all working modes"
+    again = f"; {what} at {c['norms']} poses, to 40 digits" if found.roots else ""
+    yield "checked", f"places against the joints in {c['configurations']} configurations{again}"
+
+
+def _signed(found: RobotLocus) -> bool:
+    """Whether a root has not the sign + all over home's mode."""
+    return any(root.sign for root in found.roots)
 
 
 def _short(form: PolynomialForm) -> str:
-    if len(form.terms) <= SHOWN // 4:
+    if len(form.terms) <= SHOWN // 4 and form.digits <= SHOWN // 4:
         return str(form)
     return f"one of degree {form.degree} with {len(form.terms)} terms"
 
 
-def _part(part: LocusPart, name: str, roots: int, unicode: bool) -> Iterator[tuple[str, str]]:
+def _number(c: Fraction) -> str:
+    """A number; of long ones the size."""
+    return str(c) if len(str(c)) <= SHOWN else f"a fraction, about {float(c):.3g}" if float(c) else "a tiny fraction"
+
+
+def _part(part: LocusPart, name: str, found: RobotLocus, unicode: bool) -> Iterator[tuple[str, str]]:
     times = "·" if unicode else "*"
     yield "factor", f"{part.expression} ({part.kind}): {part.statement}"
     if part.vanishes:
-        yield name, "0: it vanishes at each of these poses, in some working mode"
+        yield name, f"0: it vanishes at each of these poses, in {'some' if found.multiplied else 'every'} working mode"
         return
-    product = f"product over {2 ** len(part.roots)} working modes of the factor" if part.roots else "factor"
-    coefficient = f"({part.coefficient}) {times} {name}" if part.coefficient != 1 else name
-    below = f" {times} ".join(f"({_short(p)})^{n}" for p, n in part.below)
+    multiplied = found.multiplied and part.roots
+    product = f"product over {2 ** len(part.roots)} working modes of the factor" if multiplied else "factor"
+    coefficient = f"({_number(part.coefficient)}) {times} {name}" if part.coefficient != 1 else name
+    below = f" {times} ".join(f"({_short(p)})^{n}" if n > 1 else f"({_short(p)})" for p, n in part.below)
     yield "identity", f"{product} = {coefficient}{f' / ({below})' if below else ''}"
-    if roots:
+    if found.roots:
         yield "roots", ", ".join(part.roots) or "none"
     yield name, size_text(part.form)
-    yield "degrees", degrees_text(degrees_of(part.form))
+    yield "degrees", degrees_text(part.degrees)
     if part.found is None:
         yield "factors", f"not decided: {part.undecided[0]}; {part.undecided[1]}"
     elif not part.found:
@@ -98,13 +121,13 @@ def _factor(f: RobotLocusFactor, single: bool, roots: bool) -> str:
     power = f", to the power {f.multiplicity}" if f.multiplicity > 1 else ""
     if f.kind == "norm":
         return f"{f.form} (never 0){power}"
-    what = "none: it is irreducible over the rationals" if single else f"{_short(f.form)}{power}"
-    return f"{what}; {_modes(f)}" if roots else what
+    kept = " in these variables" * (f.seen is None and roots)
+    what = f"none: it is irreducible over the rationals{kept}" if single else f"{_short(f.form)}{power}"
+    return f"{what}; {_modes(f.seen)}" if roots and f.seen is not None else what
 
 
-def _modes(f: RobotLocusFactor) -> str:
-    """In which modes zeros of it were met."""
-    seen = f.seen
+def _modes(seen: Sightings) -> str:
+    """In which modes zeros were met."""
     if not seen.zeros:
         return "no real zeros were met"
     if not seen.assembled:
