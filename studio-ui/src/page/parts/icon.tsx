@@ -30,6 +30,7 @@ const PATHS = {
   target: "M12 4a8 8 0 1 0 0 16a8 8 0 0 0 0-16 M12 1.500v5 M12 17.500v5 M1.500 12h5 M17.500 12h5",
   close: "M6 6l12 12 M18 6L6 18",
   more: "M6 9l6 6 6-6",
+  keys: "M3 6.500h18v11H3z M6.500 10h.01 M10 10h.01 M14 10h.01 M17.500 10h.01 M7.500 14h9",
   large: "M9 4H4v5 M4 4l6 6 M15 20h5v-5 M20 20l-6-6",
 } as const;
 

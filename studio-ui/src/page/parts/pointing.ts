@@ -51,9 +51,6 @@ export function listen(root: HTMLElement, store: Store): () => void {
     if (found.kind === "point" && name && store.space.pick(name)) return;
     store.lit.pin(found);
   };
-  const escape = (event: KeyboardEvent): void => {
-    if (event.key === "Escape") store.lit.pin(null);
-  };
 
   const events: [string, (event: never) => void][] = [
     ["pointerover", hover],
@@ -61,7 +58,6 @@ export function listen(root: HTMLElement, store: Store): () => void {
     ["focusin", hover],
     ["focusout", leave],
     ["click", click],
-    ["keydown", escape],
   ];
   events.forEach(([name, act]) => root.addEventListener(name, act as EventListener));
   return () => events.forEach(([name, act]) => root.removeEventListener(name, act as EventListener));

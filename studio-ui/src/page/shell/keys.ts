@@ -1,28 +1,31 @@
-// Keys of the whole page. Text fields and the editor keep their own undo.
+// Keys of the whole page, as the table of actions has them. Text fields and the editor keep their own.
 import { useEffect } from "preact/hooks";
+import { isPressed, isSingle } from "../actions/keys";
+import { actionsOf, canBeDone } from "../actions/table";
 import type { Store } from "../state/store";
 
 export function useKeys(store: Store): void {
   useEffect(() => {
     const press = (event: KeyboardEvent): void => {
-      if (event.altKey || writes(event.target)) return;
-      const key = event.key.toLowerCase();
-      if (!(event.ctrlKey || event.metaKey)) return enlarge(store, key);
-      const act = key === "z" ? (event.shiftKey ? store.redo : store.undo) : key === "y" ? store.redo : null;
-      if (!act) return;
+      if (event.defaultPrevented || store.front.dialog.peek()) return;
+      const found = actionsOf(store).find(
+        (action) =>
+          action.keys?.some((keys) => isPressed(keys, event) && (action.everywhere || reaches(store, keys, event.target))) &&
+          canBeDone(action),
+      );
+      if (!found) return;
       event.preventDefault();
-      store.moving.stop();
-      act();
+      found.act();
     };
     addEventListener("keydown", press);
     return () => removeEventListener("keydown", press);
   }, [store]);
 }
 
-/** F shows the picture alone, Escape the page again. */
-function enlarge({ space, study }: Store, key: string): void {
-  if (key === "f" && study.peek() && space.viewer.peek()) space.large.value = !space.large.peek();
-  if (key === "escape") space.large.value = false;
+/** Whether keys are meant for the page rather than for what has the focus. */
+function reaches({ taste }: Store, keys: string, target: EventTarget | null): boolean {
+  if (writes(target)) return false;
+  return !isSingle(keys) || (taste.single.peek() && !(target instanceof HTMLSelectElement));
 }
 
 function writes(target: EventTarget | null): boolean {

@@ -6,6 +6,7 @@ import { Safe } from "../parts/safe";
 import type { Store } from "../state/store";
 import { PosePanel } from "../pose/pose-panel";
 import { Banner } from "./banner";
+import { Front } from "./front";
 import { useKeys } from "./keys";
 import { Opening } from "./opening";
 import { Rail } from "./rail";
@@ -51,6 +52,7 @@ export function Shell({ store }: { store: Store }) {
           </aside>
         </main>
       </div>
+      <Front />
     </div>
   );
 }

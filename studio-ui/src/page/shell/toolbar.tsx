@@ -1,34 +1,16 @@
 // What the mouse does in 3D, standard views, and what is shown.
-import type { Layer, Mode, View } from "../../viewer";
+import { actionOf, titleOf } from "../actions/table";
+import { LAYERS, MODES, VIEWS, isMovable, show } from "../actions/picture";
 import { useStore } from "../parts/context";
 import { useDismissed } from "../parts/dismissed";
-import { Icon, type IconName } from "../parts/icon";
-
-const MODES: readonly [Mode, string, IconName][] = [
-  ["orbit", "Look around", "orbit"],
-  ["translate", "Shift the platform", "translate"],
-  ["rotate", "Turn the platform", "rotate"],
-];
-const VIEWS: readonly [View, string][] = [
-  ["iso", "3D"],
-  ["front", "Front"],
-  ["side", "Side"],
-  ["top", "Top"],
-  ["fit", "Fit"],
-];
-const LAYERS: readonly [Layer, string][] = [
-  ["entities", "Planes, lines, tetrahedra"],
-  ["labels", "Labels"],
-  ["legs", "Legs"],
-  ["wrenches", "Joints and wrenches"],
-  ["grid", "Ground grid"],
-  ["motion", "Gained motion"],
-];
+import { Icon } from "../parts/icon";
 
 export function Toolbar() {
-  const { space, study } = useStore();
+  const store = useStore();
+  const { space } = store;
   const layers = useDismissed();
-  const movable = study.value?.kind === "platform" && study.value.axes.length > 0;
+  const movable = isMovable(store);
+  const large = actionOf(store, "large");
   return (
     <div class="viewer-tools" role="toolbar" aria-label="View">
       <div class="segments" role="group" aria-label="Mouse">
@@ -57,11 +39,11 @@ export function Toolbar() {
       <button
         type="button"
         class="large"
-        title="The picture alone (F)"
-        aria-label="The picture alone"
+        title={titleOf(large)}
+        aria-label={large.title}
         aria-pressed={space.large.value}
         data-testid="large"
-        onClick={() => (space.large.value = !space.large.value)}
+        onClick={large.act}
       >
         <Icon name={space.large.value ? "close" : "large"} size={16} />
       </button>
@@ -77,7 +59,7 @@ export function Toolbar() {
                 type="checkbox"
                 checked={space.layers.value[layer]}
                 data-testid={`layer-${layer}`}
-                onChange={(event) => (space.layers.value = { ...space.layers.value, [layer]: event.currentTarget.checked })}
+                onChange={(event) => show(store, layer, event.currentTarget.checked)}
               />
               {label}
             </label>

@@ -1,15 +1,14 @@
-// Name of the study, undo and redo, link, theme.
-import { useEffect, useState } from "preact/hooks";
+// Name of the study, and the actions that are always at hand.
+import { useEffect } from "preact/hooks";
 import type { Sketch } from "../../protocol";
-import { writeFragment } from "../state/fragment";
+import { actionOf, canBeDone, titleOf as titled, type Action } from "../actions/table";
 import { useStore } from "../parts/context";
-import { Icon } from "../parts/icon";
+import { Icon, type IconName } from "../parts/icon";
 
 export function TopBar() {
   const store = useStore();
   const study = store.study.value;
-  const theme = store.taste.theme.value;
-  const dark = theme === "dark";
+  const dark = store.taste.theme.value === "dark";
   const drawn = store.panel$.value === "draw";
   const title = drawn ? titleOf(store.sketch$.value) : study?.title;
   const Title = store.panel$.value === "start" ? "strong" : "h1"; // the start has a heading of its own
@@ -35,15 +34,9 @@ export function TopBar() {
         {!title && Title === "h1" && <h1 class="sr-only">gcrules studio</h1>}
       </div>
       <div class="tools" role="toolbar" aria-label="Document">
-        <Tool icon="undo" label="Undo (Ctrl Z)" disabled={!store.canUndo.value} act={store.undo} testid="undo" />
-        <Tool icon="redo" label="Redo (Ctrl Shift Z)" disabled={!store.canRedo.value} act={store.redo} testid="redo" />
-        <CopyLink />
-        <Tool
-          icon={dark ? "sun" : "moon"}
-          label={dark ? "Light" : "Dark"}
-          act={() => (store.taste.chosen.value = dark ? "light" : "dark")}
-          testid="theme"
-        />
+        {TOOLS.map(([id, icon]) => (
+          <Tool key={id} action={actionOf(store, id)} icon={id === "theme" && dark ? "sun" : icon} />
+        ))}
       </div>
     </header>
   );
@@ -53,38 +46,28 @@ export function TopBar() {
 const titleOf = (sketch: Sketch | null): string =>
   sketch && Object.keys(sketch.points).length > 0 ? sketch.title || "Drawing without a title" : "Empty sheet";
 
-interface ToolProps {
-  icon: "undo" | "redo" | "sun" | "moon" | "link" | "ok";
-  label: string;
-  disabled?: boolean;
-  testid: string;
-  act(): void;
-}
+const TOOLS: readonly (readonly [string, IconName])[] = [
+  ["palette", "search"],
+  ["keys", "keys"],
+  ["undo", "undo"],
+  ["redo", "redo"],
+  ["copy-link", "link"],
+  ["theme", "moon"],
+];
 
-function Tool({ icon, label, disabled = false, testid, act }: ToolProps) {
+function Tool({ action, icon }: { action: Action; icon: IconName }) {
   return (
-    <button type="button" class="tool" title={label} aria-label={label} disabled={disabled} onClick={act} data-testid={testid}>
+    <button
+      type="button"
+      class="tool"
+      title={titled(action)}
+      aria-label={action.title}
+      disabled={!canBeDone(action)}
+      onClick={action.act}
+      data-testid={action.id}
+    >
       <Icon name={icon} />
     </button>
-  );
-}
-
-function CopyLink() {
-  const { doc } = useStore();
-  const [copied, tell] = useState(false);
-  async function copy(): Promise<void> {
-    const link = location.origin + location.pathname + (await writeFragment(doc.peek()));
-    await navigator.clipboard.writeText(link);
-    tell(true);
-    setTimeout(() => tell(false), 1600);
-  }
-  return (
-    <Tool
-      icon={copied ? "ok" : "link"}
-      label={copied ? "The link is copied" : "Copy a link that restores this state"}
-      act={() => void copy().catch(() => tell(false))}
-      testid="copy-link"
-    />
   );
 }
 

@@ -1,5 +1,6 @@
 // Which cards are shown, and under which headings.
 import type { Gallery, GalleryItem } from "../../protocol";
+import { folded, holds, wordsOf } from "../lib/finding";
 
 export type Section = "all" | "classes" | "robots" | "examples";
 
@@ -17,9 +18,9 @@ export interface Group {
 
 /** The cards that hold every word of the query, grouped in the order in which the groups come; those that a newcomer knows stand first, under a heading of their own before anything is asked. */
 export function chosen(gallery: Gallery, section: Section, query: string): Group[] {
-  const wanted = folded(query).split(/\s+/).filter(Boolean);
+  const wanted = wordsOf(query);
   const kinds = section === "all" ? (["examples", "robots", "classes"] as const) : [section];
-  const items = kinds.flatMap((kind) => gallery[kind]).filter((item) => wanted.every((word) => holds(item, word)));
+  const items = kinds.flatMap((kind) => gallery[kind]).filter((item) => wanted.every((word) => holds(textOf(item), word)));
   items.sort((a, b) => (a.familiar ?? Infinity) - (b.familiar ?? Infinity) || 0);
   const first = section === "all" && !wanted.length ? items.filter((item) => item.familiar !== null) : [];
   const groups = new Map<string, GalleryItem[]>(first.length ? [[FAMILIAR, first]] : []);
@@ -31,18 +32,5 @@ export function chosen(gallery: Gallery, section: Section, query: string): Group
 
 const FAMILIAR = "Well known";
 
-/** Whether a word stands in what a card says; "3rps" and "3-RPS" are the same. */
-function holds(item: GalleryItem, word: string): boolean {
-  const text = textOf(item);
-  const bare = word.replace(/[^\p{L}\p{N}]/gu, "");
-  return text.includes(word) || (bare !== "" && joined(text).includes(bare));
-}
-
-/** Words without the signs inside them: "3-rp*s" is "3rps". */
-const joined = (text: string): string => text.replace(/[^\p{L}\p{N}\s]/gu, "");
-
 const textOf = ({ id, title, detail, group, statement, words }: GalleryItem): string =>
   folded([id, title, detail, group, statement, words].join(" "));
-
-/** In small letters, without accents. */
-const folded = (text: string): string => text.toLowerCase().normalize("NFD").replace(/\p{M}/gu, "");

@@ -5,6 +5,7 @@ import type { Client } from "../net/client";
 import type { Doc } from "./doc";
 import { createChoosing } from "./choosing";
 import { createEditing, type Editing } from "./editing";
+import { createFront, type Front } from "./front";
 import { createLit, type Lit } from "./lit";
 import { createMoving, type Moving } from "./moving";
 import { createPosing, type Posing } from "./posing";
@@ -29,6 +30,7 @@ export interface Store extends Editing, Studying {
   roaming: Roaming;
   modes: Runner<"modes">;
   lit: Lit;
+  front: Front;
   space: Space;
   taste: Taste;
 }
@@ -56,6 +58,7 @@ export function createStore(client: Client, start: Doc | null): Store {
     roaming: createRoaming(client, editing),
     modes: createChoosing(client, editing),
     lit: createLit(),
+    front: createFront(),
     space: createSpace(),
     taste: createTaste(),
   };

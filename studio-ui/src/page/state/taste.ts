@@ -9,6 +9,8 @@ export interface Taste {
   theme: ReadonlySignal<Theme>;
   /** How the three angles of a turn are given. */
   angles: Signal<Angles>;
+  /** Whether single keys, without Ctrl, do something. */
+  single: Signal<boolean>;
   /** Share of the width that the steps take, and of the height of the other side that the picture takes. */
   across: Signal<number>;
   down: Signal<number>;
@@ -26,13 +28,14 @@ export function createTaste(): Taste {
 
   const chosen = signal<Theme | null>(kept.chosen === "light" || kept.chosen === "dark" ? kept.chosen : null);
   const angles = signal(ANGLES.find((kind) => kind === kept.angles) ?? "vector");
+  const single = signal(kept.single !== false);
   const across = signal(share(kept.across, Math.max(0.2, Math.min(0.5, WIDEST / innerWidth))));
   const down = signal(share(kept.down, innerWidth > 2 * WIDEST ? 0.62 : 0.47));
   const theme = computed<Theme>(() => chosen.value ?? system.value);
 
   effect(() => void (document.documentElement.dataset.theme = theme.value));
-  effect(() => write({ chosen: chosen.value, angles: angles.value, across: across.value, down: down.value }));
-  return { chosen, theme, angles, across, down };
+  effect(() => write({ chosen: chosen.value, angles: angles.value, single: single.value, across: across.value, down: down.value }));
+  return { chosen, theme, angles, single, across, down };
 }
 
 const share = (x: unknown, otherwise: number): number =>

@@ -1,0 +1,172 @@
+// Everything that the page can be told to do, in one table: the list of commands, the list of keys, the keyboard and the buttons
+// of the header read it. To add an action, add a row; its keys then work, and are listed.
+import type { Store } from "../state/store";
+import { atHome, isHome } from "../state/doc";
+import { writeFragment } from "../state/fragment";
+import { panels } from "../panels";
+import { namesOf } from "./keys";
+import { pictureActions } from "./picture";
+
+export const GROUPS = ["Go to", "Edit", "Pose and way", "Picture", "Page", "Open"] as const;
+
+export interface Action {
+  id: string;
+  title: string;
+  group: (typeof GROUPS)[number];
+  /** In the writing of keys.ts; each of them does it. */
+  keys?: readonly string[];
+  /** Its keys act where something is being written, too. */
+  everywhere?: boolean;
+  /** Other words by which it is found. */
+  words?: string;
+  /** Whether it can be done now; always, where that is not said. */
+  fits?(): boolean;
+  /** Of what is switched: whether it is on. */
+  isOn?(): boolean;
+  act(): void;
+}
+
+/** What it does, and by which keys. */
+export const titleOf = ({ title, keys = [] }: Action): string => (keys[0] ? `${title} (${namesOf(keys[0]).join(" ")})` : title);
+
+export const canBeDone = ({ fits }: Action): boolean => fits?.() ?? true;
+
+/** All actions but those that open a structure of the gallery. Of two with the same keys the first that fits is done. */
+export function actionsOf(store: Store): Action[] {
+  return [...panelActions(store), ...editActions(store), ...poseActions(store), ...pictureActions(store), ...pageActions(store)];
+}
+
+export function actionOf(store: Store, id: string): Action {
+  const found = actionsOf(store).find((action) => action.id === id);
+  if (!found) throw new RangeError(`no action is called ${id}`);
+  return found;
+}
+
+/** One for each structure of the gallery. */
+export function structureActions({ gallery, open }: Store): Action[] {
+  const { examples = [], robots = [], classes = [] } = gallery.value ?? {};
+  const items = [...examples, ...robots, ...classes];
+  items.sort((a, b) => (a.familiar ?? Infinity) - (b.familiar ?? Infinity) || 0);
+  return items.map(({ source, id, title, detail, group, words }) => ({
+    id: `open-${source.kind}-${id}`,
+    title,
+    group: "Open",
+    words: [id, detail, group, words].join(" "),
+    act: () => open(source),
+  }));
+}
+
+function panelActions({ go, source$ }: Store): Action[] {
+  return panels.map(({ id, title, needs }, i) => ({
+    id: `panel-${id}`,
+    title,
+    group: "Go to",
+    ...(i < 9 && { keys: [String(i + 1)] }),
+    words: "panel",
+    fits: () => needs === "nothing" || source$.value !== null,
+    act: () => go({ panel: id }),
+  }));
+}
+
+function editActions(store: Store): Action[] {
+  const { moving, canUndo, canRedo } = store;
+  const rested = (act: () => void) => () => (moving.stop(), act());
+  return [
+    { id: "undo", title: "Undo", group: "Edit", keys: ["Mod z"], fits: () => canUndo.value, act: rested(store.undo) },
+    { id: "redo", title: "Redo", group: "Edit", keys: ["Mod Shift z", "Mod y"], fits: () => canRedo.value, act: rested(store.redo) },
+  ];
+}
+
+function poseActions(store: Store): Action[] {
+  const { study, pose$, moving, timeline, space, posing, panel$, stage$, go } = store;
+  const moves = () => (study.value?.axes.length ?? 0) > 0;
+  const step = (by: number) => {
+    const stages = study.value?.stages ?? [];
+    return stages[Math.max(stages.findIndex(({ id }) => id === stage$.value), 0) + by]?.id;
+  };
+  const stepAction = (id: string, title: string, key: string, by: number): Action => ({
+    id,
+    title,
+    group: "Go to",
+    keys: [key],
+    fits: () => panel$.value === "guided" && step(by) !== undefined,
+    act() {
+      const stage = step(by);
+      if (stage) go({ stage });
+    },
+  });
+  return [
+    stepAction("step-next", "Next step", "n", 1),
+    stepAction("step-back", "Step before", "b", -1),
+    {
+      id: "home",
+      title: "Take the robot home",
+      group: "Pose and way",
+      keys: ["h"],
+      fits: () => moves() && !isHome(pose$.value),
+      act: () => moving.to(atHome(pose$.peek())),
+    },
+    {
+      id: "way-play",
+      title: "Play the way, or stop it",
+      group: "Pose and way",
+      keys: ["p"],
+      fits: () => timeline.proof.value?.samples.some(({ pose }) => pose !== null) ?? false,
+      act: () => (timeline.playing.peek() ? timeline.pause() : timeline.play()),
+    },
+    { id: "way-add", title: "Add this pose to the way", group: "Pose and way", keys: ["a"], fits: moves, act: timeline.add },
+    { id: "way-clear", title: "Begin the way anew here", group: "Pose and way", fits: moves, act: timeline.clear },
+    {
+      id: "motion",
+      title: "Play the gained motion, or stop it",
+      group: "Pose and way",
+      keys: ["m"],
+      fits: () => (posing.numbers.value?.motion ?? null) !== null,
+      act: () => void (space.playing.value = !space.playing.peek()),
+    },
+  ];
+}
+
+function pageActions(store: Store): Action[] {
+  const { front, taste, space, lit, doc } = store;
+  const dark = () => taste.theme.value === "dark";
+  async function copyLink(): Promise<void> {
+    await navigator.clipboard.writeText(location.origin + location.pathname + (await writeFragment(doc.peek())));
+    front.tell("The link is copied");
+  }
+  return [
+    { id: "palette", title: "Commands", group: "Page", keys: ["Mod k"], everywhere: true, words: "palette", act: () => void (front.dialog.value = "palette") },
+    { id: "keys", title: "Keys", group: "Page", keys: ["?"], words: "shortcuts keyboard help", act: () => void (front.dialog.value = "keys") },
+    {
+      id: "copy-link",
+      title: "Copy a link that restores this state",
+      group: "Page",
+      words: "share url",
+      act: () => void copyLink().catch(() => front.tell("The browser does not allow copying")),
+    },
+    {
+      id: "theme",
+      title: dark() ? "Light colours" : "Dark colours",
+      group: "Page",
+      keys: ["t"],
+      words: "theme dark light",
+      act: () => void (taste.chosen.value = dark() ? "light" : "dark"),
+    },
+    {
+      id: "leave-large",
+      title: "Show the page beside the picture again",
+      group: "Page",
+      keys: ["Escape"],
+      fits: () => space.large.value,
+      act: () => void (space.large.value = false),
+    },
+    {
+      id: "let-go",
+      title: "Let go of what is lit up",
+      group: "Page",
+      keys: ["Escape"],
+      fits: () => lit.pinned.value !== null,
+      act: () => lit.pin(null),
+    },
+  ];
+}

@@ -1,0 +1,19 @@
+// What lies over the page: the list of commands, that of keys, and a short notice.
+import { useStore } from "../parts/context";
+import { KeyList } from "./key-list";
+import { Palette } from "./palette";
+import "./front.css";
+
+export function Front() {
+  const { dialog, notice } = useStore().front;
+  const close = () => void (dialog.value = null);
+  return (
+    <>
+      {dialog.value === "palette" && <Palette onClose={close} />}
+      {dialog.value === "keys" && <KeyList onClose={close} />}
+      <div class={notice.value ? "notice told" : "notice"} role="status" data-testid="notice">
+        {notice.value}
+      </div>
+    </>
+  );
+}
