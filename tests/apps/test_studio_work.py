@@ -91,7 +91,7 @@ def test_the_list_of_commands_by_keyboard_mouse_and_touch(desk: Desk) -> None:
     desk.one("commands").wait_for()
     desk.page.mouse.click(5, 5)
     desk.one("commands").wait_for(state="detached")
-    assert desk.page.evaluate("document.activeElement.classList.contains('cm-content')"), "the focus goes back"
+    desk.page.wait_for_function("() => document.activeElement.classList.contains('cm-content')")  # the focus goes back
 
 
 def test_all_keys_are_listed_and_act(desk: Desk) -> None:
