@@ -334,6 +334,14 @@ export interface PoseArgs {
   threshold?: string;
 }
 
+/** Where the `freedoms` of the study are to be, from home and in their units (`at`), or the platform (`to`): one with fewer freedoms follows as far as these go. The pose is the one near it now. */
+export interface MoveArgs {
+  source: Source;
+  pose: Pose;
+  at?: number[];
+  to?: Pose;
+}
+
 export interface AlongArgs {
   source: Source;
   poses: Pose[];
@@ -645,8 +653,10 @@ export interface Study {
   about: Vec3;
   /** A length to scale sliders and the camera by. */
   size: number;
-  /** Independent coordinates: six for a platform; those of the robot's mobility otherwise. */
+  /** What the pose consists of: six coordinates of a platform; the actuators of a robot with limbs. */
   axes: Axis[];
+  /** Of a robot with limbs: coordinates of its platform that are independent at home. */
+  freedoms: Axis[];
   /** Coordinates of its pose, then its actuators, over which it can be mapped, with ranges to begin with. */
   ranges: Axis[];
   /** Coordinates of its pose over which a map of whole boxes can go, with ranges to begin with. */
@@ -702,6 +712,10 @@ export interface Sign {
 export interface Numbers {
   /** The pose that this answers. */
   pose: Pose;
+  /** Those of the study there, in their units. */
+  freedoms: number[];
+  /** Where the platform of a robot with limbs is, from home; null for one on six legs, whose pose says it. */
+  platform: Pose | null;
   points: Record<string, Vec3>;
   /** Superbracket over its scale: dimensionless, with the sign of the superbracket. */
   value: number;
@@ -1017,6 +1031,7 @@ export interface Methods {
   gallery: { args: NoArgs; result: Gallery };
   open: { args: OpenArgs; result: Study };
   pose: { args: PoseArgs; result: Numbers };
+  move: { args: MoveArgs; result: PlacedPose };
   along: { args: AlongArgs; result: Along };
   nearest: { args: PoseArgs; result: Nearest };
   modes: { args: ModesArgs; result: ModesAnswer };

@@ -21,6 +21,7 @@ from gcrules.apps.studio.study import study
 from gcrules.apps.studio.subject import Subject
 from gcrules.apps.studio.waypoints_view import waypoints_view
 from gcrules.apps.studio.where_view import aspects_view, assemblies_view, free_view
+from gcrules.apps.studio.whereabouts import moved_view
 
 __all__ = ["ANSWERS", "answer"]
 
@@ -30,6 +31,7 @@ ANSWERS: Mapping[str, Callable[[Any, Args], Any]] = {
     "gallery": lambda subject, args: gallery(),
     "open": lambda subject, args: study(subject),
     "pose": lambda subject, args: numbers(subject, args["pose"], args.get("threshold")),
+    "move": lambda subject, args: moved_view(subject, args["pose"], args.get("at"), args.get("to")),
     "along": lambda subject, args: margins(subject, args["poses"], args.get("threshold")),
     "nearest": lambda subject, args: nearest(subject, args["pose"], args.get("threshold")),
     "modes": lambda subject, args: modes_view(subject, args.get("threshold")),

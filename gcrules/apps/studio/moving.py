@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import lru_cache
 from math import degrees, isfinite, log10, radians
 
 import numpy as np
@@ -13,13 +14,17 @@ from gcrules.apps.studio.protocol.study_views import Axis
 from gcrules.apps.studio.subject import Subject
 from gcrules.apps.studio.thresholds import close_margin
 from gcrules.core.errors import InputError
+from gcrules.mechanisms.kinematics.coordinates import coordinates, without_rounding
 from gcrules.mechanisms.kinematics.leading import leading
-from gcrules.mechanisms.kinematics.solve import free_coordinates
+from gcrules.mechanisms.kinematics.linkage import Configuration, Linkage
+from gcrules.mechanisms.kinematics.rigid_motions import Floats, rotation_vector
+from gcrules.mechanisms.kinematics.solve import Solution, free_coordinates
 from gcrules.mechanisms.limbs import Limbs
 from gcrules.poses.limbs.factors import superbracket_value
 from gcrules.poses.limbs.many import Solved
 from gcrules.poses.limbs.pose_report import report_at, report_of_limbs, solution_at
 from gcrules.poses.limbs.report import RobotPose
+from gcrules.poses.numbers.arrays import matrices
 from gcrules.poses.numbers.motion import Twist
 from gcrules.poses.signs.of_limbs import DETERMINANT, signs_of_limbs
 from gcrules.screws.pose_text import ANGLES, SHIFTS, TURNS
@@ -35,9 +40,13 @@ __all__ = [
     "amounts_at",
     "configuration",
     "coordinate_axes",
+    "displaced",
+    "displacement",
+    "freedom_axes",
     "motion_view",
     "numbers_of_limbs",
     "posed",
+    "solved",
     "values_at",
 ]
 
@@ -100,6 +109,48 @@ def amounts_at(limbs: Limbs, pose: PoseJson) -> list[float]:
     return [radians(v) if a.angle else float(v) for a, v in zip(actuators, given, strict=True)]
 
 
+@lru_cache(maxsize=8)
+def solved(m: Linkage, amounts: tuple[float, ...]) -> Solution:
+    """The solution for amounts of the actuators, at home for none; a page asks for the same pose several times. Raises
+    InputError where the robot does not assemble.
+    """
+    return solution_at(m, actuators=list(amounts) or None)
+
+
+def freedom_axes(limbs: Limbs, size: float) -> list[Axis]:
+    """The coordinates of the platform that are independent at home; none where the joints cannot be moved."""
+    try:
+        return [_axis(n, n in ANGLES, limbs.unit, size) for n in free_coordinates(limbs.linkage)]
+    except InputError:
+        return []
+
+
+def freedoms_at(m: Linkage, c: Configuration) -> list[float]:
+    """What these coordinates are there, from home: lengths and degrees."""
+    names = free_coordinates(m)
+    found = without_rounding(names, coordinates(names, c.platform, m.centre), m.size)
+    return [degrees(v) if n in ANGLES else float(v) for n, v in zip(names, found, strict=True)]
+
+
+def displacement(m: Linkage, c: Configuration, about: Sequence[float]) -> PoseJson:
+    """Where the platform is, from home: turned about this point of the file, then shifted."""
+    arm = np.asarray(about) - np.array([float(v) for v in m.origin])
+    turn, shift = c.platform[:3, :3], c.platform[:3, 3]
+    vector = rotation_vector(turn)
+    half = float(np.linalg.norm(vector)) / 2
+    part = vector * (np.sinc(half / np.pi) / 2)
+    return {"translation": (turn @ arm + shift - arm).tolist(), "quaternion": [float(np.cos(half)), *part.tolist()]}
+
+
+def displaced(m: Linkage, pose: PoseJson, about: Sequence[float]) -> Floats:
+    """The motion (4, 4) from home to such a pose."""
+    arm = np.asarray(about) - np.array([float(v) for v in m.origin])
+    found = np.eye(4)
+    found[:3, :3] = turn = matrices(np.array([pose["quaternion"]], dtype=np.float64))[0]
+    found[:3, 3] = arm + pose["translation"] - turn @ arm
+    return found
+
+
 def posed(limbs: Limbs, amounts: Sequence[float]) -> PoseJson:
     """The pose of the page in which the actuators have these amounts, angles in radians."""
     given = [degrees(v) if a.angle else float(v) for a, v in zip(leading(limbs.linkage), amounts, strict=True)]
@@ -121,7 +172,7 @@ def values_of(subject: Subject, found: RobotPose) -> dict[str, list[float]]:
 def numbers_of_limbs(limbs: Limbs, subject: Subject, pose: PoseJson, threshold: str | None) -> Numbers:
     """The numbers in a configuration. Raises InputError where the robot does not assemble."""
     robot = limbs.analysis
-    solution = solution_at(limbs.linkage, actuators=amounts_at(limbs, pose) or None)
+    solution = solved(limbs.linkage, tuple(amounts_at(limbs, pose)))
     found = report_at(limbs.linkage, robot, solution, angle_threshold(threshold or DEFAULT, "for robots of joints"))
     there = Solved.of(limbs, np.concatenate(solution.configuration.joint_values)[None])
     values = values_of(subject, found)
@@ -130,6 +181,8 @@ def numbers_of_limbs(limbs: Limbs, subject: Subject, pose: PoseJson, threshold: 
     value = superbracket_value(robot, {n: np.asarray(v) for n, v in values.items()})
     return {
         "pose": pose,
+        "freedoms": freedoms_at(limbs.linkage, solution.configuration),
+        "platform": displacement(limbs.linkage, solution.configuration, subject.about),
         "points": {n: values[n] for n in names},
         "value": found.margin if value is None else value,
         "margin": found.margin,

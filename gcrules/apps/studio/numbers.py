@@ -72,6 +72,8 @@ def _of_legs(m: SixLegs, subject: Subject, pose: PoseJson, threshold: str | None
     near = found.verdict != "regular"
     return {
         "pose": pose,
+        "freedoms": [],
+        "platform": None,
         "points": {n: list(p) for n, p in places.items()},
         "value": float(scaled_superbracket(m.rig, j)[0]) if found.superbracket else 0.0,
         "margin": found.margin,
@@ -120,6 +122,8 @@ def _by_lines(subject: Subject, pose: PoseJson, limit: Threshold) -> Numbers:
     why = f" ({subject.why_not})" if subject.why_not else ""
     return {
         "pose": pose,
+        "freedoms": [],
+        "platform": None,
         "points": {n: list(p) for n, p in places.items()},
         "value": value,
         "margin": 0.0 if always else size,

@@ -11,7 +11,7 @@ from gcrules.apps.studio.accounts import account_view
 from gcrules.apps.studio.drawings import schematic
 from gcrules.apps.studio.formulas import pieces
 from gcrules.apps.studio.limbs import robot_view
-from gcrules.apps.studio.moving import actuator_axes, coordinate_axes
+from gcrules.apps.studio.moving import actuator_axes, coordinate_axes, freedom_axes
 from gcrules.apps.studio.protocol.study_views import Axis, ConditionView, EntryView, MeasureView, ModelView, Study
 from gcrules.apps.studio.stages import stage_views
 from gcrules.apps.studio.subject import Subject
@@ -54,6 +54,7 @@ def study(subject: Subject) -> Study:
         "about": subject.about,
         "size": subject.size,
         "axes": _axes(subject),
+        "freedoms": freedom_axes(subject.limbs, subject.size) if subject.limbs else [],
         "ranges": ranges,
         "wholes": method(_WHOLES, subject.mechanism, "a map of whole boxes")(subject) if ranges else [],
         "measures": _measures(subject) if ranges else [],

@@ -6,6 +6,7 @@ import os
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 from fractions import Fraction
+from contextlib import suppress
 from functools import cached_property
 from typing import Any
 
@@ -115,6 +116,10 @@ class Subject:
         """The point that the platform turns about."""
         if self.scenery:
             return [float(c) for c in self.scenery.about]
+        with suppress(InputError):  # of a robot that cannot be moved
+            if self.limbs:
+                m = self.limbs.linkage
+                return [float(c) + float(o) for c, o in zip(m.centre, m.origin, strict=True)]
         return self._middle(list(self.mechanism.bodies["platform"]) or list(self.points))
 
     @cached_property

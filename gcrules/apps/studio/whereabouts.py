@@ -4,28 +4,32 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
+from math import radians
 from typing import Any
 
 import numpy as np
 
-from gcrules.apps.studio.moving import amounts_at, posed
+from gcrules.apps.studio.moving import amounts_at, displaced, posed, solved
+from gcrules.apps.studio.protocol.motion_views import PlacedPose
 from gcrules.apps.studio.protocol.requests import PoseJson
+from gcrules.apps.studio.subject import Subject
 from gcrules.core.errors import InputError
 from gcrules.mechanisms.kinematics.coordinates import coordinates, wrapped
 from gcrules.mechanisms.kinematics.linkage import Configuration
-from gcrules.mechanisms.kinematics.solve import free_coordinates, solve
+from gcrules.mechanisms.kinematics.solve import beside, free_coordinates, solve
 from gcrules.mechanisms.kinematics.targets import Target, actuators_target, written
 from gcrules.mechanisms.limbs import Limbs
 from gcrules.poses.limbs.around import actuator_values
 from gcrules.poses.limbs.pose_report import target_of
 from gcrules.screws.pose import Pose
-from gcrules.screws.pose_text import HOME, pose_of
+from gcrules.screws.pose_text import ANGLES, HOME, pose_of
 
 __all__ = [
     "SHORT",
     "at_coordinates",
     "at_home",
     "coordinates_at",
+    "moved_view",
     "near_coordinates",
     "pose_json",
     "poses_of_limbs",
@@ -70,9 +74,7 @@ def poses_of_limbs(
 
 def solved_at(limbs: Limbs, pose: PoseJson) -> Configuration:
     """The configuration at a pose of the page. Raises InputError where the robot does not assemble."""
-    m = limbs.linkage
-    amounts = amounts_at(limbs, pose)
-    return solve(m, actuators_target(m, amounts)).configuration if amounts else m.home
+    return solved(limbs.linkage, tuple(amounts_at(limbs, pose))).configuration
 
 
 def coordinates_at(limbs: Limbs, pose: PoseJson, names: Sequence[str]) -> dict[str, float]:
@@ -102,10 +104,39 @@ def at_coordinates(limbs: Limbs, names: Sequence[str], values: Any, driven: bool
     if driven:
         solve(m, actuators_target(m, list(values)))
         return posed(limbs, values)
+    return _led(limbs, solve(m, _target(names, values)).configuration, names, values)
+
+
+def moved_view(subject: Subject, pose: PoseJson, at: Sequence[float] | None, to: PoseJson | None) -> PlacedPose:
+    """The pose near another one where the free coordinates of the platform are as given, lengths and degrees from home,
+    or as they are where the platform is displaced so. Raises InputError for platforms on six legs, whose pose says it,
+    where the robot does not assemble, and where the sliders of its actuators do not lead there.
+    """
+    limbs = subject.limbs
+    if limbs is None:
+        raise InputError("the pose of a platform on six legs says where it is")
+    m = limbs.linkage
+    names = free_coordinates(m)
+    if (at is None) == (to is None):
+        raise InputError("either coordinates or a pose of the platform says where it is to be")
+    if to is not None:
+        values = coordinates(names, displaced(m, to, subject.about), m.centre).tolist()
+    elif at is not None and len(at) == len(names):
+        values = [radians(v) if n in ANGLES else v for n, v in zip(names, at, strict=True)]
+    else:
+        raise InputError(f"the platform has {len(names)} freedoms: {', '.join(names)}")
+    there = beside(m, _target(names, values), solved_at(limbs, pose))
+    return {"pose": _led(limbs, there, names, values)}
+
+
+def _target(names: Sequence[str], values: Any) -> Target:
     wanted = np.asarray(values, dtype=np.float64)
-    text = written(dict(zip(names, wanted.tolist(), strict=True)))
-    there = solve(m, Target(tuple(names), wanted, text=text)).configuration
-    found = reached(limbs, actuator_values(m, there), names, values)
+    return Target(tuple(names), wanted, text=written(dict(zip(names, wanted.tolist(), strict=True))))
+
+
+def _led(limbs: Limbs, there: Configuration, names: Sequence[str], values: Any) -> PoseJson:
+    """The pose of the page in a configuration. Raises InputError where the sliders do not lead there."""
+    found = reached(limbs, actuator_values(limbs.linkage, there), names, values)
     if found is None:
         raise InputError(
             "the robot gets to this place, but not by its sliders",

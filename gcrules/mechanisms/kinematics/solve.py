@@ -26,7 +26,7 @@ from gcrules.mechanisms.kinematics.soundness import sound
 from gcrules.mechanisms.kinematics.targets import Target, check_count, written
 from gcrules.screws.pose_text import SHIFTS, TURNS, VECTOR
 
-__all__ = ["Solution", "check_target", "free_coordinates", "goal", "solve"]
+__all__ = ["Solution", "beside", "check_target", "free_coordinates", "goal", "solve"]
 
 _LONGEST = 0.25  # of a coordinate, at first: rad, or parts of the robot's size
 _SHORTEST = 1.0 / 4096
@@ -62,6 +62,18 @@ def solve(m: Linkage, wanted: Target) -> Solution:
     check_target(m, wanted)
     course = Course(m, wanted)
     return goal(course, Solution(m.home, wanted), 0.0, 1.0)
+
+
+def beside(m: Linkage, wanted: Target, here: Configuration) -> Configuration:
+    """The configuration near this one in which the wanted values are reached, by one step without proof; the one that
+    `solve` finds where the step is too long. Raises InputError where it does not assemble.
+    """
+    check_target(m, wanted)
+    course = Course(m, wanted)
+    try:
+        return _configuration(m, here, _solved(course, here, 1.0))
+    except NotClosed:
+        return goal(course, Solution(m.home, wanted), 0.0, 1.0).configuration
 
 
 def goal(course: Course, start: Solution, at: float, end: float) -> Solution:
@@ -105,12 +117,6 @@ def goal(course: Course, start: Solution, at: float, end: float) -> Solution:
         way, parts = (*found.way, there), (*found.parts, part)
         found = Solution(there, course.target, found.iterations + joints.iterations, way, parts, doubt)
     return found
-
-
-def _closed(course: Course, here: Configuration, part: float) -> tuple[Configuration, int]:
-    """The configuration near this one at a part of the course, and the iterations. Raises NotClosed."""
-    joints = _solved(course, here, part)
-    return _configuration(course.m, here, joints), joints.iterations
 
 
 def _solved(course: Course, here: Configuration, part: float) -> Joints:

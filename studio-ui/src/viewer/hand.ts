@@ -14,7 +14,7 @@ export interface Pointed {
 export interface Reach {
   readonly mode: Mode;
   readonly scene: Scene;
-  readonly pose: Pose;
+  readonly platform: Pose;
   readonly rig: Rig;
   readonly surface: Surface;
   /** Whether the platform may be moved, and whether the pointer is over a handle. */
@@ -100,7 +100,7 @@ export class Hand {
     else if (e.key === "-") reach.rig.zoom(1.15);
     else if (e.key === "Home") reach.fit();
     else {
-      const pose = reach.movable && !picking ? nudged(reach.pose, e.key, e.shiftKey, reach.scene.size) : null;
+      const pose = reach.movable && !picking ? nudged(reach.platform, e.key, e.shiftKey, reach.scene.size) : null;
       if (!pose) return;
       reach.moved(pose);
       clearTimeout(this.rest);

@@ -10,6 +10,8 @@ export type SceneEntity = Entity;
 export interface Scene extends SceneData {
   /** The pose at which `points` are given; the identity if missing (in `update`: the viewer's own pose). */
   pose?: Pose;
+  /** Where the platform is, of a robot whose points all come from the host: the hand asks for a pose, and moves nothing. */
+  handles?: Pose;
   /** Of a robot moved by its actuators: bars without names, and the limbs' ends, corners of the platform. */
   bars?: [Vec3, Vec3][];
   plate?: Vec3[];
@@ -54,7 +56,7 @@ export interface Viewer {
 }
 
 export interface Options {
-  /** The platform was moved by hand; `done` at the end of a drag. At most once for each frame. */
+  /** The platform was moved by hand, or is to be; `done` at the end of a drag. At most once for each frame. */
   onPose?(pose: Pose, done: boolean): void;
   onPick?(name: string): void;
   onHover?(what: { point?: string; entity?: string } | null): void;

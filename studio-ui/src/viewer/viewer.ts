@@ -29,6 +29,7 @@ class Stage implements Viewer, Reach {
   /** Where the points of the scene were given, and where the platform is. */
   private given = IDENTITY;
   private current = IDENTITY;
+  private asked: Pose | null = null;
   private theme: Theme;
   private wish: Highlight | null = null;
   private pointed: Pointed | null = null;
@@ -84,6 +85,7 @@ class Stage implements Viewer, Reach {
   show(scene: Scene): void {
     this.scene = scene;
     this.given = this.current = scene.pose ?? IDENTITY;
+    this.asked = null;
     this.pointed = null;
     this.hand.forget();
     this.fitting = true;
@@ -198,7 +200,7 @@ class Stage implements Viewer, Reach {
     if (this.swings) this.changed();
     const model = this.fresh(now);
     if (this.rig.advance(now, model.radius)) this.request();
-    this.gizmo?.place(this.current, this.scene.about);
+    this.gizmo?.place(this.platform, this.scene.about);
     const { sight, camera } = this.rig;
     this.easel.paint(camera, sight);
     this.surface.show(model, placeTags(model, sight), camera, this.theme);
@@ -271,16 +273,23 @@ class Stage implements Viewer, Reach {
     this.options.onPick?.(name);
   }
 
+  /** Where the hand has the platform. */
+  get platform(): Pose {
+    return this.asked ?? this.scene.handles ?? this.current;
+  }
+
   /** The host hears of moves at most once a frame, of the end of a move at once. */
   moved(pose: Pose): void {
-    this.current = pose;
+    if (this.scene.handles) this.asked = pose;
+    else this.current = pose;
     this.pending = true;
     this.changed();
   }
 
   done(): void {
     this.tell(true);
-    this.surface.say(poseInWords(this.current, this.scene.unit));
+    this.surface.say(poseInWords(this.platform, this.scene.unit));
+    this.asked = null;
   }
 
   fit(): void {
@@ -289,6 +298,6 @@ class Stage implements Viewer, Reach {
 
   private tell(done: boolean): void {
     this.pending = false;
-    this.options.onPose?.(this.current, done);
+    this.options.onPose?.(this.platform, done);
   }
 }

@@ -79,6 +79,10 @@ class SignView(TypedDict):
 class Numbers(TypedDict):
     pose: PoseJson
     """The pose that this answers."""
+    freedoms: list[float]
+    """Those of the study there, in their units."""
+    platform: PoseJson | None
+    """Where the platform of a robot with limbs is, from home; null for one on six legs, whose pose says it."""
     points: dict[str, Vec3]
     value: float
     """Superbracket over its scale: dimensionless, with the sign of the superbracket."""

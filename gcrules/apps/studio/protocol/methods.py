@@ -52,6 +52,7 @@ METHODS: Mapping[str, Method] = {
     "gallery": Method(requests.NoArgs, Gallery),
     "open": Method(requests.OpenArgs, Study, seconds=120),
     "pose": Method(requests.PoseArgs, answers.Numbers, where="numbers"),
+    "move": Method(requests.MoveArgs, PlacedPose, where="numbers"),
     "along": Method(requests.AlongArgs, answers.Along),
     "nearest": Method(requests.PoseArgs, answers.Nearest, seconds=120),
     "modes": Method(requests.ModesArgs, answers.ModesAnswer, seconds=120),

@@ -35,6 +35,7 @@ __all__ = [
     "ManualArgs",
     "MapArgs",
     "ModesArgs",
+    "MoveArgs",
     "NoArgs",
     "OpenArgs",
     "PathArgs",
@@ -158,6 +159,17 @@ class PoseArgs(TypedDict):
     source: SourceJson
     pose: PoseJson
     threshold: NotRequired[_Threshold]
+
+
+class MoveArgs(TypedDict):
+    """Where the `freedoms` of the study are to be, from home and in their units (`at`), or the platform (`to`): one with
+    fewer freedoms follows as far as these go. The pose is the one near it now.
+    """
+
+    source: SourceJson
+    pose: PoseJson
+    at: NotRequired[Annotated[list[_Coordinate], EntryCount(1, 6)]]
+    to: NotRequired[PoseJson]
 
 
 class AlongArgs(TypedDict):

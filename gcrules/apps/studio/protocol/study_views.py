@@ -275,7 +275,9 @@ class Study(TypedDict):
     size: float
     """A length to scale sliders and the camera by."""
     axes: list[Axis]
-    """Independent coordinates: six for a platform; those of the robot's mobility otherwise."""
+    """What the pose consists of: six coordinates of a platform; the actuators of a robot with limbs."""
+    freedoms: list[Axis]
+    """Of a robot with limbs: coordinates of its platform that are independent at home."""
     ranges: list[Axis]
     """Coordinates of its pose, then its actuators, over which it can be mapped, with ranges to begin with."""
     wholes: list[Axis]

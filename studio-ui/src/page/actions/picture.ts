@@ -25,10 +25,10 @@ export const LAYERS: readonly (readonly [Layer, string])[] = [
   ["motion", "Gained motion"],
 ];
 
-/** Platforms on six legs are moved by the mouse in space. */
+/** Platforms are moved by the mouse in space: on six legs, and on limbs as far as their freedoms go. */
 export function isMovable(store: Store): boolean {
   const study = store.study.value;
-  return study?.kind === "platform" && study.axes.length > 0;
+  return (study?.kind === "robot" ? study.freedoms : (study?.axes ?? [])).length > 0;
 }
 
 export function show(store: Store, layer: Layer, on: boolean): void {

@@ -3,7 +3,9 @@ import type { Axis, Pose, Study } from "../../protocol";
 import { ANGLES, type Angles } from "../lib/rotation";
 import { useStore } from "../parts/context";
 import { HOME, isHome, shifted } from "../state/doc";
+import type { Led } from "../state/taste";
 import { useAngles } from "./angles";
+import { FaultBox } from "../parts/fault-box";
 import { AxisSlider } from "./axis-slider";
 import { Icon } from "../parts/icon";
 
@@ -102,27 +104,45 @@ function SixAxes({ study, pose }: { study: Study; pose: Pose }) {
   );
 }
 
+/** A robot with limbs: its actuators, or the freedoms of its platform. */
 function Coordinates({ study, pose }: { study: Study; pose: Pose }) {
-  const { edit, settle, moving } = useStore();
-  const now = study.axes.map((_, i) => pose.coordinates?.[i] ?? 0);
+  const { edit, settle, moving, leading, taste } = useStore();
+  const byPlatform = taste.led.value === "platform" && study.freedoms.length > 0;
+  const now = byPlatform ? leading.values.value : study.axes.map((_, i) => pose.coordinates?.[i] ?? 0);
   const change = (i: number, value: number) => {
     moving.stop();
-    edit({ pose: { ...pose, coordinates: now.map((c, j) => (j === i ? value : c)) } }, `coordinate ${i}`);
+    if (byPlatform) leading.set(i, value);
+    else edit({ pose: { ...pose, coordinates: now.map((c, j) => (j === i ? value : c)) } }, `coordinate ${i}`);
   };
+  const fault = leading.fault.value;
   return (
     <div class="group wide">
-      <h3>{study.axes.length === 1 ? "One freedom" : `${study.axes.length} freedoms`}</h3>
-      {study.axes.map((axis: Axis, i) => (
+      <h3>
+        <label>
+          Move
+          <select
+            value={byPlatform ? "platform" : "actuators"}
+            data-testid="led"
+            aria-label="What is moved"
+            onChange={(event) => (taste.led.value = event.currentTarget.value as Led)}
+          >
+            <option value="actuators">{study.axes.length === 1 ? "the actuator" : `the ${study.axes.length} actuators`}</option>
+            {study.freedoms.length > 0 && <option value="platform">the platform</option>}
+          </select>
+        </label>
+      </h3>
+      {(byPlatform ? study.freedoms : study.axes).map((axis: Axis, i) => (
         <AxisSlider
           key={axis.name}
           {...axis}
           label={axis.name}
           value={now[i] ?? 0}
-          testid={`slider-${i}`}
+          testid={byPlatform ? `slider-${axis.name}` : `slider-${i}`}
           onChange={(value) => change(i, value)}
-          onDone={settle}
+          onDone={byPlatform ? leading.done : settle}
         />
       ))}
+      {byPlatform && fault && <FaultBox fault={fault} />}
     </div>
   );
 }

@@ -16,8 +16,10 @@ export function connect(element: HTMLElement, store: Store): () => void {
     onPose(pose, done) {
       moving.stop();
       held = !done;
-      store.edit({ pose }, "hand");
-      if (done) store.settle();
+      const robot = study.peek()?.kind === "robot";
+      if (robot) store.leading.to(pose);
+      else store.edit({ pose }, "hand");
+      if (done) (robot ? store.leading.done : store.settle)();
     },
     covered: () => coveredBy(element.parentElement?.querySelector(".warning"), element),
     onPick: (name) => void (space.pick(name) || lit.pin(pointTarget(name))),

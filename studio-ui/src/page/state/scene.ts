@@ -28,8 +28,8 @@ export function foundBy(stages: readonly Stage[], stage: StageId | null): string
 
 /** What changes with the pose. Points are left out when the numbers belong to an older pose than the one on show. */
 export function posedPart(numbers: Numbers, current: boolean): Partial<Scene> {
-  const { motion, limbs, skeleton, directions } = numbers;
-  return { motion, skeleton, directions, ...(limbs.length > 0 && { limbs }), ...(current && { points: numbers.points }) };
+  const { motion, limbs, skeleton, directions, platform } = numbers;
+  return { motion, skeleton, directions, ...(platform && { handles: platform }), ...(limbs.length > 0 && { limbs }), ...(current && { points: numbers.points }) };
 }
 
 export function withOverlay(scene: Scene, found: readonly string[] | null, extra: Overlay | null): Scene["entities"] {

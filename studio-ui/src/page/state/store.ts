@@ -6,6 +6,7 @@ import type { Doc } from "./doc";
 import { createChoosing } from "./choosing";
 import { createEditing, type Editing } from "./editing";
 import { createFront, type Front } from "./front";
+import { createLeading, type Leading } from "./leading";
 import { createLit, type Lit } from "./lit";
 import { createMoving, type Moving } from "./moving";
 import { createPosing, type Posing } from "./posing";
@@ -25,6 +26,7 @@ export interface Store extends Editing, Studying {
   posing: Posing;
   timeline: Timeline;
   moving: Moving;
+  leading: Leading;
   seeker: Seeker;
   touring: Touring;
   roaming: Roaming;
@@ -53,6 +55,7 @@ export function createStore(client: Client, start: Doc | null): Store {
     posing,
     timeline,
     moving: createMoving(editing, posing),
+    leading: createLeading(client, editing, posing),
     seeker: createSeeker(client, editing),
     touring: createTouring(client, editing),
     roaming: createRoaming(client, editing),

@@ -3,12 +3,16 @@ import { computed, effect, signal, type ReadonlySignal, type Signal } from "@pre
 import { ANGLES, type Angles } from "../lib/rotation";
 import type { Theme } from "../../viewer";
 
+export type Led = "actuators" | "platform";
+
 export interface Taste {
   /** null: as the system says. */
   chosen: Signal<Theme | null>;
   theme: ReadonlySignal<Theme>;
   /** How the three angles of a turn are given. */
   angles: Signal<Angles>;
+  /** What the sliders of a robot with limbs move. */
+  led: Signal<Led>;
   /** Whether single keys, without Ctrl, do something. */
   single: Signal<boolean>;
   /** Share of the width that the steps take, and of the height of the other side that the picture takes. */
@@ -29,13 +33,14 @@ export function createTaste(): Taste {
   const chosen = signal<Theme | null>(kept.chosen === "light" || kept.chosen === "dark" ? kept.chosen : null);
   const angles = signal(ANGLES.find((kind) => kind === kept.angles) ?? "vector");
   const single = signal(kept.single !== false);
+  const led = signal<Led>(kept.led === "platform" ? "platform" : "actuators");
   const across = signal(share(kept.across, Math.max(0.2, Math.min(0.5, WIDEST / innerWidth))));
   const down = signal(share(kept.down, innerWidth > 2 * WIDEST ? 0.62 : 0.47));
   const theme = computed<Theme>(() => chosen.value ?? system.value);
 
   effect(() => void (document.documentElement.dataset.theme = theme.value));
-  effect(() => write({ chosen: chosen.value, angles: angles.value, single: single.value, across: across.value, down: down.value }));
-  return { chosen, theme, angles, single, across, down };
+  effect(() => write({ chosen: chosen.value, angles: angles.value, led: led.value, single: single.value, across: across.value, down: down.value }));
+  return { chosen, theme, angles, led, single, across, down };
 }
 
 const share = (x: unknown, otherwise: number): number =>

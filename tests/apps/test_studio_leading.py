@@ -1,0 +1,162 @@
+"""A robot with limbs led by its platform: the actuators follow, by sliders, handles and keys."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import gcrules as gc
+from gcrules.apps.studio.moving import displaced, displacement, freedom_axes
+from gcrules.apps.studio.numbers import numbers
+from gcrules.apps.studio.protocol.requests import HOME, RobotSource
+from gcrules.apps.studio.subject import Subject, read_subject
+from gcrules.apps.studio.whereabouts import moved_view, solved_at
+from gcrules.core.errors import InputError
+from gcrules.mechanisms.limbs import Limbs
+
+pytest.importorskip("starlette", reason="needs the extra gcrules[studio]")
+
+from apps.studio_client import Page
+
+FREEDOMS: dict[str, tuple[str, ...]] = {
+    "delta": ("x", "y", "z"),
+    "3-rps": ("z", "roll", "pitch"),
+    "4-ruu": ("x", "y", "z", "yaw"),
+    "agile-eye": ("roll", "pitch", "yaw"),
+    "capaman": ("x", "y", "pitch"),
+    "3-rpr": ("x", "y", "yaw"),
+    "6-rus": ("x", "y", "z", "roll", "pitch", "yaw"),
+    "h4": ("x", "y", "z", "yaw"),
+}
+
+
+def opened(robot: str) -> tuple[Subject, Limbs]:
+    source: RobotSource = {"kind": "robot", "id": robot}
+    subject = read_subject(source)
+    assert subject.limbs is not None
+    return subject, subject.limbs
+
+
+@pytest.mark.parametrize(("robot", "names"), FREEDOMS.items(), ids=FREEDOMS)
+def test_the_actuators_follow_the_platform(robot: str, names: tuple[str, ...]) -> None:
+    """Step by step as a hand moves; `gc.pose` closes the loops from home to the same coordinates."""
+    subject, limbs = opened(robot)
+    assert tuple(a["name"] for a in freedom_axes(limbs, subject.size)) == names
+    goal = [4.0 if n in ("roll", "pitch", "yaw") else 0.04 * limbs.linkage.size for n in names]
+    pose = HOME
+    for part in (0.4, 0.7, 1.0):
+        pose = moved_view(subject, pose, [part * v for v in goal], None)["pose"]
+    found = numbers(subject, pose)
+    assert found["freedoms"] == pytest.approx(goal, abs=1e-6)
+    at = {n: np.radians(v) if n in ("roll", "pitch", "yaw") else v for n, v in zip(names, goal, strict=True)}
+    assert found["margin"] == pytest.approx(gc.pose(robot, at, nearest=False).margin, abs=1e-8)
+
+
+@pytest.mark.parametrize("robot", ["delta", "3-rps", "6-rus", "agile-eye"])
+def test_the_platform_is_where_it_says(robot: str) -> None:
+    """A displacement leads back to itself, and what a robot has no freedom for is left out."""
+    subject, limbs = opened(robot)
+    m = limbs.linkage
+    pose = moved_view(subject, HOME, [0.05] * m.robot.mobility, None)["pose"]
+    there = numbers(subject, pose)["platform"]
+    assert there is not None
+    here = solved_at(limbs, pose)
+    assert np.abs(displaced(m, there, subject.about) - here.platform).max() < 1e-9
+    assert displacement(m, here, subject.about) == there
+    again = moved_view(subject, HOME, None, there)["pose"]["coordinates"]
+    assert again == pytest.approx(pose["coordinates"], abs=1e-9)
+
+
+def test_where_a_platform_cannot_be_led() -> None:
+    subject, _ = opened("delta")
+    with pytest.raises(InputError, match="does not assemble"):
+        moved_view(subject, HOME, [9.0, 0.0, 0.0], None)
+    with pytest.raises(InputError, match="3 freedoms: x, y, z"):
+        moved_view(subject, HOME, [1.0], None)
+    with pytest.raises(InputError, match="either coordinates or a pose"):
+        moved_view(subject, HOME, None, None)
+    legs = read_subject({"kind": "example", "name": "octahedral"})
+    with pytest.raises(InputError, match="six legs"):
+        moved_view(legs, HOME, [0.0], None)
+
+
+def test_the_page_asks_for_it(page: Page) -> None:
+    source = {"kind": "robot", "id": "delta"}
+    study = page.ask("open", source=source)
+    assert [a["name"] for a in study["freedoms"]] == ["x", "y", "z"]
+    pose = page.ask("move", source=source, pose=HOME, at=[0.2, 0.0, 0.0])["pose"]
+    found = page.ask("pose", source=source, pose=pose)
+    assert found["freedoms"] == pytest.approx([0.2, 0.0, 0.0], abs=1e-9)
+    assert page.fault("move", source=source, pose=HOME, at=[])["kind"] == "input"
+    assert page.ask("open", source={"kind": "example", "name": "octahedral"})["freedoms"] == []
+
+
+# --- in the browser --------------------------------------------------------------------------------------------------
+
+
+@pytest.fixture(scope="module")
+def desk(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Any]:
+    from browsing import chromium
+    from studio_page import CALM, WIDE, Desk, studio
+
+    with chromium() as browser, studio(Path(tmp_path_factory.mktemp("studio"))) as server:
+        yield Desk(browser.new_page(viewport=WIDE, **CALM), server).visit()
+
+
+def wait_for(desk: Any, index: int, value: float) -> None:
+    there = f"(gcrules.posing.numbers.value?.freedoms ?? [])[{index}]"
+    desk.page.wait_for_function(f"() => Math.abs({there} - {value}) < 1e-6")
+
+
+@pytest.mark.browser
+def test_sliders_of_the_platform(desk: Any) -> None:
+    desk.open("robot", "3-rps", "check")
+    desk.one("led").select_option("platform")
+    desk.slide("roll", 5)
+    wait_for(desk, 1, 5)
+    desk.slide("z", 0.1)
+    wait_for(desk, 0, 0.1)
+    desk.let_go("z")
+    assert desk.numbers["freedoms"] == pytest.approx([0.1, 5, 0], abs=1e-6)
+    assert len(desk.pose["coordinates"]) == 3
+    assert any(desk.pose["coordinates"])
+    assert desk.faults == []
+
+
+@pytest.mark.browser
+def test_a_platform_that_cannot_be_led_stays(desk: Any) -> None:
+    desk.open("robot", "delta", "check")
+    desk.one("led").select_option("platform")
+    desk.slide("y", 0.1)
+    wait_for(desk, 1, 0.1)
+    desk.one("slider-x-number").fill("9")
+    desk.one("slider-x-number").press("Enter")
+    desk.one("fault").wait_for()
+    assert "does not assemble" in desk.text("fault")
+    assert desk.numbers["freedoms"] == pytest.approx([0, 0.1, 0], abs=1e-6)
+    desk.slide("y", 0.05)
+    wait_for(desk, 1, 0.05)
+    desk.one("fault").wait_for(state="detached")
+    assert desk.faults == []
+
+
+@pytest.mark.browser
+def test_handles_and_keys_move_a_robot_with_limbs(desk: Any) -> None:
+    desk.open("robot", "delta", "check")
+    desk.one("led").select_option("platform")
+    desk.one("mode-translate").click()
+    step = desk.study["size"] / 100
+    desk.page.locator("[data-testid=viewer] [tabindex]").first.focus()
+    desk.page.keyboard.press("ArrowRight")
+    wait_for(desk, 0, step)
+    desk.page.keyboard.press("PageDown")
+    wait_for(desk, 2, -step)
+    desk.page.wait_for_timeout(400)
+    desk.run("gcrules.undo()")
+    wait_for(desk, 2, 0)
+    desk.one("mode-orbit").click()
+    assert desk.faults == []
