@@ -27,7 +27,7 @@ from gcrules.mechanisms.kinematics.linkage import Configuration, Linkage, linkag
 from gcrules.mechanisms.kinematics.loops import Course
 from gcrules.mechanisms.kinematics.margin import margin
 from gcrules.mechanisms.kinematics.rigid_motions import exponential, rotations
-from gcrules.mechanisms.kinematics.solve import Solution, _closed, free_coordinates, goal, solve
+from gcrules.mechanisms.kinematics.solve import Solution, closed_near, free_coordinates, goal, solve
 from gcrules.mechanisms.kinematics.targets import Target, actuators_target, coordinates_target, pose_target
 from gcrules.mechanisms.kinematics.tubes import Arm, follows, keeps_rank, spreads
 from gcrules.mechanisms.load import read_robot
@@ -130,7 +130,7 @@ def test_cranks_stay_on_their_side(name: str) -> None:
 def finely(m: Linkage, wanted: Target) -> list[Configuration]:
     course, here = Course(m, wanted), [m.home]
     for k in range(1, FINE + 1):
-        here.append(_closed(course, here[-1], k / FINE)[0])
+        here.append(closed_near(course, here[-1], k / FINE))
     return here
 
 

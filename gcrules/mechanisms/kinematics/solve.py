@@ -26,7 +26,7 @@ from gcrules.mechanisms.kinematics.soundness import sound
 from gcrules.mechanisms.kinematics.targets import Target, check_count, written
 from gcrules.screws.pose_text import SHIFTS, TURNS, VECTOR
 
-__all__ = ["Solution", "beside", "check_target", "free_coordinates", "goal", "solve"]
+__all__ = ["Solution", "beside", "check_target", "closed_near", "free_coordinates", "goal", "solve"]
 
 _LONGEST = 0.25  # of a coordinate, at first: rad, or parts of the robot's size
 _SHORTEST = 1.0 / 4096
@@ -71,7 +71,7 @@ def beside(m: Linkage, wanted: Target, here: Configuration) -> Configuration:
     check_target(m, wanted)
     course = Course(m, wanted)
     try:
-        return _configuration(m, here, _solved(course, here, 1.0))
+        return closed_near(course, here, 1.0)
     except NotClosed:
         return goal(course, Solution(m.home, wanted), 0.0, 1.0).configuration
 
@@ -117,6 +117,11 @@ def goal(course: Course, start: Solution, at: float, end: float) -> Solution:
         way, parts = (*found.way, there), (*found.parts, part)
         found = Solution(there, course.target, found.iterations + joints.iterations, way, parts, doubt)
     return found
+
+
+def closed_near(course: Course, here: Configuration, part: float) -> Configuration:
+    """The configuration near this one at a part of the course. Raises NotClosed."""
+    return _configuration(course.m, here, _solved(course, here, part))
 
 
 def _solved(course: Course, here: Configuration, part: float) -> Joints:
