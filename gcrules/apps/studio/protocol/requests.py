@@ -42,6 +42,7 @@ __all__ = [
     "PoseArgs",
     "PoseJson",
     "Quaternion",
+    "RepeatArgs",
     "RobotSource",
     "SaveArgs",
     "Sketch",
@@ -264,6 +265,20 @@ Format = Literal["html", "latex", "svg", "png", "pdf", "json", "yaml", "c", "cpp
 
 class SaveArgs(PoseArgs):
     what: Format
+
+
+def _object(value: Any, where: str) -> Any:
+    if not isinstance(value, dict):
+        raise InputError(f"{where} is no object")
+    return value
+
+
+class RepeatArgs(TypedDict):
+    """A method with its arguments, which are checked as if it were asked for."""
+
+    source: NotRequired[SourceJson]
+    what: Literal["open", "pose", "path", "map", "assemblies", "aspects", "free", "boxes", "certify", "manual", "bench"]
+    args: Annotated[dict[str, Any], _object]
 
 
 class CancelArgs(TypedDict):

@@ -128,7 +128,7 @@ function poseActions(store: Store): Action[] {
 }
 
 function pageActions(store: Store): Action[] {
-  const { front, taste, space, lit, doc } = store;
+  const { front, taste, space, lit, doc, study, bench$ } = store;
   const dark = () => taste.theme.value === "dark";
   async function copyLink(): Promise<void> {
     await navigator.clipboard.writeText(location.origin + location.pathname + (await writeFragment(doc.peek())));
@@ -137,6 +137,15 @@ function pageActions(store: Store): Action[] {
   return [
     { id: "palette", title: "Commands", group: "Page", keys: ["Mod k"], everywhere: true, words: "palette", act: () => void (front.dialog.value = "palette") },
     { id: "keys", title: "Keys", group: "Page", keys: ["?"], words: "shortcuts keyboard help", act: () => void (front.dialog.value = "keys") },
+    {
+      id: "repeat",
+      title: "Repeat it: lines for the shell and for Python",
+      group: "Page",
+      keys: ["r"],
+      words: "command line copy terminal notebook script",
+      fits: () => study.value !== null || bench$.value.trim() !== "",
+      act: () => void (front.dialog.value = "repeat"),
+    },
     {
       id: "copy-link",
       title: "Copy a link that restores this state",
