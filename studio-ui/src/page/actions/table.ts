@@ -128,7 +128,7 @@ function poseActions(store: Store): Action[] {
 }
 
 function pageActions(store: Store): Action[] {
-  const { front, taste, space, lit, doc, study, bench$ } = store;
+  const { front, taste, space, lit, doc, study, bench$, projecting } = store;
   const dark = () => taste.theme.value === "dark";
   async function copyLink(): Promise<void> {
     await navigator.clipboard.writeText(location.origin + location.pathname + (await writeFragment(doc.peek())));
@@ -145,6 +145,18 @@ function pageActions(store: Store): Action[] {
       words: "command line copy terminal notebook script",
       fits: () => study.value !== null || bench$.value.trim() !== "",
       act: () => void (front.dialog.value = "repeat"),
+    },
+    {
+      id: "project-keep",
+      title: "Add what is open to the project, or bring it up to date there",
+      group: "Page",
+      keys: ["Mod s"],
+      words: "save keep bookmark",
+      fits: () => study.value !== null,
+      act() {
+        projecting.keep();
+        front.tell("Kept in the project");
+      },
     },
     {
       id: "copy-link",

@@ -9,6 +9,7 @@ import { createFront, type Front } from "./front";
 import { createLit, type Lit } from "./lit";
 import { createMoving, type Moving } from "./moving";
 import { createPosing, type Posing } from "./posing";
+import { createProjecting, type Projecting } from "./projecting";
 import type { Runner } from "./running";
 import { createSeeker, type Seeker } from "./seeking";
 import { createSpace, type Space } from "./space";
@@ -26,6 +27,7 @@ export interface Store extends Editing, Studying {
   timeline: Timeline;
   moving: Moving;
   seeker: Seeker;
+  projecting: Projecting;
   touring: Touring;
   roaming: Roaming;
   modes: Runner<"modes">;
@@ -54,6 +56,7 @@ export function createStore(client: Client, start: Doc | null): Store {
     timeline,
     moving: createMoving(editing, posing),
     seeker: createSeeker(client, editing),
+    projecting: createProjecting(editing, studying, timeline),
     touring: createTouring(client, editing),
     roaming: createRoaming(client, editing),
     modes: createChoosing(client, editing),
