@@ -432,6 +432,13 @@ export interface SaveArgs extends PoseArgs {
   what: Format;
 }
 
+/** A method with its arguments, which are checked as if it were asked for. */
+export interface RepeatArgs {
+  source?: Source;
+  what: "open" | "pose" | "path" | "map" | "assemblies" | "aspects" | "free" | "boxes" | "certify" | "manual" | "bench";
+  args: Record<string, unknown>;
+}
+
 export interface CancelArgs {
   target: number;
 }
@@ -835,6 +842,19 @@ export interface Saved {
   binary: boolean;
 }
 
+export interface RepeatedFile {
+  name: string;
+  text: string;
+}
+
+export interface Repeated {
+  shell: string;
+  /** Empty where no function of Python does it. */
+  python: string;
+  /** What has to be saved first, since the lines name it. */
+  file: RepeatedFile | null;
+}
+
 export interface Cancelled {
   cancelled: boolean;
 }
@@ -1048,6 +1068,7 @@ export interface Methods {
   bench: { args: BenchArgs; result: Bench };
   compose: { args: ComposeArgs; result: Composed };
   save: { args: SaveArgs; result: Saved };
+  repeat: { args: RepeatArgs; result: Repeated };
   cancel: { args: CancelArgs; result: Cancelled };
 }
 export type Method = keyof Methods;

@@ -14,6 +14,9 @@ import { EMPTY, HOME, TOUR, atHome, isHome, samePose, type Doc, type Range } fro
 import { plainFragment, readFragment, writeFragment } from "../src/page/state/fragment";
 import { begin, closed, moved, record, redone, undone } from "../src/page/state/history";
 import { readDoc } from "../src/page/state/read";
+import { isProject, readProject, writeProject, NO_PROJECT, type Project } from "../src/page/state/project-file";
+import { readHistory, writeHistory } from "../src/page/state/undo-memory";
+import { isPressed, namesOf } from "../src/page/actions/keys";
 import { changed, inWords, rangeOf, rangesOf } from "../src/page/state/touring";
 import { nearest } from "../src/page/panels/motion/samples";
 import { stepped, valueOf, within } from "../src/page/panels/motion/spots";
@@ -289,4 +292,67 @@ test("long names are found in sentences, and stand apart", () => {
   const entity: Entity = { id: "e0", kind: "plane", points, label: "base_left* base_right top", colour: 0 };
   const words = wordsOf("the planes base_left base_right top and x meet", [entity]);
   assert.deepEqual(words.map(({ entity }) => entity?.id), [undefined, "e0", undefined]);
+});
+
+const LEGS: Doc = { ...EMPTY, source: { kind: "legs", legs: "ab af cb cd ed ef" }, pose: TURNED, panel: "manual", commands: ["plane abf"] };
+const PROJECT: Project = {
+  title: "Two robots",
+  note: "compare",
+  robots: [{ name: "Octahedral", note: "", state: LEGS, way: [HOME, TURNED], poses: [{ name: "near", pose: TURNED }] }],
+};
+
+test("a project comes back from its file as it was", () => {
+  const text = writeProject(PROJECT);
+  assert.ok(isProject(text));
+  assert.deepEqual(readProject(text, "a.json"), { project: PROJECT });
+  assert.deepEqual(readProject(writeProject(NO_PROJECT), "a.json"), { project: NO_PROJECT });
+});
+
+test("a project with a fault is not half read, and the fault has a place", () => {
+  const whole = JSON.parse(writeProject(PROJECT));
+  const broken = (change: (x: typeof whole) => void): string => {
+    const copy = structuredClone(whole);
+    change(copy);
+    const found = readProject(JSON.stringify(copy), "a.json");
+    assert.ok("fault" in found);
+    return found.fault.message;
+  };
+  assert.equal(broken((x) => (x.format = 2)), "a.json: its format is 2, and this studio reads 1");
+  assert.equal(broken((x) => delete x.format), "a.json: it has no number of its format");
+  assert.equal(broken((x) => (x.colour = 1)), 'a.json: the file has "colour", which is not known');
+  assert.equal(broken((x) => (x.robots[0].state.source.kind = "robo")), "a.json: robots[1].state.source is not understood");
+  assert.equal(broken((x) => (x.robots[0].way[1].translation = [0, 1])), "a.json: robots[1].way[2].translation is not understood");
+  assert.equal(broken((x) => (x.robots[0].state.commands = [1])), "a.json: robots[1].state.commands is not understood");
+  assert.equal(broken((x) => (x.robots[0].poses[0].name = 1)), "a.json: robots[1].poses[1].name is no text");
+  assert.equal(broken((x) => (x.robots = {})), "a.json: robots is no list");
+  assert.equal(broken((x) => delete x.robots[0].state.source), "a.json: robots[1].state names no robot");
+  const found = readProject("{", "a.json");
+  assert.ok("fault" in found && found.fault.message.startsWith("a.json: it is no JSON"));
+  assert.ok(!isProject("robot: 3"));
+});
+
+test("undo and redo come back after a reload, of the same document only", () => {
+  const other = { ...LEGS, bench: "ab" };
+  let history = record(record(begin(EMPTY), LEGS, null), other, null);
+  history = undone(history);
+  const text = writeHistory(history);
+  const found = readHistory(text, LEGS);
+  assert.deepEqual(found.past, [EMPTY]);
+  assert.deepEqual(found.future, [other]);
+  assert.deepEqual(redone(found).present, other);
+  assert.deepEqual(readHistory(text, other).past, []);
+  assert.deepEqual(readHistory("{", LEGS).past, []);
+  const long = writeHistory({ ...history, past: Array.from({ length: 500 }, () => LEGS) });
+  assert.equal(readHistory(long, LEGS).past.length, 60);
+});
+
+test("keys are pressed as the table writes them", () => {
+  const press = (key: string, held: Partial<Record<"ctrlKey" | "metaKey" | "shiftKey" | "altKey", boolean>> = {}) =>
+    ({ key, ctrlKey: false, metaKey: false, shiftKey: false, altKey: false, ...held });
+  assert.ok(isPressed("Mod z", press("z", { ctrlKey: true })) && isPressed("Mod z", press("z", { metaKey: true })));
+  assert.ok(!isPressed("Mod z", press("Z", { ctrlKey: true, shiftKey: true })));
+  assert.ok(isPressed("Mod Shift z", press("Z", { ctrlKey: true, shiftKey: true })));
+  assert.ok(isPressed("?", press("?", { shiftKey: true })) && isPressed("?", press("?")));
+  assert.ok(!isPressed("f", press("f", { ctrlKey: true })) && !isPressed("f", press("f", { altKey: true })));
+  assert.deepEqual(namesOf("Mod Shift z").slice(1), ["Shift", "Z"]);
 });

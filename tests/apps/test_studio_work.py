@@ -140,3 +140,39 @@ def test_single_keys_can_be_switched_off_and_do_nothing_where_one_writes(desk: D
     desk.page.keyboard.press("Escape")
     desk.page.keyboard.press("6")
     assert desk.run("gcrules.panel$.value") == "bench"
+
+
+def test_what_is_shown_is_repeated_by_lines(desk: Desk) -> None:
+    desk.open("example", "octahedral")
+    desk.slide("z", -100)
+    desk.answered()
+    desk.let_go("z")
+    desk.page.wait_for_selector("[data-testid=way][data-proved=true]")
+    desk.run("gcrules.edit({bench: '[abcd] == -[bacd]'})")
+    desk.page.keyboard.press("r")
+    name = desk.page.get_by_test_id("repeat-of-pose").locator("code").inner_text()
+    lines = [str(line) for line in desk.page.locator(".repeat pre").all_inner_texts()]
+    assert lines[1] == f'gcrules pose {name} --at "0 0 -100"'
+    desk.page.wait_for_selector("[data-testid=repeat-of-bench] pre")
+    lines = [str(line) for line in desk.page.locator(".repeat pre").all_inner_texts()]
+    assert f'gcrules path {name} --at "0 0 0" --at "0 0 -100"' in lines
+    with desk.page.expect_download() as saving:
+        desk.one("repeat-file-pose").click()
+    assert saving.value.suggested_filename == name
+    desk.page.context.grant_permissions(["clipboard-read", "clipboard-write"])
+    desk.one("repeat-python").click()
+    desk.one("repeat-copy-pose").click()
+    desk.page.wait_for_selector(".notice.told")
+    copied = str(desk.run("navigator.clipboard.readText()"))
+    assert copied.splitlines()[-1] == 'print(gc.pose(robot, at="0 0 -100"))'
+    assert "prove" in desk.page.get_by_test_id("repeat-of-bench").locator("pre").inner_text()
+    desk.one("repeat-close").click()
+    desk.open("robot", "delta")
+    desk.slide("0", 3)
+    desk.answered()
+    desk.one("repeat").click()
+    desk.page.wait_for_selector("[data-testid=repeat-of-pose] pre")
+    assert desk.page.locator("[data-testid=repeat-of-pose] pre").inner_text() == (
+        'gcrules pose delta --actuators "q1=3deg, q2=0deg, q3=0deg"'
+    )
+    assert desk.faults == []

@@ -17,6 +17,7 @@ from gcrules.apps.studio.modes_view import modes_view
 from gcrules.apps.studio.nearest_view import nearest
 from gcrules.apps.studio.numbers import margins, numbers
 from gcrules.apps.studio.path_view import path_view
+from gcrules.apps.studio.repeating import repeated
 from gcrules.apps.studio.study import study
 from gcrules.apps.studio.subject import Subject
 from gcrules.apps.studio.waypoints_view import waypoints_view
@@ -68,6 +69,7 @@ ANSWERS: Mapping[str, Callable[[Any, Args], Any]] = {
     "manual": lambda subject, args: replayed(subject, args["commands"]),
     "bench": lambda subject, args: bench(args["text"], subject, args.get("pose")),
     "compose": lambda subject, args: composed(args["drawing"]),
+    "repeat": lambda subject, args: repeated(subject, args["what"], args["args"]),
     "save": lambda subject, args: saved(subject, args["pose"], args["what"], args.get("threshold")),
 }
 

@@ -27,6 +27,7 @@ from gcrules.mechanisms.kinematics.amplification import INDICES
 from gcrules.mechanisms.kinematics.leading import leading
 from gcrules.mechanisms.kinematics.solve import free_coordinates
 from gcrules.mechanisms.limbs import Limbs
+from gcrules.mechanisms.mechanism import Mechanism
 from gcrules.mechanisms.six_legs import SixLegs
 from gcrules.poses.maps.axes import ACTUATOR, GridAxis, read_axes
 from gcrules.poses.maps.cells import MEANINGS
@@ -39,7 +40,7 @@ from gcrules.poses.methods import Methods, method
 from gcrules.screws.threshold import DEFAULT, Threshold
 from gcrules.views.results.map import account
 
-__all__ = ["map_view", "place_view"]
+__all__ = ["map_view", "place_view", "rest_of_map"]
 
 MAX_NODES = 20_000
 """Poses of a map in the page."""
@@ -83,7 +84,12 @@ def place_view(subject: Subject, over: Sequence[str], pose: PoseJson, place: Seq
 
 def _planned(subject: Subject, over: Sequence[str], pose: PoseJson, limit: Threshold, measure: str) -> Plan:
     m = subject.mechanism
-    return planned(m, over, method(_REST, m, "a map")(over, pose), None, limit, measure)
+    return planned(m, over, rest_of_map(m, over, pose), None, limit, measure)
+
+
+def rest_of_map(m: Mechanism, over: Sequence[str], pose: PoseJson) -> Any:
+    """What the pose says of the coordinates that are no axes of the map."""
+    return method(_REST, m, "a map")(over, pose)
 
 
 def _rest_of_limbs(m: Limbs, over: Sequence[str], pose: PoseJson) -> dict[str, float]:
@@ -102,7 +108,6 @@ def _rest_of_limbs(m: Limbs, over: Sequence[str], pose: PoseJson) -> dict[str, f
 
 
 _REST: Methods[Any] = {SixLegs: lambda m, over, pose: exact_pose(pose), Limbs: _rest_of_limbs}
-"""What the pose says of the coordinates that are no axes."""
 
 
 def _placed_of_legs(m: SixLegs, g: Grid, place: Sequence[float]) -> PoseJson:

@@ -24,6 +24,7 @@ from gcrules.core.budget import checkpoint, report
 from gcrules.core.english import as_sentence
 from gcrules.mechanisms.kinematics.leading import leading
 from gcrules.mechanisms.limbs import Limbs
+from gcrules.mechanisms.mechanism import Mechanism
 from gcrules.mechanisms.six_legs import SixLegs
 from gcrules.poses.limbs.path_report import RobotPath
 from gcrules.poses.methods import Methods, method
@@ -37,7 +38,7 @@ from gcrules.views.plots.path_plot import FRAME
 from gcrules.views.results.path_account import PathAccount, PathPlace, PathStretch
 from gcrules.views.results.plan import waypoint_text
 
-__all__ = ["path_view"]
+__all__ = ["ends", "path_view"]
 
 _SHOWN = {PathReport: 100, RobotPath: 40}  # samples to which it can be moved; the loops of a robot are closed for each
 _MOST = 100  # places that are listed
@@ -73,6 +74,14 @@ def path_view(
     report("going along the path")
     path = path_of(m, poses, threshold=threshold_of(limit, m.unit))
     return _view(path, posed(path), detour)
+
+
+def ends(
+    m: Mechanism, start: PoseJson | None, goal: PoseJson, to: str | None, through: Sequence[PoseJson] = ()
+) -> list[Any]:
+    """The poses of such a path, as paths and plans take them. Raises InputError likewise."""
+    poses, _ = method(_ENDS, m, "a path")(start, goal, to, through)
+    return poses
 
 
 def _detour(found: Plan) -> DetourView:

@@ -35,6 +35,8 @@ __all__ = [
     "Nearest",
     "Numbers",
     "ReadingView",
+    "Repeated",
+    "RepeatedFile",
     "Saved",
     "SignView",
     "SingularPoseView",
@@ -202,6 +204,19 @@ class Saved(TypedDict):
     data: str
     """Text, or base64 where `binary`."""
     binary: bool
+
+
+class RepeatedFile(TypedDict):
+    name: str
+    text: str
+
+
+class Repeated(TypedDict):
+    shell: str
+    python: str
+    """Empty where no function of Python does it."""
+    file: RepeatedFile | None
+    """What has to be saved first, since the lines name it."""
 
 
 class Cancelled(TypedDict):

@@ -69,5 +69,6 @@ METHODS: Mapping[str, Method] = {
     "bench": Method(requests.BenchArgs, answers.Bench, seconds=30),
     "compose": Method(requests.ComposeArgs, answers.Composed),
     "save": Method(requests.SaveArgs, answers.Saved),
+    "repeat": Method(requests.RepeatArgs, answers.Repeated),
     "cancel": Method(requests.CancelArgs, answers.Cancelled, where="session"),
 }

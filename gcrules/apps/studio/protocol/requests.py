@@ -43,6 +43,7 @@ __all__ = [
     "PoseArgs",
     "PoseJson",
     "Quaternion",
+    "RepeatArgs",
     "RobotSource",
     "SaveArgs",
     "Sketch",
@@ -162,8 +163,8 @@ class PoseArgs(TypedDict):
 
 
 class MoveArgs(TypedDict):
-    """Where the `freedoms` of the study are to be, from home and in their units (`at`), or the platform (`to`): one with
-    fewer freedoms follows as far as these go. The pose is the one near it now.
+    """Where the `freedoms` of the study are to be, from home and in their units (`at`), or the platform (`to`): one
+    with fewer freedoms follows as far as these go. The pose is the one near it now.
     """
 
     source: SourceJson
@@ -276,6 +277,20 @@ Format = Literal["html", "latex", "svg", "png", "pdf", "json", "yaml", "c", "cpp
 
 class SaveArgs(PoseArgs):
     what: Format
+
+
+def _object(value: Any, where: str) -> Any:
+    if not isinstance(value, dict):
+        raise InputError(f"{where} is no object")
+    return value
+
+
+class RepeatArgs(TypedDict):
+    """A method with its arguments, which are checked as if it were asked for."""
+
+    source: NotRequired[SourceJson]
+    what: Literal["open", "pose", "path", "map", "assemblies", "aspects", "free", "boxes", "certify", "manual", "bench"]
+    args: Annotated[dict[str, Any], _object]
 
 
 class CancelArgs(TypedDict):

@@ -128,7 +128,7 @@ function poseActions(store: Store): Action[] {
 }
 
 function pageActions(store: Store): Action[] {
-  const { front, taste, space, lit, doc } = store;
+  const { front, taste, space, lit, doc, study, bench$, projecting } = store;
   const dark = () => taste.theme.value === "dark";
   async function copyLink(): Promise<void> {
     await navigator.clipboard.writeText(location.origin + location.pathname + (await writeFragment(doc.peek())));
@@ -137,6 +137,27 @@ function pageActions(store: Store): Action[] {
   return [
     { id: "palette", title: "Commands", group: "Page", keys: ["Mod k"], everywhere: true, words: "palette", act: () => void (front.dialog.value = "palette") },
     { id: "keys", title: "Keys", group: "Page", keys: ["?"], words: "shortcuts keyboard help", act: () => void (front.dialog.value = "keys") },
+    {
+      id: "repeat",
+      title: "Repeat it: lines for the shell and for Python",
+      group: "Page",
+      keys: ["r"],
+      words: "command line copy terminal notebook script",
+      fits: () => study.value !== null || bench$.value.trim() !== "",
+      act: () => void (front.dialog.value = "repeat"),
+    },
+    {
+      id: "project-keep",
+      title: "Add what is open to the project, or bring it up to date there",
+      group: "Page",
+      keys: ["Mod s"],
+      words: "save keep bookmark",
+      fits: () => study.value !== null,
+      act() {
+        projecting.keep();
+        front.tell("Kept in the project");
+      },
+    },
     {
       id: "copy-link",
       title: "Copy a link that restores this state",

@@ -20,6 +20,7 @@ import { Draw } from "./draw";
 import { Guided } from "./guided";
 import { ManualPanel } from "./manual";
 import { Motion } from "./motion";
+import { ProjectPanel } from "./project";
 import { Start } from "./start";
 import { TakeAway } from "./take-away";
 import { Where } from "./where";
@@ -46,4 +47,5 @@ export const panels: readonly Panel[] = [
   { id: "bench", title: "Bench", icon: "bench", component: Bench, layout: "beside", needs: "nothing" },
   { id: "draw", title: "Draw", icon: "draw", component: Draw, layout: "wide", needs: "nothing" },
   { id: "take-away", title: "Take away", icon: "take-away", component: TakeAway, layout: "beside", needs: "study" },
+  { id: "project", title: "Project", icon: "project", component: ProjectPanel, layout: "wide", needs: "nothing" },
 ];

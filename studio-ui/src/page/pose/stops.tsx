@@ -5,7 +5,8 @@ import { short } from "../lib/format";
 import { rotationVector } from "../../viewer/pose";
 import { useStore } from "../parts/context";
 import { Icon } from "../parts/icon";
-import { download, fileName } from "../panels/take-away/making";
+import { download } from "../lib/download";
+import { fileName } from "../panels/take-away/making";
 
 const LISTED = 40;
 

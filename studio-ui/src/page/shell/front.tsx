@@ -2,7 +2,9 @@
 import { useStore } from "../parts/context";
 import { KeyList } from "./key-list";
 import { Palette } from "./palette";
+import { Repeat } from "./repeat";
 import "./front.css";
+import "./repeat.css";
 
 export function Front() {
   const { dialog, notice } = useStore().front;
@@ -11,6 +13,7 @@ export function Front() {
     <>
       {dialog.value === "palette" && <Palette onClose={close} />}
       {dialog.value === "keys" && <KeyList onClose={close} />}
+      {dialog.value === "repeat" && <Repeat onClose={close} />}
       <div class={notice.value ? "notice told" : "notice"} role="status" data-testid="notice">
         {notice.value}
       </div>

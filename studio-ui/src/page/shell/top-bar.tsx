@@ -51,6 +51,7 @@ const TOOLS: readonly (readonly [string, IconName])[] = [
   ["keys", "keys"],
   ["undo", "undo"],
   ["redo", "redo"],
+  ["repeat", "terminal"],
   ["copy-link", "link"],
   ["theme", "moon"],
 ];

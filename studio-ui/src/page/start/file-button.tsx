@@ -4,21 +4,27 @@ import type { Fault } from "../../protocol";
 import { useStore } from "../parts/context";
 import { FaultBox } from "../parts/fault-box";
 import { Icon } from "../parts/icon";
+import { isProject } from "../state/project-file";
 
 const LARGEST = 400_000; // characters that the server takes
 
 export function FileButton() {
-  const { open } = useStore();
+  const { open, go, projecting } = useStore();
   const [fault, tell] = useState<Fault | null>(null);
   const input = useRef<HTMLInputElement>(null);
 
   async function take(file: File | undefined): Promise<void> {
     if (!file) return;
     tell(null);
-    if (file.size > LARGEST) {
+    if (file.size > LARGEST && !file.name.endsWith(".json")) {
       return tell({ kind: "input", message: `${file.name} is too large`, hint: `at most ${LARGEST / 1000} kB are read` });
     }
-    open({ kind: "file", text: await file.text(), name: file.name });
+    const text = await file.text();
+    if (isProject(text)) {
+      projecting.read(text, file.name);
+      return go({ panel: "project" });
+    }
+    open({ kind: "file", text, name: file.name });
   }
 
   useEffect(() => {

@@ -2,7 +2,9 @@
 import { batch, computed, effect, signal, type ReadonlySignal, type Signal } from "@preact/signals";
 import { EMPTY, HOME, TOUR, sameSource, type Doc, type PanelId } from "./doc";
 import { leave, plainFragment, readFragment, writeFragment } from "./fragment";
-import { begin, closed, moved, record, redone, undone, type History } from "./history";
+import { closed, moved, record, redone, undone, type History } from "./history";
+import { isReload, recalled, remember } from "./tab-memory";
+import { readHistory, writeHistory } from "./undo-memory";
 import type { Source, StageId } from "../../protocol";
 
 export interface Editing extends Fields {
@@ -39,10 +41,12 @@ function fieldsOf(doc: ReadonlySignal<Doc>): Fields {
   };
 }
 
+const UNDO = "gcrules-studio-undo"; // key of the steps over a reload
+
 const PAUSE = 300; // milliseconds of rest before the address bar is written
 
 export function createEditing(start: Doc | null): Editing {
-  const history = signal<History>(begin(start ?? EMPTY));
+  const history = signal<History>(readHistory(isReload() ? recalled(UNDO) : null, start ?? EMPTY));
   const doc = computed(() => history.value.present);
 
   const edit = (change: Partial<Doc>, key: string | null = null): void => {
@@ -67,6 +71,7 @@ export function createEditing(start: Doc | null): Editing {
     redo: () => void (history.value = redone(history.peek())),
   };
   keepInAddress(editing);
+  addEventListener("pagehide", () => remember(UNDO, writeHistory(history.peek())));
   return editing;
 }
 

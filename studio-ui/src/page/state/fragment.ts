@@ -2,6 +2,7 @@
 // the empty document is written, so that the link of a class is short. The fragment never leaves the browser.
 import { EMPTY, HOME, samePose, type Doc } from "./doc";
 import { readDoc } from "./read";
+import { isReload } from "./tab-memory";
 
 const LONGEST = 4_000_000; // bytes of JSON that a link may hold: a file of the largest size, each letter escaped, fits well
 const LARGE = 240; // characters of JSON above which deflating pays
@@ -50,20 +51,22 @@ export function arriving(): string {
   try {
     const left = sessionStorage.getItem(LEFT);
     sessionStorage.removeItem(LEFT);
-    const [visit] = performance.getEntriesByType("navigation");
-    if (left !== null && visit instanceof PerformanceNavigationTiming && visit.type === "reload") return left;
+    if (left !== null && isReload()) return left;
   } catch {
     // see leave
   }
   return location.hash;
 }
 
-function compact(doc: Doc): string {
+const compact = (doc: Doc): string => JSON.stringify(changedFields(doc));
+
+/** What differs from the empty document. */
+export function changedFields(doc: Doc): Partial<Doc> {
   const changed = Object.entries(doc).filter(([key, value]) => {
     if (key === "pose") return !samePose(doc.pose, HOME);
     return JSON.stringify(value) !== JSON.stringify(EMPTY[key as keyof Doc]);
   });
-  return JSON.stringify(Object.fromEntries(changed));
+  return Object.fromEntries(changed);
 }
 
 /** What comes out of a stream; refused as soon as it is longer than it may be. */

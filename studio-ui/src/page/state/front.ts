@@ -2,7 +2,7 @@
 import { signal, type ReadonlySignal, type Signal } from "@preact/signals";
 
 export interface Front {
-  dialog: Signal<"palette" | "keys" | null>;
+  dialog: Signal<"palette" | "keys" | "repeat" | null>;
   notice: ReadonlySignal<string>;
   /** Says what has been done, where nothing else on the page shows it. */
   tell(words: string): void;

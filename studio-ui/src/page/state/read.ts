@@ -6,7 +6,9 @@ import { EMPTY, HOME, NODES, TOUR, type Doc, type PanelId, type Range, type Tour
 
 type Loose = Record<string, unknown>;
 
-const PANELS: readonly PanelId[] = ["start", "guided", "manual", "motion", "where", "bench", "draw", "take-away"];
+const PANELS: readonly PanelId[] = ["start", "guided", "manual", "motion", "where", "bench", "draw", "take-away", "project"];
+/** Panels that need nothing to be open. */
+const WITHOUT_SOURCE: readonly PanelId[] = ["bench", "draw", "project"];
 
 const isObject = (x: unknown): x is Loose => typeof x === "object" && x !== null && !Array.isArray(x);
 const isText = (x: unknown): x is string => typeof x === "string";
@@ -30,7 +32,7 @@ function readSource(x: unknown): Source | null {
   return null;
 }
 
-function readPose(x: unknown): Pose {
+export function readPose(x: unknown): Pose {
   if (!isObject(x) || !isVec3(x.translation) || !listOf(isNumber)(x.quaternion) || x.quaternion.length !== 4) return HOME;
   const [w, a, b, c] = x.quaternion as [number, number, number, number];
   const size = Math.hypot(w, a, b, c);
@@ -79,7 +81,7 @@ export function readDoc(x: unknown): Doc {
   return {
     source,
     pose: readPose(x.pose),
-    panel: source || panel === "bench" || panel === "draw" ? panel : "start",
+    panel: source || WITHOUT_SOURCE.includes(panel) ? panel : "start",
     stage: among(STAGE_IDS)(x.stage) ? x.stage : EMPTY.stage,
     threshold: isText(x.threshold) ? x.threshold : EMPTY.threshold,
     commands: listOf(isText)(x.commands) ? x.commands.slice(0, MOST_COMMANDS) : [],

@@ -10,6 +10,7 @@ import { createLeading, type Leading } from "./leading";
 import { createLit, type Lit } from "./lit";
 import { createMoving, type Moving } from "./moving";
 import { createPosing, type Posing } from "./posing";
+import { createProjecting, type Projecting } from "./projecting";
 import type { Runner } from "./running";
 import { createSeeker, type Seeker } from "./seeking";
 import { createSpace, type Space } from "./space";
@@ -28,6 +29,7 @@ export interface Store extends Editing, Studying {
   moving: Moving;
   leading: Leading;
   seeker: Seeker;
+  projecting: Projecting;
   touring: Touring;
   roaming: Roaming;
   modes: Runner<"modes">;
@@ -57,6 +59,7 @@ export function createStore(client: Client, start: Doc | null): Store {
     moving: createMoving(editing, posing),
     leading: createLeading(client, editing, posing),
     seeker: createSeeker(client, editing),
+    projecting: createProjecting(editing, studying, timeline),
     touring: createTouring(client, editing),
     roaming: createRoaming(client, editing),
     modes: createChoosing(client, editing),

@@ -6,7 +6,8 @@ import { FaultBox } from "../../parts/fault-box";
 import { Icon } from "../../parts/icon";
 import { faultOf } from "../../state/studying";
 import type { Offer } from "./formats";
-import { download, keyOf, make, sizeOf, type Made } from "./making";
+import { download } from "../../lib/download";
+import { keyOf, make, sizeOf, type Made } from "./making";
 import { Preview } from "./preview";
 
 type State =

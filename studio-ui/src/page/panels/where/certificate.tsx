@@ -5,7 +5,8 @@ import { useStore } from "../../parts/context";
 import { Icon } from "../../parts/icon";
 import { Prose } from "../../parts/prose";
 import { samePose } from "../../state/doc";
-import { download, madeOf, sizeOf } from "../take-away/making";
+import { download } from "../../lib/download";
+import { madeOf, sizeOf } from "../take-away/making";
 import { BoxesPicture, Moved, Shares } from "./range-parts";
 
 const TITLES: Record<CertifiedPlace["kind"], string> = {

@@ -1,0 +1,217 @@
+"""The shell and the Python lines that repeat what the page shows."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Mapping, Sequence
+from math import degrees
+from typing import Any
+
+from gcrules.algebra.language.syntax import Context
+from gcrules.algebra.language.text import SHORT_NAME
+from gcrules.apps.repl.reading import first_word
+from gcrules.apps.repl.tables import STATEMENTS
+from gcrules.apps.studio.boxes_view import rest_at
+from gcrules.apps.studio.calls import Call, Option
+from gcrules.apps.studio.export import saved
+from gcrules.apps.studio.map_view import rest_of_map
+from gcrules.apps.studio.numbers import exact_pose
+from gcrules.apps.studio.path_view import ends
+from gcrules.apps.studio.protocol.answer_views import Repeated, RepeatedFile
+from gcrules.apps.studio.protocol.methods import METHODS
+from gcrules.apps.studio.protocol.requests import HOME, THRESHOLD, PoseJson
+from gcrules.apps.studio.subject import Subject
+from gcrules.apps.studio.whereabouts import at_home, coordinates_at
+from gcrules.core.errors import InputError
+from gcrules.core.files import file_name
+from gcrules.mechanisms.kinematics.leading import leading
+from gcrules.mechanisms.kinematics.solve import free_coordinates
+from gcrules.mechanisms.limbs import Limbs
+from gcrules.mechanisms.load import is_xml, kind_of_id
+from gcrules.poses.maps.axes import ACTUATOR, read_axes
+from gcrules.poses.plans.report import Waypoint
+from gcrules.screws.pose import Pose
+from gcrules.screws.pose_text import ANGLES
+from gcrules.views.results.plan import waypoint_text
+
+__all__ = ["repeated"]
+
+Args = Mapping[str, Any]
+
+
+def repeated(subject: Subject | None, what: str, args: Args) -> Repeated:
+    """The lines for a method with these arguments. Raises InputError for what is no such argument, and where nothing
+    repeats it.
+    """
+    asked = METHODS[what].check(args, "args")
+    if what == "bench":
+        return _bench(subject, asked["text"])
+    if subject is None:
+        raise InputError("this is about no robot")
+    call = _CALLS[what](subject, asked)
+    word, mode, file = _named(subject, alone=what in ("open", "manual"))
+    if what == "assemblies" and subject.limbs:
+        mode = None  # they are those of the home that the file gives
+    return {"shell": call.shell(word, mode), "python": call.python(word, mode), "file": file}
+
+
+# --- what the robot is called ----------------------------------------------------------------------------------------
+
+
+def _named(subject: Subject, *, alone: bool) -> tuple[str, str | None, RepeatedFile | None]:
+    """A word that means it, its mode, and the file that has to be there. `alone`: the legs do without a shape."""
+    source = subject.source
+    if source["kind"] == "robot":
+        return source["id"], source.get("mode"), None
+    if source["kind"] == "example" and kind_of_id(source["name"]) == "example":
+        return source["name"], None, None
+    if source["kind"] == "class" and alone and kind_of_id(source["id"]) == "class":
+        return source["id"], None, None
+    if source["kind"] == "legs" and alone:
+        return " ".join(source["legs"].split()), None, None
+    if source["kind"] == "file":
+        name, text = source["name"], source["text"]
+        if name.startswith("<"):
+            name = file_name(subject.title, "xml" if is_xml(text) else "yaml")
+        return name, source.get("mode"), {"name": name, "text": text}
+    found = saved(subject, HOME, "yaml", None)
+    return found["name"], None, {"name": found["name"], "text": found["data"]}
+
+
+# --- poses in words --------------------------------------------------------------------------------------------------
+
+
+def _number(value: float) -> str:
+    return f"{value:.12g}"
+
+
+def _values(values: Mapping[str, float], angles: frozenset[str] = ANGLES) -> str:
+    """Coordinates, or actuators, with as many digits as count."""
+    return ", ".join(f"{n}={_number(degrees(v))}deg" if n in angles else f"{n}={_number(v)}" for n, v in values.items())
+
+
+def _words(at: Any) -> str:
+    """A pose as commands take it."""
+    if isinstance(at, str):
+        return at
+    if not isinstance(at, Pose):
+        return _values(at)
+    shift = " ".join(_number(float(c)) for c in at.translation)
+    w, *turn = at.unit_quaternion
+    return shift if not any(turn) else f"{shift}; quaternion {' '.join(map(_number, (w, *turn)))}"
+
+
+def _at(words: str) -> list[Option]:
+    return [Option("--at", "at", words)] if words else []
+
+
+def _actuated(limbs: Limbs, pose: PoseJson) -> str:
+    """The amounts of the actuators; nothing at home."""
+    if at_home(pose):
+        return ""
+    amounts = zip(leading(limbs.linkage), pose.get("coordinates", ()), strict=True)
+    return ", ".join(f"{a.name}={_number(v)}{'deg' if a.angle else ''}" for a, v in amounts)
+
+
+def _limit(args: Args) -> list[Option]:
+    given = args.get("threshold") or THRESHOLD
+    return [] if given == THRESHOLD else [Option("--threshold", "threshold", given)]
+
+
+# --- calls -----------------------------------------------------------------------------------------------------------
+
+
+def _pose(subject: Subject, args: Args) -> Call:
+    if subject.limbs:
+        amounts = _actuated(subject.limbs, args["pose"])
+        options = [Option("--actuators", "actuators", amounts)] if amounts else []
+    else:
+        options = [] if at_home(args["pose"]) else _at(_words(exact_pose(args["pose"])))
+    return Call("pose", "pose", (*options, *_limit(args)))
+
+
+def _path(subject: Subject, args: Args) -> Call:
+    poses = ends(subject.mechanism, args.get("start"), args["goal"], args.get("to"), args.get("through", ()))
+    words = tuple(map(_words, poses))
+    if args.get("way") == "around":
+        return Call("plan", "plan", (Option("--from", "start", words[0]), Option("--to", "goal", words[-1])))
+    return Call("path", "path", (Option("--at", "poses", words), *_limit(args)))
+
+
+def _map(subject: Subject, args: Args) -> Call:
+    measure = args.get("measure", "margin")
+    bands = [] if measure == "margin" else [Option("--measure", "measure", measure)]
+    at = _rest(subject, rest_of_map(subject.mechanism, args["over"], args["pose"]), args["over"])
+    return Call("map", "singular_map", (Option("--over", "over", tuple(args["over"])), *at, *bands, *_limit(args)))
+
+
+def _rest(subject: Subject, rest: Any, over: Sequence[str]) -> list[Option]:
+    """What the pose says of the coordinates that are not gone through."""
+    if isinstance(rest, Pose):
+        return [] if rest == Pose() else _at(_words(rest))
+    assert subject.limbs is not None
+    actuators = {a.name: a.angle for a in leading(subject.limbs.linkage)}
+    driven = read_axes(over, subject.unit, actuators)[0].kind == ACTUATOR
+    return _at(_values(rest, frozenset(n for n, angle in actuators.items() if angle) if driven else ANGLES))
+
+
+def _boxes(subject: Subject, args: Args) -> list[Option]:
+    rest = rest_at(subject.mechanism, args["over"], args["pose"])
+    whole = [] if rest == Pose() else _at(_words(rest))
+    named = [("--limits", "limits"), ("--margin", "margin"), ("--cone", "cone"), ("--tilt", "tilt")]
+    options = [Option(flag, name, args[name]) for flag, name in named if args.get(name)]
+    return [Option("--over", "over", tuple(args["over"])), *whole, *options]
+
+
+def _free(subject: Subject, args: Args) -> Call:
+    pose = args["pose"]
+    m = subject.mechanism
+    at: Waypoint = coordinates_at(m, pose, free_coordinates(m.linkage)) if isinstance(m, Limbs) else exact_pose(pose)
+    ball = [Option("--ball", "ball", True)] if args["shape"] == "ball" else []
+    return Call("free", "free_region", (*([] if at_home(pose) else _at(waypoint_text(at))), *ball))
+
+
+def _assemblies(subject: Subject, args: Args) -> Call:
+    here = [] if subject.limbs or at_home(args["pose"]) else _at(_words(exact_pose(args["pose"])))
+    return Call("modes", "assembly_modes", (*here, *_limit(args)))
+
+
+def _boxed(command: str, function: str) -> Callable[[Subject, Args], Call]:
+    def call(subject: Subject, args: Args) -> Call:
+        return Call(command, function, (*_boxes(subject, args), Option("--boxes", "boxes", args["boxes"])))
+
+    return call
+
+
+_CALLS: Mapping[str, Callable[[Subject, Args], Call]] = {
+    "open": lambda subject, args: Call("analyze", "analyze"),
+    "pose": _pose,
+    "path": _path,
+    "map": _map,
+    "assemblies": _assemblies,
+    "aspects": lambda subject, args: Call("aspects", "aspects"),
+    "free": _free,
+    "boxes": _boxed("map boxes", "box_map"),
+    "certify": _boxed("certify", "certify"),
+    "manual": lambda subject, args: Call("analyze", "", (Option("--propose", "", tuple(args["commands"])),)),
+}
+
+
+def _bench(subject: Subject | None, text: str) -> Repeated:
+    """The prompt takes what the bench takes; an expression or a claim alone is a call of Python too."""
+    s = subject.structure if subject else None
+    declared = {"points": [n for n in s.names if not SHORT_NAME.fullmatch(n)], "ideal": list(s.ideal)} if s else {}
+    if not text.strip():
+        raise InputError("the bench is empty")
+    ranks = [f"rank {s.rank}"] if s and s.rank != Context().rank else []
+    start = [*ranks, *(f"{word} {' '.join(names)}" for word, names in declared.items() if names)]
+    shell = "\n".join(["gcrules repl <<'END'", *start, *text.strip().splitlines(), "END"])
+    alone = "\n" not in text.strip() and not ranks and first_word(text.strip()) not in STATEMENTS
+    return {"shell": shell, "python": _evaluated(text.strip(), declared) if alone else "", "file": None}
+
+
+def _evaluated(text: str, declared: Mapping[str, Sequence[str]]) -> str:
+    function = "prove" if "==" in text else "expand"
+    names = (f"{word}={json.dumps(' '.join(names))}" for word, names in declared.items() if names)
+    given = json.dumps(text, ensure_ascii=False)
+    return f"import gcrules as gc\n\nprint(gc.{function}({', '.join([given, *names])}))"
