@@ -688,6 +688,10 @@ export interface Mode {
   name: string;
   verdict: Verdict | null;
   margin: number | null;
+  /** Those of the condition's factors whose zeros are singularities. */
+  signs: string;
+  /** The robot at home in this mode; empty where it does not assemble. */
+  svg: string;
   drives: string;
 }
 

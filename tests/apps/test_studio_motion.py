@@ -451,6 +451,9 @@ def test_modes_are_those_of_gc_working_modes(page: Page) -> None:
     ]
     assert (found["number"], found["ways"]) == (8, ["arm 1, arm 2 and arm 3: 2 ways each"])
     assert page.ask("modes", source=DELTA | {"mode": "-+-"}) == found
+    assert all(bool(m["svg"]) == (m["verdict"] is not None) for m in found["modes"])
+    pictures = [m["svg"] for m in found["modes"] if m["svg"]]
+    assert len(set(pictures)) == len(pictures) > 2
 
 
 def test_a_robot_is_opened_in_a_mode(root: Path, page: Page) -> None:

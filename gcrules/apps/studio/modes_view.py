@@ -9,8 +9,10 @@ from gcrules.apps.studio.subject import Subject, robot_of
 from gcrules.apps.studio.thresholds import threshold_of
 from gcrules.core.budget import report
 from gcrules.core.errors import InputError
+from gcrules.mechanisms.limbs import Limbs
 from gcrules.poses.modes.working import WorkingMode, WorkingModes, working_modes
 from gcrules.views.results.working_modes import amounts, ways
+from gcrules.views.robots.pose_picture import pose_picture
 
 __all__ = ["modes_view"]
 
@@ -22,13 +24,16 @@ def modes_view(subject: Subject, limit: str | None) -> ModesAnswer:
     report("finding the ways of each limb")
     robot = robot_of(subject.source)
     found = working_modes(replace(subject.robot, robot=robot), threshold=threshold_of(limit, ""))
-    return {"modes": [_view(found, mode) for mode in found.modes], "number": found.number, "ways": list(ways(found))}
+    modes = [_view(found, mode, subject.limbs) for mode in found.modes]
+    return {"modes": modes, "number": found.number, "ways": list(ways(found))}
 
 
-def _view(found: WorkingModes, mode: WorkingMode) -> ModeView:
+def _view(found: WorkingModes, mode: WorkingMode, limbs: Limbs | None) -> ModeView:
     return {
         "name": mode.name,
         "verdict": mode.pose.verdict if mode.pose else None,
         "margin": mode.pose.margin if mode.pose else None,
+        "signs": mode.signs,
+        "svg": pose_picture(limbs, mode.pose).svg() if limbs and mode.pose else "",
         "drives": ", ".join(f"{a.name} {v}" for a, v in zip(found.actuators, amounts(found, mode), strict=True)),
     }

@@ -49,6 +49,10 @@ class ModeView(TypedDict):
     name: str
     verdict: Verdict | None
     margin: float | None
+    signs: str
+    """Those of the condition's factors whose zeros are singularities."""
+    svg: str
+    """The robot at home in this mode; empty where it does not assemble."""
     drives: str
 
 

@@ -2,6 +2,7 @@
 import type { Methods, Source } from "../../protocol";
 import { short } from "../lib/format";
 import { useStore } from "../parts/context";
+import { Drawing } from "../parts/drawing";
 import { FaultBox } from "../parts/fault-box";
 import { Seeks } from "./nearest-view";
 
@@ -59,13 +60,16 @@ export function ModeView() {
                 data-testid="mode"
                 onClick={() => open(inMode(source, index === 0 ? undefined : mode.name), panel$.peek())}
               >
+                {mode.svg && <Drawing svg={mode.svg} label={`The robot at home in the working mode ${mode.name}`} />}
                 <span>{mode.name}</span>
-                <strong class={mode.verdict ?? ""}>{mode.margin === null ? "—" : short(mode.margin, 3)}</strong>
+                <strong class={mode.verdict ?? ""}>
+                  {mode.margin === null ? "—" : short(mode.margin, 3)} {mode.signs && <b>{mode.signs}</b>}
+                </strong>
               </button>
             ))}
           </div>
           <p class="tip" role="status">
-            σ at home in each mode. {now.result.ways.join("; ")}.
+            σ at home in each mode, and the signs of the condition's factors. {now.result.ways.join("; ")}.
           </p>
         </>
       )}
