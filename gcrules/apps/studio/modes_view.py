@@ -22,18 +22,18 @@ def modes_view(subject: Subject, limit: str | None) -> ModesAnswer:
     if subject.robot is None:
         raise InputError("a platform on six legs has one working mode")
     report("finding the ways of each limb")
-    robot = robot_of(subject.source)
-    found = working_modes(replace(subject.robot, robot=robot), threshold=threshold_of(limit, ""))
-    modes = [_view(found, mode, subject.limbs) for mode in found.modes]
+    home = replace(subject.robot, robot=robot_of(subject.source))
+    found = working_modes(home, threshold=threshold_of(limit, ""))
+    modes = [_view(found, mode, Limbs.of(home)) for mode in found.modes]
     return {"modes": modes, "number": found.number, "ways": list(ways(found))}
 
 
-def _view(found: WorkingModes, mode: WorkingMode, limbs: Limbs | None) -> ModeView:
+def _view(found: WorkingModes, mode: WorkingMode, limbs: Limbs) -> ModeView:
     return {
         "name": mode.name,
         "verdict": mode.pose.verdict if mode.pose else None,
         "margin": mode.pose.margin if mode.pose else None,
         "signs": mode.signs,
-        "svg": pose_picture(limbs, mode.pose).svg() if limbs and mode.pose else "",
+        "svg": pose_picture(limbs, mode.pose).svg() if mode.pose else "",
         "drives": ", ".join(f"{a.name} {v}" for a, v in zip(found.actuators, amounts(found, mode), strict=True)),
     }
