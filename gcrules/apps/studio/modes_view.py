@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from gcrules.apps.studio.protocol.answer_views import ModesAnswer, ModeView
 from gcrules.apps.studio.subject import Subject, robot_of
 from gcrules.apps.studio.thresholds import threshold_of
@@ -22,9 +20,9 @@ def modes_view(subject: Subject, limit: str | None) -> ModesAnswer:
     if subject.robot is None:
         raise InputError("a platform on six legs has one working mode")
     report("finding the ways of each limb")
-    home = replace(subject.robot, robot=robot_of(subject.source))
-    found = working_modes(home, threshold=threshold_of(limit, ""))
-    modes = [_view(found, mode, Limbs.of(home)) for mode in found.modes]
+    home = Limbs.of(robot_of(subject.source))
+    found = working_modes(home.analysis, threshold=threshold_of(limit, ""))
+    modes = [_view(found, mode, home) for mode in found.modes]
     return {"modes": modes, "number": found.number, "ways": list(ways(found))}
 
 
