@@ -683,6 +683,17 @@ export interface Study {
   model: Model | null;
 }
 
+/** A leg with its length, or an actuator with its amount from home, and what the file says that it reaches; at its unit rate, the others locked, the `speed` of the platform's centre and the `turn` of the platform, with units ("" where there are none). */
+export interface Actuator {
+  name: string;
+  value: number;
+  unit: string;
+  low: number | null;
+  high: number | null;
+  speed: string;
+  turn: string;
+}
+
 /** A working mode at home; its drives are from the home of the file. */
 export interface Mode {
   name: string;
@@ -749,6 +760,9 @@ export interface Numbers {
   /** Unit vectors of points at infinity, in this pose. */
   directions: Record<string, Vec3>;
   notes: string[];
+  /** None where there are no legs or joints with numbers. */
+  actuators: Actuator[];
+  jacobian: FactItem[];
   /** Of the factors of the condition, and of the determinant of the undriven joints' screws: where one changes between two poses, every way between them is singular. */
   signs: Sign[];
 }

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 import gcrules as gc
-from gcrules.apps.studio.moving import displaced, displacement, freedom_axes
+from gcrules.apps.studio.moving import actuator_axes, displaced, displacement, freedom_axes
 from gcrules.apps.studio.numbers import numbers
 from gcrules.apps.studio.protocol.requests import HOME, RobotSource
 from gcrules.apps.studio.subject import Subject, read_subject
@@ -95,6 +95,38 @@ def test_the_page_asks_for_it(page: Page) -> None:
     assert page.ask("open", source={"kind": "example", "name": "octahedral"})["freedoms"] == []
 
 
+# --- actuators at a pose ---------------------------------------------------------------------------------------------
+
+
+def test_legs_with_their_lengths_limits_and_what_they_make(root: Path) -> None:
+    text = (root / "examples" / "octahedral.yaml").read_text("utf-8") + "\nlimits: ab 350..420, af ..500\n"
+    subject = read_subject({"kind": "file", "text": text, "name": "octahedral.yaml"})
+    found = numbers(subject, HOME | {"translation": [10.0, 20.0, 30.0]})
+    same = gc.pose(gc.load(text), "10 20 30", nearest=False).jacobian
+    legs = subject.points
+    moved = {n: np.add(legs[n], [10, 20, 30]) for n in "bdf"}
+    for a in found["actuators"]:
+        base, end = sorted(a["name"], key=lambda n: n in moved)
+        assert a["value"] == pytest.approx(np.linalg.norm(moved[end] - np.array(legs[base], dtype=float)))
+    by = {a["name"]: a for a in found["actuators"]}
+    assert [(by[n]["low"], by[n]["high"]) for n in ("ab", "af", "cb")] == [(350, 420), (0, 500), (0, None)]
+    assert f"{same.amplification.speeds[0]:.4g}" in by["ab"]["speed"]
+    assert f"condition number {same.condition_number:.4g}" in found["jacobian"][0]["value"]
+
+
+def test_actuators_with_their_amounts_and_limits(root: Path) -> None:
+    text = (root / "plugins" / "delta" / "robot.yaml").read_text("utf-8") + "\nlimits: q1 -20..35 deg\n"
+    subject = read_subject({"kind": "file", "text": text, "name": "robot.yaml"})
+    assert subject.limbs is not None
+    first, second, _ = actuator_axes(subject.limbs, subject.size)
+    assert (first["low"], first["high"]) == pytest.approx((-20, 35))
+    assert (second["low"], second["high"]) == (-30, 30)
+    found = numbers(subject, HOME | {"coordinates": [5.0, -3.0, 2.0]})["actuators"]
+    assert [a["value"] for a in found] == pytest.approx([5, -3, 2])
+    assert [a["unit"] for a in found] == ["deg"] * 3
+    assert (found[0]["low"], found[0]["high"], found[1]["low"]) == (pytest.approx(-20), pytest.approx(35), None)
+
+
 # --- in the browser --------------------------------------------------------------------------------------------------
 
 
@@ -159,4 +191,24 @@ def test_handles_and_keys_move_a_robot_with_limbs(desk: Any) -> None:
     desk.run("gcrules.undo()")
     wait_for(desk, 2, 0)
     desk.one("mode-orbit").click()
+    assert desk.faults == []
+
+
+@pytest.mark.browser
+def test_the_table_of_actuators(desk: Any, root: Path) -> None:
+    text = (root / "examples" / "octahedral.yaml").read_text("utf-8") + "\nlimits: ab 350..420\n"
+    desk.run("text => gcrules.open({kind: 'file', text, name: 'octahedral.yaml'})", text)
+    desk.page.wait_for_function("() => gcrules.loaded.value.state === 'ready'")
+    desk.answered()
+    desk.step("check")
+    desk.one("tab-actuators").click()
+    assert desk.text("reach") == "Beyond the limits of the file: ab by 10.12 mm."
+    assert desk.page.locator("[data-testid=actuators] tbody tr").count() == 6
+    assert desk.page.locator("[data-testid=actuators] tr.beyond th").all_inner_texts() == ["ab"]
+    desk.slide("z", -30)
+    desk.answered()
+    desk.page.wait_for_function("() => document.querySelector('[data-testid=reach]').innerText.startsWith('All legs')")
+    desk.open("robot", "delta", "check")
+    desk.one("tab-actuators").click()
+    assert desk.text("reach") == "The file says nothing of what actuators reach."
     assert desk.faults == []

@@ -8,6 +8,7 @@ from math import degrees, isfinite, log10, radians
 
 import numpy as np
 
+from gcrules.apps.studio.actuators_view import actuator_views, jacobian_facts, reaches
 from gcrules.apps.studio.protocol.answer_views import Numbers
 from gcrules.apps.studio.protocol.requests import PoseJson
 from gcrules.apps.studio.protocol.study_views import Axis
@@ -60,7 +61,16 @@ def actuator_axes(limbs: Limbs, size: float) -> list[Axis]:
         actuators = leading(limbs.linkage)
     except InputError:
         return []
-    return [_axis(f"{a.name}, {a.limb}", a.angle, limbs.unit, size) for a in actuators]
+    known = reaches(limbs)
+    return [
+        _within(_axis(f"{a.name}, {a.limb}", a.angle, limbs.unit, size), *known.get(a.name, (None, None)))
+        for a in actuators
+    ]
+
+
+def _within(axis: Axis, low: float | None, high: float | None) -> Axis:
+    """A slider that ends where the actuator does."""
+    return {**axis, "low": axis["low"] if low is None else low, "high": axis["high"] if high is None else high}
 
 
 def coordinate_axes(limbs: Limbs, size: float) -> list[Axis]:
@@ -215,6 +225,8 @@ def numbers_of_limbs(limbs: Limbs, subject: Subject, pose: PoseJson, threshold: 
             f"Assembly mode: {found.mode}.",
             *([] if found.assembly.doubt is None else [f"Branch: {found.assembly.branch}."]),
         ],
+        "actuators": actuator_views(limbs, found.actuator_values, found.jacobian),
+        "jacobian": jacobian_facts(found.jacobian, subject.unit),
         "signs": [
             {"expression": e, "sign": s.sign, "statement": "" if e == DETERMINANT else s.statement}
             for s in signs_of_limbs(limbs, there)

@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gcrules.algebra.evaluate import evaluate
+from gcrules.apps.studio.actuators_view import actuator_views, jacobian_facts
 from gcrules.apps.studio.moving import motion_view, numbers_of_limbs
 from gcrules.apps.studio.protocol.answer_views import Along, Numbers, ReadingView
 from gcrules.apps.studio.protocol.requests import PoseJson
@@ -69,6 +70,7 @@ def _of_legs(m: SixLegs, subject: Subject, pose: PoseJson, threshold: str | None
     at = arrays([pose])
     j = jacobian(m.rig.base, m.rig.ends(*at))
     places = {n: (float(x), float(y), float(z)) for n, ((x, y, z, _),) in homogeneous(m.rig, *at).items()}
+    lengths = dict(zip(found.jacobian.actuators, j.lengths[0].tolist(), strict=True))
     near = found.verdict != "regular"
     return {
         "pose": pose,
@@ -89,6 +91,8 @@ def _of_legs(m: SixLegs, subject: Subject, pose: PoseJson, threshold: str | None
         "skeleton": None,
         "directions": {},
         "notes": list(actuator_notes(found.jacobian.amplification, m.unit)),
+        "actuators": actuator_views(m, lengths, found.jacobian),
+        "jacobian": jacobian_facts(found.jacobian, m.unit),
         "signs": [
             {"expression": s.expression, "sign": s.sign, "statement": s.statement}
             for s in signs_of_legs(m, exact_pose(pose))
@@ -139,6 +143,8 @@ def _by_lines(subject: Subject, pose: PoseJson, limit: Threshold) -> Numbers:
         "skeleton": None,
         "directions": {},
         "notes": [],
+        "actuators": [],
+        "jacobian": [],
         "signs": [],
     }
 

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from gcrules.mechanisms.kinematics.amplification import INDICES, Amplification, Amplifications
 from gcrules.mechanisms.kinematics.transmission import Transmission
+from gcrules.mechanisms.kinematics.wrenches import WrenchJacobian
 from gcrules.views.formulas.latex_text import latex_quantity
 from gcrules.views.text_tables import columns, wrapped
 
@@ -21,6 +22,7 @@ __all__ = [
     "conditioning",
     "conditioning_rows",
     "index_ranges",
+    "jacobian_numbers",
     "transmission_lines",
     "transmission_rows",
 ]
@@ -40,6 +42,14 @@ def conditioning(a: Amplification, unit: str) -> str:
         return words
     closed = f"wrench closure, least tension {_number(a.cables.least)} of the mean one"
     return f"{words}; {closed if a.cables.held else 'wrench closure is lost'}"
+
+
+def jacobian_numbers(j: WrenchJacobian, unit: str) -> str:
+    """ "smallest singular value 0.5, condition number 3; characteristic length 5 mm"."""
+    return (
+        f"smallest singular value {_number(j.smallest_singular_value)}, condition number"
+        f" {_number(j.condition_number)}; characteristic length {j.length:.4g} {unit}"
+    ).rstrip()
 
 
 def amplification_lines(a: Amplification, unit: str) -> Iterator[str]:

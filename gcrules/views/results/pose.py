@@ -12,7 +12,13 @@ from gcrules.poses.numbers.report import PoseReport
 from gcrules.screws.pose import Pose
 from gcrules.screws.threshold import degrees
 from gcrules.views.formulas.latex_text import latex_quantity, latex_table
-from gcrules.views.results.amplification import amplification_lines, conditioning, conditioning_rows, transmission_lines
+from gcrules.views.results.amplification import (
+    amplification_lines,
+    conditioning,
+    conditioning_rows,
+    jacobian_numbers,
+    transmission_lines,
+)
 from gcrules.views.text_tables import ASCII, columns, table, wrapped
 
 __all__ = ["as_latex", "as_text"]
@@ -37,11 +43,7 @@ def _lines(r: PoseReport) -> Iterator[str]:
             ("margin", f"σ = {r.margin:.4g} (0 singular, at most 1; knows neither frame nor unit)"),
             *_meaning(r),
             ("superbracket", f"{decimal(r.superbracket)}{f' {u}⁹' if u else ''}"),
-            (
-                "Jacobian",
-                f"smallest singular value {_small(r.jacobian.smallest_singular_value)}, condition number "
-                f"{_number(r.jacobian.condition_number)}; characteristic length {_length(r.jacobian.length, u)}",
-            ),
+            ("Jacobian", jacobian_numbers(r.jacobian, u)),
             ("actuators", conditioning(r.jacobian.amplification, u)),
             (
                 "accuracy",

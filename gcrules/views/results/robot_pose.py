@@ -15,7 +15,13 @@ from gcrules.screws.pose_text import ANGLES, SHIFTS, TURNS
 from gcrules.screws.threshold import degrees
 from gcrules.views.formulas.latex import latex_name
 from gcrules.views.formulas.latex_text import latex_quantity, latex_table
-from gcrules.views.results.amplification import amplification_lines, conditioning, conditioning_rows, transmission_lines
+from gcrules.views.results.amplification import (
+    amplification_lines,
+    conditioning,
+    conditioning_rows,
+    jacobian_numbers,
+    transmission_lines,
+)
 from gcrules.views.results.singularity_types import in_words
 from gcrules.views.text_tables import ASCII, columns, table, wrapped
 
@@ -41,11 +47,7 @@ def _lines(r: RobotPose) -> Iterator[str]:
             ("robot", f"{r.title} ({r.robot}), at {r.target}"),
             ("pose", _pose(r)),
             ("margin", f"σ = {small(r.margin)} (0 singular, at most 1; knows neither frame nor unit)"),
-            (
-                "Jacobian",
-                f"{len(j.labels)} wrenches, smallest singular value {small(j.smallest_singular_value)}, condition "
-                f"number {_number(j.condition_number)}; characteristic length {_length(j.length, r.unit)}",
-            ),
+            ("Jacobian", f"{len(j.labels)} wrenches, {jacobian_numbers(j, r.unit)}"),
             ("actuators", conditioning(j.amplification, r.unit)),
             (
                 "assembled",

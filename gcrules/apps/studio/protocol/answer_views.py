@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Annotated, Literal, NotRequired, TypedDict
 
 from gcrules.apps.studio.protocol.requests import PoseJson
-from gcrules.apps.studio.protocol.study_views import ConditionView, FaultView, Monomial, Piece
+from gcrules.apps.studio.protocol.study_views import ConditionView, FactItem, FaultView, Monomial, Piece
 from gcrules.core.shapes import OneOf
 from gcrules.views.scene_data import (
     Constructed,
@@ -19,6 +19,7 @@ from gcrules.views.scene_data import (
 )
 
 __all__ = [
+    "ActuatorView",
     "Along",
     "Bench",
     "BenchResult",
@@ -41,6 +42,21 @@ __all__ = [
     "SignView",
     "SingularPoseView",
 ]
+
+
+class ActuatorView(TypedDict):
+    """A leg with its length, or an actuator with its amount from home, and what the file says that it reaches; at its
+    unit rate, the others locked, the `speed` of the platform's centre and the `turn` of the platform, with units (""
+    where there are none).
+    """
+
+    name: str
+    value: float
+    unit: str
+    low: float | None
+    high: float | None
+    speed: str
+    turn: str
 
 
 class ModeView(TypedDict):
@@ -111,6 +127,9 @@ class Numbers(TypedDict):
     directions: dict[str, Vec3]
     """Unit vectors of points at infinity, in this pose."""
     notes: list[str]
+    actuators: list[ActuatorView]
+    """None where there are no legs or joints with numbers."""
+    jacobian: list[FactItem]
     signs: list[SignView]
     """Of the factors of the condition, and of the determinant of the undriven joints' screws: where one changes between
     two poses, every way between them is singular.

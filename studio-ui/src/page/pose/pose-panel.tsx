@@ -2,6 +2,7 @@
 import { useState } from "preact/hooks";
 import { useStore } from "../parts/context";
 import { Tabs } from "../parts/tabs";
+import { ActuatorsTable } from "./actuators-table";
 import { ModeView } from "./mode-view";
 import { NearestView } from "./nearest-view";
 import { ReadingsTable } from "./readings-table";
@@ -13,6 +14,7 @@ import { Timeline } from "./timeline";
 const TABS = [
   { id: "way", label: "Along the way", testid: "tab-way" },
   { id: "readings", label: "Readings", testid: "tab-readings" },
+  { id: "actuators", label: "Actuators", testid: "tab-actuators" },
 ] as const;
 type Tab = (typeof TABS)[number]["id"];
 
@@ -30,7 +32,7 @@ export function PosePanel() {
       {shown.kind === "robot" && shown.axes.length > 0 && <ModeView />}
       <section class="tabbed">
         <Tabs<Tab> name="Numbers" tabs={TABS} current={tab} onChoose={choose} />
-        {tab === "way" ? <Timeline /> : <ReadingsTable />}
+        {tab === "way" ? <Timeline /> : tab === "readings" ? <ReadingsTable /> : <ActuatorsTable />}
       </section>
     </div>
   );
