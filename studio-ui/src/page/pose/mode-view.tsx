@@ -4,6 +4,7 @@ import { short } from "../lib/format";
 import { useStore } from "../parts/context";
 import { FaultBox } from "../parts/fault-box";
 import { Seeks } from "./nearest-view";
+import { Termed } from "../parts/term";
 
 type Mode = Methods["modes"]["result"]["modes"][number];
 
@@ -29,7 +30,9 @@ export function ModeView() {
 
   return (
     <section class="nearest modes" aria-label="Working modes">
-      <h3>Working mode</h3>
+      <h3>
+        <Termed text="Working mode" />
+      </h3>
       {now.state !== "found" && (
         <div class="buttons">
           <button
