@@ -13,6 +13,8 @@ from collections.abc import Iterator
 from pathlib import Path
 from urllib.parse import unquote
 
+from gcrules.views.glossary import markdown
+
 ROOT = Path(__file__).resolve().parent.parent
 
 # The gcrules commands that write pages under docs/; each takes --check.
@@ -71,6 +73,17 @@ def broken_links(page: Path) -> Iterator[str]:
             yield f"{page.relative_to(ROOT)}:{line}: no such heading: {target}"
 
 
+def fresh_glossary(*, write: bool) -> bool:
+    """Whether the glossary is that of the table; it is written first if asked for."""
+    page, text = ROOT / "docs" / "glossary.md", markdown()
+    if write:
+        page.write_text(text, encoding="utf-8")
+    if page.read_text(encoding="utf-8") == text:
+        return True
+    print("docs/glossary.md is stale (python tools/check_docs.py --write)")
+    return False
+
+
 def main(arguments: list[str]) -> int:
     """Run the generators (with ``--check`` unless asked to write), then follow every link."""
     write = "--write" in arguments
@@ -78,6 +91,7 @@ def main(arguments: list[str]) -> int:
     for generator in GENERATORS:
         command = [str(Path(sys.executable).parent / "gcrules"), *generator, *(() if write else ("--check",))]
         stale |= subprocess.run(command, cwd=ROOT).returncode != 0
+    stale |= not fresh_glossary(write=write)
     checked = pages()
     broken = [message for page in checked for message in broken_links(page)]
     print(*broken, sep="\n", end="\n" if broken else "")

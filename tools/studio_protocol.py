@@ -18,15 +18,16 @@ from typing import Any
 from gcrules.apps.studio.protocol import answer_views, motion_views, requests, study_views, where_views
 from gcrules.apps.studio.protocol.methods import METHODS
 from gcrules.core.shapes import EntryCount, OneOf
-from gcrules.views import scene_data
+from gcrules.views import glossary, scene_data
 from gcrules.views.report import stage_ids
 
 TARGET = Path(__file__).resolve().parent.parent / "studio-ui" / "src" / "protocol.ts"
-MODULES = (stage_ids, scene_data, requests, study_views, answer_views, motion_views, where_views)
+MODULES = (stage_ids, glossary, scene_data, requests, study_views, answer_views, motion_views, where_views)
 
 START = """\
 // What the page and the server say to each other over one websocket: JSON, one object a message.
-// Written by `npm run protocol` from gcrules/apps/studio/protocol and gcrules/views/scene_data.py; change those.
+// Written by `npm run protocol` from gcrules/apps/studio/protocol and from scene_data.py and glossary.py of gcrules/views;
+// change those.
 """
 END = """\
 export type Method = keyof Methods;

@@ -173,6 +173,15 @@ function pageActions(store: Store): Action[] {
       words: "theme dark light",
       act: () => void (taste.chosen.value = dark() ? "light" : "dark"),
     },
+    { id: "glossary", title: "Glossary", group: "Page", keys: ["g"], words: "terms words meaning help", act: () => front.glossary() },
+    {
+      id: "hide-term",
+      title: "Put the meaning of a word away",
+      group: "Page",
+      keys: ["Escape"],
+      fits: () => front.term.value !== null,
+      act: () => void (front.term.value = null),
+    },
     {
       id: "leave-large",
       title: "Show the page beside the picture again",

@@ -3,9 +3,11 @@ import { wordsOf } from "../lib/prose";
 import { tone } from "../lib/tint";
 import { useStore } from "./context";
 import { PointNames } from "./point-name";
+import { Termed } from "./term";
 
 export function Prose({ text }: { text: string }) {
   const { study, lit } = useStore();
+  const seen = new Set<string>();
   const on = lit.current.value?.entity;
   return (
     <>
@@ -17,7 +19,7 @@ export function Prose({ text }: { text: string }) {
             <PointNames label={word} />
           </span>
         ) : (
-          word
+          <Termed text={word} seen={seen} />
         ),
       )}
     </>

@@ -5,6 +5,7 @@ import { THRESHOLD } from "../../protocol";
 import { short } from "../lib/format";
 import { along, degreesOf, LEAST } from "../lib/scale";
 import { useStore } from "../parts/context";
+import { Term } from "../parts/term";
 
 const TICKS = [1e-4, 1e-3, 1e-2, 1e-1, 1];
 const WORDS = ["0", "10⁻³", "0.01", "0.1", "1"];
@@ -58,8 +59,8 @@ export function Gauge() {
           </span>
         ))}
       </div>
-      <label class="threshold">
-        <span>ε</span>
+      <div class="threshold">
+        <Term name="threshold">ε</Term>
         <input
           type="text"
           value={threshold}
@@ -68,7 +69,7 @@ export function Gauge() {
           title="Closer than this is close: how far a leg may turn (0.5 deg), or how far the platform may shift (20 mm; slower)"
           onChange={(event) => edit({ threshold: event.currentTarget.value.trim() || THRESHOLD })}
         />
-      </label>
+      </div>
     </div>
   );
 }

@@ -5,6 +5,7 @@ import { useStore } from "../parts/context";
 import { Drawing } from "../parts/drawing";
 import { FaultBox } from "../parts/fault-box";
 import { Seeks } from "./nearest-view";
+import { Termed } from "../parts/term";
 
 type Mode = Methods["modes"]["result"]["modes"][number];
 
@@ -30,7 +31,9 @@ export function ModeView() {
 
   return (
     <section class="nearest modes" aria-label="Working modes">
-      <h3>Working mode</h3>
+      <h3>
+        <Termed text="Working mode" />
+      </h3>
       {now.state !== "found" && (
         <div class="buttons">
           <button

@@ -6,6 +6,7 @@ import { FaultBox } from "../parts/fault-box";
 import { short } from "../lib/format";
 import { samePose } from "../state/doc";
 import type { Seeking } from "../state/seeking";
+import { Termed } from "../parts/term";
 
 const KINDS = ["translation", "rotation", "combined"] as const;
 const LABELS: Record<string, string> = { translation: "translation", rotation: "rotation", combined: "both" };
@@ -47,7 +48,9 @@ export function NearestView() {
 
   return (
     <section class="nearest" aria-label="Nearest singular pose">
-      <h3>Nearest singular pose by</h3>
+      <h3>
+        <Termed text="Nearest singular pose by" />
+      </h3>
       <div class="buttons">
         {KINDS.map((kind) => {
           const one = found.find((f) => f.kind === kind);

@@ -3,6 +3,7 @@ import { useComputed } from "@preact/signals";
 import { useStore } from "../parts/context";
 import { FaultBox } from "../parts/fault-box";
 import { isKnown, lengthOf, Seeks } from "./nearest-view";
+import { Termed } from "../parts/term";
 
 export function SearchView() {
   const { seeker, moving, pose$ } = useStore();
@@ -18,7 +19,9 @@ export function SearchView() {
 
   return (
     <section class="nearest" aria-label="Singular poses around">
-      <h3>Singular poses around</h3>
+      <h3>
+        <Termed text="Singular poses around" />
+      </h3>
       <div class="buttons">
         {!nearest && (
           <button

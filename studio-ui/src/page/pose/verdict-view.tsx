@@ -6,6 +6,7 @@ import { steady } from "../lib/format";
 import { useStore } from "../parts/context";
 import { FaultBox } from "../parts/fault-box";
 import { Icon, type IconName } from "../parts/icon";
+import { Term } from "../parts/term";
 import { Gauge } from "./gauge";
 
 const WORDS: Record<Verdict, [string, IconName]> = {
@@ -43,9 +44,13 @@ export function VerdictView() {
           <Icon name={icon} size={20} /> {word}
         </p>
         <dl>
-          <dt title={SCALES[study.value?.kind ?? "platform"]}>value</dt>
+          <dt>
+            <Term name="value">value</Term>
+          </dt>
           <dd data-testid="value">{texts.value}</dd>
-          <dt title={MARGIN}>σ</dt>
+          <dt>
+            <Term name="margin">σ</Term>
+          </dt>
           <dd data-testid="margin">{texts.margin}</dd>
         </dl>
       </div>

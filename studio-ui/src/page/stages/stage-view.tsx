@@ -5,6 +5,7 @@ import { Schematic } from "../parts/drawing";
 import { EntityChip } from "../parts/entity-chip";
 import { Icon } from "../parts/icon";
 import { Prose } from "../parts/prose";
+import { Termed } from "../parts/term";
 import { Zoom } from "../parts/zoom";
 import { foundBy } from "../state/scene";
 import { ConditionView } from "./condition-view";
@@ -49,7 +50,9 @@ export function StageView({ study, stage, number }: { study: Study; stage: Stage
         <p class="over">
           Step {number} of {study.stages.length}
         </p>
-        <h2 id="stage-title">{stage.title}</h2>
+        <h2 id="stage-title">
+          <Termed text={stage.title} />
+        </h2>
         <p class="why">
           <Prose text={stage.why} />
         </p>

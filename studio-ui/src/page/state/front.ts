@@ -2,7 +2,12 @@
 import { signal, type ReadonlySignal, type Signal } from "@preact/signals";
 
 export interface Front {
-  dialog: Signal<"palette" | "keys" | "repeat" | null>;
+  dialog: Signal<"palette" | "keys" | "repeat" | "glossary" | null>;
+  /** The word whose meaning is shown; `pinned` until it is put away. */
+  term: Signal<{ name: string; word: HTMLElement; pinned: boolean } | null>;
+  /** The term that the glossary was opened for. */
+  wanted: ReadonlySignal<string | null>;
+  glossary(wanted?: string): void;
   notice: ReadonlySignal<string>;
   /** Says what has been done, where nothing else on the page shows it. */
   tell(words: string): void;
@@ -12,9 +17,19 @@ const LASTS = 2600; // milliseconds that a notice stays
 
 export function createFront(): Front {
   const notice = signal("");
+  const dialog: Front["dialog"] = signal(null);
+  const term: Front["term"] = signal(null);
+  const wanted = signal<string | null>(null);
   let timer = 0;
   return {
-    dialog: signal(null),
+    dialog,
+    term,
+    wanted,
+    glossary(one) {
+      wanted.value = one ?? null;
+      term.value = null;
+      dialog.value = "glossary";
+    },
     notice,
     tell(words) {
       notice.value = words;

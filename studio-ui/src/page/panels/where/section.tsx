@@ -2,6 +2,7 @@
 import type { ComponentChildren } from "preact";
 import type { Account, Method, Methods } from "../../../protocol";
 import { FaultBox } from "../../parts/fault-box";
+import { Termed } from "../../parts/term";
 import { Seeks } from "../../pose/nearest-view";
 import type { Runner } from "../../state/running";
 import { Facts } from "../motion/facts";
@@ -24,11 +25,15 @@ export function Question<M extends "assemblies" | "aspects" | "free" | "boxes" |
   const now = runner.now.value;
   return (
     <section class={name} aria-label={title}>
-      <h3>{title}</h3>
+      <h3>
+        <Termed text={title} />
+      </h3>
       <div class="ask">
         {fields}
         <div class="row">
-          <span class="told">{why}</span>
+          <span class="told">
+            <Termed text={why} />
+          </span>
           {ask}
         </div>
       </div>

@@ -1,0 +1,256 @@
+"""The terms of the field as gcrules uses them: for the glossary of the guide, and for the words of the studio.
+
+>>> print(markdown().splitlines()[0])
+# Glossary
+"""
+
+from __future__ import annotations
+
+__all__ = ["GLOSSARY", "markdown"]
+
+GLOSSARY = (
+    {
+        "term": "actuator",
+        "forms": "actuators|actuated",
+        "meaning": "A joint that is driven. Its amount counts from home.",
+        "guide": "Robots in motion",
+        "page": "robot-numbers.md",
+    },
+    {
+        "term": "aspect",
+        "forms": "aspects",
+        "meaning": (
+            "A part of the poses of a robot within which it gets from each pose to each other without a singular "
+            "pose between."
+        ),
+        "guide": "Which poses hang together",
+        "page": "aspects.md",
+    },
+    {
+        "term": "assembly mode",
+        "forms": "assembly modes",
+        "meaning": (
+            "One of the poses that the platform can take while its actuators are held: a real solution of the "
+            "direct kinematics."
+        ),
+        "guide": "Assembly modes",
+        "page": "modes.md",
+    },
+    {
+        "term": "bracket",
+        "forms": "brackets",
+        "meaning": "The determinant [abcd] of four points. It is zero exactly when they lie in one plane.",
+        "guide": "Bracket",
+        "page": "course/bracket.md",
+    },
+    {
+        "term": "certificate",
+        "forms": "certificates",
+        "meaning": (
+            "The proof that a whole range of poses has no singular one, as a file that can be checked again; or a "
+            "singular pose of it."
+        ),
+        "guide": "Certificates",
+        "page": "certify.md",
+    },
+    {
+        "term": "couple",
+        "forms": "couples",
+        "meaning": "A pure moment, without a force. Its line lies at infinity.",
+        "guide": "Joints at infinity and couples",
+        "page": "lines.md#joints-at-infinity-and-couples",
+    },
+    {
+        "term": "equivalent lines",
+        "forms": "equivalent structure|equivalent line",
+        "meaning": (
+            "Six lines that stand for everything the limbs can apply to the platform while the actuators are locked."
+        ),
+        "guide": "From limbs to lines",
+        "page": "procedure/four-dof.md#from-limbs-to-lines",
+    },
+    {
+        "term": "extensor",
+        "forms": "extensors",
+        "meaning": "Points written side by side: the point, line or plane that they span, with a weight and a sign.",
+        "guide": "Extensors",
+        "page": "course/extensor.md",
+    },
+    {
+        "term": "gained motion",
+        "forms": "",
+        "meaning": (
+            "A motion that the platform can make at a singular pose, to first order, although its actuators are locked."
+        ),
+        "guide": "At a singular pose",
+        "page": "pose.md#at-a-singular-pose",
+    },
+    {
+        "term": "join",
+        "forms": "joins",
+        "meaning": (
+            "The smallest space that holds two others: of two points the line, of a line and a point the plane "
+            "through them."
+        ),
+        "guide": "Join",
+        "page": "course/join.md",
+    },
+    {
+        "term": "left-over points",
+        "forms": "left-over point",
+        "meaning": (
+            "Points of the terms that no plane, line or tetrahedron takes up. They are shared out over the "
+            "brackets in all ways, with signs."
+        ),
+        "guide": "Left-over points",
+        "page": "procedure/octahedral.md#7-left-over-points",
+    },
+    {
+        "term": "limb",
+        "forms": "limbs",
+        "meaning": "A chain of joints and links from the base to the platform.",
+        "guide": "Robots and their joints",
+        "page": "robots.md",
+    },
+    {
+        "term": "locus",
+        "forms": "",
+        "meaning": "The set of all singular poses: where one polynomial in the numbers of a pose is zero.",
+        "guide": "The locus as a polynomial",
+        "page": "locus.md",
+    },
+    {
+        "term": "margin",
+        "forms": "σ|margins",
+        "meaning": (
+            "The number σ from 0 at a singular pose to at most 1, the same in every frame and unit. It says how "
+            "well the legs or limbs hold the platform."
+        ),
+        "guide": "The measure",
+        "page": "pose.md#the-measure",
+    },
+    {
+        "term": "meet",
+        "forms": "",
+        "meaning": (
+            "The space that two others have in common, as an extensor: of a line and a plane the point, of two "
+            "planes the line."
+        ),
+        "guide": "Meet",
+        "page": "course/meet.md",
+    },
+    {
+        "term": "operation mode",
+        "forms": "operation modes",
+        "meaning": "One of the sets of poses that the limbs leave to the platform while no actuator is locked.",
+        "guide": "Operation modes",
+        "page": "operation-modes.md",
+    },
+    {
+        "term": "Plücker coordinates",
+        "forms": "",
+        "meaning": "Six numbers that say where a line is, up to a common factor.",
+        "guide": "Coordinates of a line",
+        "page": "course/extensor.md#coordinates-of-a-line",
+    },
+    {
+        "term": "shortest form",
+        "forms": "",
+        "meaning": "The superbracket written with the fewest terms over all orders of the six legs.",
+        "guide": "Shortest form",
+        "page": "procedure/octahedral.md#3-shortest-form",
+    },
+    {
+        "term": "singular pose",
+        "forms": "singular poses|singular configuration|singularity|singularities",
+        "meaning": (
+            "A pose in which the six lines depend on each other: the platform can move, to first order at least, "
+            "although the actuators are locked."
+        ),
+        "guide": "Superbracket",
+        "page": "course/superbracket.md",
+    },
+    {
+        "term": "straightening",
+        "forms": "standard tableaux|normal form",
+        "meaning": (
+            "Rewriting a polynomial in brackets into its one normal form of standard tableaux, by which equality "
+            "is decided."
+        ),
+        "guide": "Syzygies and straightening",
+        "page": "course/straightening.md",
+    },
+    {
+        "term": "superbracket",
+        "forms": "superbrackets",
+        "meaning": (
+            "The determinant of six lines, written in brackets of their points. The robot is singular exactly "
+            "when it is zero."
+        ),
+        "guide": "Superbracket",
+        "page": "course/superbracket.md",
+    },
+    {
+        "term": "tetrahedron",
+        "forms": "tetrahedra",
+        "meaning": (
+            "A bracket that all terms have in common. If its four points come to lie in one plane, the robot is "
+            "singular."
+        ),
+        "guide": "Tetrahedra",
+        "page": "procedure/octahedral.md#4-tetrahedra",
+    },
+    {
+        "term": "threshold",
+        "forms": "ε",
+        "meaning": (
+            "What counts as close: how far a leg may turn, or how far the platform may shift. A pose is called "
+            "close where σ does not exclude a singular one within."
+        ),
+        "guide": "What the numbers mean",
+        "page": "pose.md#what-the-numbers-mean",
+    },
+    {
+        "term": "twist",
+        "forms": "twists",
+        "meaning": "A motion at an instant: a turn about an axis together with a shift along it.",
+        "guide": "Screws",
+        "page": "screws.md",
+    },
+    {
+        "term": "value",
+        "forms": "",
+        "meaning": (
+            "The superbracket over its scale: without unit, with its sign, zero at a singular pose. Without "
+            "equivalent lines σ stands there."
+        ),
+        "guide": "The studio",
+        "page": "studio.md#in-space",
+    },
+    {
+        "term": "working mode",
+        "forms": "working modes",
+        "meaning": (
+            "One of the ways in which the limbs can hold the platform in the same place, such as elbows in or out."
+        ),
+        "guide": "Working modes",
+        "page": "working-modes.md",
+    },
+    {
+        "term": "wrench",
+        "forms": "wrenches",
+        "meaning": "What a limb applies to the platform: a force along a line together with a moment about it.",
+        "guide": "Screws",
+        "page": "screws.md",
+    },
+)
+"""In the order of the alphabet. `forms` are other words for the same, between bars; `page` is a page of the guide."""
+
+
+def markdown() -> str:
+    """The page of the guide."""
+    rows = [
+        f"**{e['term'][0].upper()}{e['term'][1:]}**. {e['meaning']} ([{e['guide']}]({e['page']}))" for e in GLOSSARY
+    ]
+    start = "The terms as gcrules uses them. The [studio](studio.md#words) shows the same at its words."
+    return "\n\n".join(["# Glossary", start, *rows]) + "\n"

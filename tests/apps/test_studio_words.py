@@ -1,0 +1,76 @@
+"""The words of the studio: every term of the glossary says what it means, to mouse, keyboard and touch."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import pytest
+
+pytest.importorskip("starlette", reason="needs the extra gcrules[studio]")
+pytest.importorskip("playwright", reason="needs the extra gcrules[dev]")
+
+from studio_page import TIMEOUT, Desk
+
+pytestmark = pytest.mark.browser
+
+
+@pytest.fixture
+def desk(sit_down: Callable[..., Desk]) -> Desk:
+    return sit_down().visit()
+
+
+def word(desk: Desk, term: str) -> Any:
+    return desk.page.locator(f"[data-term='{term}']").first
+
+
+@pytest.mark.parametrize(("kind", "name"), [("example", "octahedral"), ("robot", "delta")])
+def test_words_by_mouse_and_keyboard(desk: Desk, kind: str, name: str) -> None:
+    desk.open(kind, name, "superbracket")
+    tip = desk.one("term-tip")
+    word(desk, "superbracket").hover()
+    tip.wait_for()
+    assert "determinant of six lines" in tip.inner_text()
+    assert "In the guide: Superbracket" in tip.inner_text()
+    tip.hover()  # it stays while it is read
+    desk.page.wait_for_timeout(400)
+    assert tip.is_visible()
+    desk.page.mouse.move(2, 400)
+    tip.wait_for(state="detached")
+    word(desk, "margin").focus()
+    desk.page.keyboard.press("Shift+Tab")
+    desk.page.keyboard.press("Tab")
+    tip.wait_for()
+    assert word(desk, "margin").get_attribute("aria-describedby") == "term-tip"
+    desk.page.keyboard.press("Escape")
+    tip.wait_for(state="detached")
+    word(desk, "value").click()
+    assert "over its scale" in tip.inner_text()
+    box, size = tip.bounding_box(), desk.page.viewport_size
+    assert 0 <= box["x"] <= size["width"] - box["width"]
+    assert 0 <= box["y"] <= size["height"] - box["height"]
+    desk.one("term-more").click()
+    assert desk.page.locator("[data-wanted=true] dt").inner_text() == "value"
+    desk.one("glossary-search").fill("elbows")
+    assert desk.page.locator(".glossary dt").all_inner_texts() == ["working mode"]
+    desk.one("glossary-close").click()
+    assert desk.faults == []
+
+
+def test_words_by_touch(desk: Desk) -> None:
+    context = desk.page.context.browser.new_context(
+        viewport={"width": 390, "height": 844}, has_touch=True, is_mobile=True, reduced_motion="reduce"
+    )
+    try:
+        phone = Desk(context.new_page(), desk.server).visit().open("robot", "delta", "limbs")
+        phone.page.set_default_timeout(TIMEOUT)
+        phone.page.locator("[data-term]").first.tap()
+        tip = phone.one("term-tip")
+        tip.wait_for()
+        box = tip.bounding_box()
+        assert box["x"] >= 0
+        assert box["x"] + box["width"] <= 390
+        phone.page.touchscreen.tap(200, 20)
+        tip.wait_for(state="detached")
+    finally:
+        context.close()
