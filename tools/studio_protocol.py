@@ -26,7 +26,7 @@ MODULES = (stage_ids, glossary, scene_data, requests, study_views, answer_views,
 
 START = """\
 // What the page and the server say to each other over one websocket: JSON, one object a message.
-// Written by `npm run protocol` from gcrules/apps/studio/protocol and from scene_data.py and glossary.py of gcrules/views;
+// Written by `npm run protocol` from gcrules/apps/studio/protocol, and scene_data.py and glossary.py of gcrules/views:
 // change those.
 """
 END = """\
