@@ -26,8 +26,8 @@ MODULES = (stage_ids, glossary, scene_data, requests, study_views, answer_views,
 
 START = """\
 // What the page and the server say to each other over one websocket: JSON, one object a message.
-// Written by `npm run protocol` from gcrules/apps/studio/protocol, and scene_data.py and glossary.py of gcrules/views:
-// change those.
+// Written by `npm run protocol` from gcrules/apps/studio/protocol and from scene_data.py and glossary.py
+// of gcrules/views; change those.
 """
 END = """\
 export type Method = keyof Methods;

@@ -1,6 +1,6 @@
 // What the page and the server say to each other over one websocket: JSON, one object a message.
-// Written by `npm run protocol` from gcrules/apps/studio/protocol, and scene_data.py and glossary.py of gcrules/views:
-// change those.
+// Written by `npm run protocol` from gcrules/apps/studio/protocol and from scene_data.py and glossary.py
+// of gcrules/views; change those.
 
 /** Those that the studio leads through, in sequence; a robot of joints begins with the first two. */
 export const STAGE_IDS = ["limbs", "equivalent", "structure", "superbracket", "shortest", "tetrahedra", "planes", "lines", "left-over", "condition", "statement", "check"] as const;

@@ -27,15 +27,20 @@ export function svgPicture({ model, split, sight, labels, theme, title }: Shot):
 
 /** A data URL of a PNG picture; `drawn` is the drawing without its labels, else it is painted from SVG. */
 export async function pngPicture(shot: Shot, drawn: HTMLCanvasElement | null): Promise<string> {
-  if (drawn) return pixels(shot, drawn, shot.labels);
+  if (drawn) return pngOf(shot, drawn, shot.labels);
   const image = new Image();
   image.src = `data:image/svg+xml;charset=utf-8,${encodeURIComponent(svgPicture(shot))}`;
   await image.decode();
-  return pixels(shot, image, []);
+  return pngOf(shot, image, []);
 }
 
-function pixels({ sight, theme }: Shot, image: CanvasImageSource, labels: readonly Placed[]): string {
+function pngOf(shot: Shot, image: CanvasImageSource, labels: readonly Placed[]): string {
   const canvas = document.createElement("canvas");
+  paintPixels(canvas, shot, image, labels);
+  return canvas.toDataURL("image/png");
+}
+
+export function paintPixels(canvas: HTMLCanvasElement, { sight, theme }: Shot, image: CanvasImageSource, labels: readonly Placed[]): void {
   canvas.width = 2 * sight.width;
   canvas.height = 2 * sight.height;
   const pen = canvas.getContext("2d")!;
@@ -45,5 +50,4 @@ function pixels({ sight, theme }: Shot, image: CanvasImageSource, labels: readon
   pen.fillRect(0, 0, sight.width, sight.height);
   pen.drawImage(image, 0, 0, sight.width, sight.height);
   drawLabels(pen, labels, paper);
-  return canvas.toDataURL("image/png");
 }

@@ -7,7 +7,7 @@ import { poseInWords } from "./keys";
 import { modelOf } from "./model";
 import { placeTags } from "./overlay";
 import { entityAt, pointAt } from "./picking";
-import { pngPicture, svgPicture, type Shot } from "./picture";
+import { paintPixels, pngPicture, svgPicture, type Shot } from "./picture";
 import { carried, IDENTITY } from "./pose";
 import { calm, Rig } from "./rig";
 import { Surface, titleOf } from "./surface";
@@ -35,6 +35,8 @@ class Stage implements Viewer, Reach {
   private pointed: Pointed | null = null;
   private readonly hidden = new Set<Layer>();
   private animated = false;
+  /** How far the gained motion has swung, from −1 to 1, while it is filmed. */
+  private filmed: number | null = null;
 
   private readonly easel: Easel;
   private readonly gizmo: Gizmo | null = null;
@@ -156,18 +158,39 @@ class Stage implements Viewer, Reach {
   }
 
   async snapshot(kind: "png" | "svg"): Promise<string> {
+    const shot = this.shot();
+    if (kind === "svg") return svgPicture(shot);
+    this.paintAlone();
+    return pngPicture(shot, this.easel.canvas);
+  }
+
+  film(canvas: HTMLCanvasElement, swing: number | null): boolean {
+    const drawn = this.easel.canvas;
+    if (!drawn) return false;
+    this.filmed = swing;
+    this.stale = true;
+    const shot = this.shot();
+    this.paintAlone();
+    paintPixels(canvas, shot, drawn, shot.labels);
+    this.filmed = null;
+    this.changed();
+    return true;
+  }
+
+  private shot(): Shot {
     const model = this.fresh();
     const { sight } = this.rig;
-    const labels = placeTags(model, sight);
-    const shot: Shot = { model, split: this.split, sight, labels, theme: this.theme, title: titleOf(this.scene) };
-    if (kind === "svg") return svgPicture(shot);
+    return { model, split: this.split, sight, labels: placeTags(model, sight), theme: this.theme, title: titleOf(this.scene) };
+  }
+
+  /** Paints the drawing without the handles of the platform. */
+  private paintAlone(): void {
     const handles = this.gizmo?.helper;
     const shown = handles?.visible ?? false;
     if (handles) handles.visible = false;
-    this.easel.paint(this.rig.camera, sight);
+    this.easel.paint(this.rig.camera, this.rig.sight);
     if (handles) handles.visible = shown;
     this.request();
-    return pngPicture(shot, this.easel.canvas);
   }
 
   dispose(): void {
@@ -225,7 +248,7 @@ class Stage implements Viewer, Reach {
     this.stale = false;
     const points = [...(this.wish?.points ?? []), ...(this.pointed?.point ? [this.pointed.point] : [])];
     const entities = [...(this.wish?.entities ?? []), ...(this.pointed?.entity ? [this.pointed.entity] : [])];
-    const swing = this.animated ? (calm() ? 1 : Math.sin((2 * Math.PI * now) / SWING)) : null;
+    const swing = this.filmed ?? (this.animated ? (calm() ? 1 : Math.sin((2 * Math.PI * now) / SWING)) : null);
     const highlight = { points, entities, legs: this.wish?.legs ?? [] };
     this.model = modelOf(this.posed(), { theme: this.theme, highlight, hidden: this.hidden, swing });
     this.split = splitDrawing(this.model);

@@ -1,4 +1,5 @@
 // Report, derivation, figures, data and a link, to take away.
+import { Embed } from "./take-away/embed";
 import { Link } from "./take-away/link";
 import { SECTIONS } from "./take-away/formats";
 import { OfferRow } from "./take-away/offer";
@@ -25,6 +26,7 @@ export function TakeAway({ store }: PanelProps) {
         </section>
       ))}
       <Link />
+      <Embed />
     </div>
   );
 }

@@ -1,7 +1,7 @@
 // What can be taken away, in words.
 import type { Format } from "../../../protocol";
 
-export type Thing = Exclude<Format, "png"> | "view-png" | "view-svg";
+export type Thing = Exclude<Format, "png"> | "view-png" | "view-svg" | "view-way" | "view-motion";
 
 export interface Offer {
   thing: Thing;
@@ -9,6 +9,9 @@ export interface Offer {
   badge: string;
   words: string;
 }
+
+/** What cannot be shown before it is saved. */
+export const UNSEEN: readonly Thing[] = ["pdf", "view-way", "view-motion"];
 
 export const SECTIONS: readonly { title: string; offers: readonly Offer[] }[] = [
   {
@@ -35,6 +38,8 @@ export const SECTIONS: readonly { title: string; offers: readonly Offer[] }[] = 
       { thing: "pdf", title: "Figure", badge: "PDF", words: "The same for LaTeX." },
       { thing: "view-png", title: "3D view", badge: "PNG", words: "The picture on the right as it stands." },
       { thing: "view-svg", title: "3D view", badge: "SVG", words: "The same as vectors." },
+      { thing: "view-way", title: "The way, played once", badge: "WEBM", words: "A film of the picture on the right, of the way that was driven or given." },
+      { thing: "view-motion", title: "The gained motion", badge: "WEBM", words: "A film of it, two swings to and fro, at a singular pose." },
     ],
   },
   {

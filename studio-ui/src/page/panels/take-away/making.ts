@@ -1,6 +1,7 @@
 // Makes files, and keeps them as long as structure and pose stay the same.
 import type { Saved } from "../../../protocol";
 import type { Doc } from "../../state/doc";
+import { filmed } from "../../state/filming";
 import type { Store } from "../../state/store";
 import type { Thing } from "./formats";
 
@@ -16,6 +17,11 @@ export const keyOf = ({ source, pose, threshold }: Doc): string => JSON.stringif
 
 export async function make(store: Store, thing: Thing, signal: AbortSignal, tell: (words: string) => void): Promise<Made> {
   if (thing === "view-png" || thing === "view-svg") return viewed(store, thing === "view-png" ? "png" : "svg");
+  if (thing === "view-way" || thing === "view-motion") {
+    const film = thing === "view-way" ? "way" : "motion";
+    const blob = await filmed(store, film, signal, tell);
+    return { name: fileName(store.study.peek()?.title, `${film}.webm`), blob, text: null };
+  }
   const { source, pose, threshold } = store.doc.peek();
   if (!source) throw new Error("nothing is open");
   const saved = await store.client.ask("save", { source, pose, what: thing, threshold }, { signal, progress: tell });

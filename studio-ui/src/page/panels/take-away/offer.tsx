@@ -5,7 +5,7 @@ import { useStore } from "../../parts/context";
 import { FaultBox } from "../../parts/fault-box";
 import { Icon } from "../../parts/icon";
 import { faultOf } from "../../state/studying";
-import type { Offer } from "./formats";
+import { UNSEEN, type Offer } from "./formats";
 import { download } from "../../lib/download";
 import { keyOf, make, sizeOf, type Made } from "./making";
 import { Preview } from "./preview";
@@ -76,7 +76,7 @@ export function OfferRow({ offer }: { offer: Offer }) {
             </button>
           </span>
         )}
-        {!busy && thing !== "pdf" && (
+        {!busy && !UNSEEN.includes(thing) && (
           <button type="button" class="quiet" aria-expanded={open} aria-label={`Preview: ${label}`} onClick={() => void look()} data-testid={`look-${thing}`}>
             {open ? "Hide" : "Preview"}
           </button>
