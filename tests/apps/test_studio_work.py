@@ -61,6 +61,10 @@ def test_everything_is_done_by_commands(desk: Desk, kind: str, name: str) -> Non
     assert desk.run("gcrules.space.large.value") is True
     desk.page.keyboard.press("Escape")
     assert desk.run("gcrules.space.large.value") is False
+    for kind in ("png", "svg"):
+        with desk.page.expect_download() as saving:
+            command(desk, f"save picture {kind}")
+        assert saving.value.suggested_filename.endswith(f"view.{kind}")
     desk.run("gcrules.edit({threshold: '1 deg'})")
     command(desk, "undo")
     assert desk.run("gcrules.threshold$.value") != "1 deg"

@@ -1,5 +1,7 @@
 // What the picture in 3D offers: what the mouse does, standard views, what is shown.
 import type { Layer, Mode, View } from "../../viewer";
+import { download } from "../lib/download";
+import { viewed } from "../panels/take-away/making";
 import type { IconName } from "../parts/icon";
 import type { Store } from "../state/store";
 import type { Action } from "./table";
@@ -50,6 +52,14 @@ export function pictureActions(store: Store): Action[] {
       fits,
       act: () => void (space.large.value = !space.large.peek()),
     },
+    ...(["png", "svg"] as const).map((kind): Action => ({
+      id: `save-${kind}`,
+      title: `Save the picture as ${kind.toUpperCase()}`,
+      group: "Picture",
+      words: "download export screenshot snapshot figure",
+      fits,
+      act: () => void viewed(store, kind).then(download),
+    })),
     ...MODES.map(([mode, title]): Action => ({
       id: `mode-${mode}`,
       title: `Mouse: ${title.toLowerCase()}`,

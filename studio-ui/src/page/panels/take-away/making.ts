@@ -33,7 +33,8 @@ export function madeOf({ name, mime, data, binary }: Saved): Made {
   return { name, blob: new Blob([binary ? bytesOf(data) : data], { type: mime }), text: binary ? null : data };
 }
 
-async function viewed(store: Store, kind: "png" | "svg"): Promise<Made> {
+/** The picture in 3D as it stands. */
+export async function viewed(store: Store, kind: "png" | "svg"): Promise<Made> {
   const viewer = store.space.viewer.peek();
   if (!viewer) throw new Error("there is no picture in 3D");
   const picture = await viewer.snapshot(kind);
