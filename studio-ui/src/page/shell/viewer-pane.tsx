@@ -38,7 +38,7 @@ function Legend() {
   const extra = space.overlay.value;
   const own = extra?.alone ? [] : shown.entities.filter(({ id }) => found === null || found.includes(id));
   return (
-    <div class="legend" aria-label="Entities">
+    <div class="legend" role="group" aria-label="Entities" tabIndex={0}>
       {own.length === 0 && "Drag to look around. Point at a joint, a leg or a bracket: it lights up everywhere."}
       {own.map((entity) => (
         <EntityChip key={entity.id} entity={entity} named={false} />
