@@ -76,14 +76,16 @@ FORMS: dict[str, Forms] = {
     "gcrules.conditions.transversals.Transversals": _result("transversals"),
     "gcrules.conditions.analysis.Analysis": Forms(
         text=f"{_RESULTS}.analysis:as_text",
-        latex=f"{_VIEWS}.formulas.latex_document:as_latex",
+        latex=f"{_VIEWS}.paper.paper:as_latex",
         formula=f"{_RESULTS}.analysis:formula",
         html=f"{_VIEWS}.report.report:fragment",
     ),
     "gcrules.conditions.manual.session.ManualSession": _in_ascii("manual"),
     "gcrules.conditions.manual.outcome.ProposalOutcome": _in_ascii("manual", text="outcome", latex="outcome_latex"),
     # mechanisms
-    "gcrules.mechanisms.conditions.robot_analysis.RobotAnalysis": _result("robot", formula=f"{_RESULTS}.robot:formula"),
+    "gcrules.mechanisms.conditions.robot_analysis.RobotAnalysis": Forms(
+        text=f"{_RESULTS}.robot:as_text", latex=f"{_VIEWS}.paper.paper:as_latex", formula=f"{_RESULTS}.robot:formula"
+    ),
     "gcrules.mechanisms.models.imported.Imported": _told("imported"),
     # poses: their LaTeX is a table
     "gcrules.poses.numbers.report.PoseReport": _result("pose", formula=""),

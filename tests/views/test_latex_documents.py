@@ -83,17 +83,14 @@ def long_platform(path: Path, folder: Path) -> str:
 
 ALL_CLASSES = {e.id: e.legs for e in load().entries}
 
-ANALYSES: Mapping[str, Callable[[Path], str]] = {
+PAPERS: Mapping[str, Callable[[Path], str]] = {
     **{f"example {p.stem}": lambda _, p=p: command("analyze", str(p), "--latex", "--full") for p in PLATFORMS},
     **{f"long {p.stem}": lambda t, p=p: command("analyze", long_platform(p, t), "--latex") for p in PLATFORMS},
     **{f"studio {p.stem}": lambda _, p=p: studio({"kind": "example", "name": p.stem}) for p in PLATFORMS},
     **{f"class {c}": lambda _, c=c: gc.analyze(ALL_CLASSES[c]).latex() for c in ALL_CLASSES},
     **{f"long class {c}": lambda _, c=c: gc.analyze(long_legs(ALL_CLASSES[c])).latex() for c in ALL_CLASSES},
     **{f"robot {r}": lambda _, r=r: analyze_robot(read_robot(r)).latex() for r in ROBOTS},
-    **{f"studio {r}": lambda _, r=r: studio({"kind": "robot", "id": r}) for r in ROBOTS},
-    "words": lambda _: latex_document([rf"\section*{{{latex_words(HARD_TITLE)}}}"]),
-    "every sign": lambda _: latex_document(rf"{latex_words(chr(c))}\par" for c in SAMPLE_OF_SIGNS),
-    "units": lambda _: latex_document(latex_quantity(-3e-7, u, 9) for u in (*UNITS, "deg", "rad")),
+    "studio delta": lambda _: studio({"kind": "robot", "id": "delta"}),
 }
 
 FORMULAS = {
@@ -122,6 +119,9 @@ TABLES = {
 
 OUTPUTS = {
     **{name: lambda _, a=a: formula(command(*a, "--latex")) for name, a in FORMULAS.items()},
+    "words": lambda _: latex_document([rf"\section*{{{latex_words(HARD_TITLE)}}}"]),
+    "every sign": lambda _: latex_document(rf"{latex_words(chr(c))}\par" for c in SAMPLE_OF_SIGNS),
+    "units": lambda _: latex_document(latex_quantity(-3e-7, u, 9) for u in (*UNITS, "deg", "rad")),
     **{name: lambda _, a=a: latex_document([command(*a, "--latex")]) for name, a in TABLES.items()},
 }
 
@@ -129,36 +129,65 @@ OUTPUTS = {
 # --- set by LaTeX ---------------------------------------------------------------------------------------------------
 
 
-def faults(documents: Mapping[str, str], folder: Path) -> dict[str, str]:
-    """What pdflatex finds at fault, for each document; they stand in one file, so they must begin alike."""
+ONE, TWO = "[10pt]{article}", "[10pt,twocolumn]{article}"
+WORKS = re.compile(r"\\begin\{filecontents\}.*?\\end\{filecontents\}\n", re.DOTALL)
+
+
+def faults(documents: Mapping[str, str], folder: Path, engine: str = "pdflatex", columns: str = ONE) -> dict[str, str]:
+    """What LaTeX finds at fault, for each document; they stand in one file, so they must begin alike."""
     begin, end = "\\begin{document}", "\\end{document}"
-    heads = {d.partition(begin)[0] for d in documents.values()}
+    heads = {WORKS.sub("", d.partition(begin)[0]) for d in documents.values()}
     assert len(heads) == 1
-    lines = [heads.pop() + begin]
+    lines = [heads.pop().replace(ONE, columns) + begin]
     for n, document in enumerate(documents.values()):
         body, closed, rest = document.partition(begin)[2].rpartition(end)
         assert closed
         assert not rest.strip()
-        lines += [f"\\typeout{{document {n}.}}{{%", body, "}\\clearpage"]
+        lines += [f"\\typeout{{document {n}.}}\\setcounter{{section}}{{0}}{{%", body, "}\\clearpage"]
     (folder / "all.tex").write_text("\n".join([*lines, end]), encoding="utf-8")
-    run = ["pdflatex", "-draftmode", "-interaction=nonstopmode", "all.tex"]
+    run = [engine, "-draftmode", "-interaction=nonstopmode", "all.tex"]
     subprocess.run(run, cwd=folder, capture_output=True, timeout=300, check=False)
     log = (folder / "all.log").read_text(encoding="latin-1")
     _, *parts = re.split(r"^document \d+\.$", log, flags=re.MULTILINE)
     assert len(parts) == len(documents), log[-2000:]
     found = {}
     for name, part in zip(documents, parts, strict=True):
-        at = re.search(r"^(! .*|Missing character: .*)", part, re.MULTILINE)
+        at = re.search(r"^(! .*|Missing character: .*)", part, re.MULTILINE) or too_wide(part)
         if at:
             found[name] = part[at.start() : at.start() + 400]
     return found
 
 
+def too_wide(log: str) -> re.Match[str] | None:
+    """The first line that stands out into the margin."""
+    boxes = re.finditer(r"^Overfull \\hbox \((\d+)\.\d*pt too wide\)", log, re.MULTILINE)
+    return next((m for m in boxes if int(m[1]) > MOST_TOO_WIDE), None)
+
+
+MOST_TOO_WIDE = 12  # points
+
+
+@pytest.fixture(scope="module")
+def papers(tmp_path_factory: pytest.TempPathFactory) -> dict[str, str]:
+    """Every paper, as one document each."""
+    folder = tmp_path_factory.mktemp("papers")
+    return {name: make(folder) for name, make in PAPERS.items()}
+
+
 @pytest.mark.needs("pdflatex")
-@pytest.mark.parametrize("table", [ANALYSES, OUTPUTS], ids=["analyses", "outputs"])
-def test_documents_compile(table: Mapping[str, Callable[[Path], str]], tmp_path: Path) -> None:
-    documents = {name: make(tmp_path) for name, make in table.items()}
-    assert faults(documents, tmp_path) == {}
+@pytest.mark.parametrize("columns", [ONE, TWO], ids=["one column", "two columns"])
+def test_papers_compile(papers: dict[str, str], columns: str, tmp_path: Path) -> None:
+    assert faults(papers, tmp_path, columns=columns) == {}
+
+
+@pytest.mark.needs("lualatex")
+def test_papers_compile_with_lualatex(papers: dict[str, str], tmp_path: Path) -> None:
+    assert faults(papers, tmp_path, "lualatex", TWO) == {}
+
+
+@pytest.mark.needs("pdflatex")
+def test_outputs_compile(tmp_path: Path) -> None:
+    assert faults({name: make(tmp_path) for name, make in OUTPUTS.items()}, tmp_path) == {}
 
 
 @pytest.mark.needs("pdflatex")

@@ -33,6 +33,8 @@ COMMANDS = {
     ),
     "export": ("gcrules.apps.cli.export:export", "Write the condition as source code for a controller."),
     "report": ("gcrules.apps.cli.legs:report", "Write the analysis as a self-contained HTML page."),
+    "paper": ("gcrules.apps.cli.paper:paper", "Write the analysis as a section of a paper in LaTeX."),
+    "cite": ("gcrules.apps.cli.paper:cite", "Print how to cite gcrules, as BibTeX."),
     "studio": ("gcrules.apps.cli.studio:studio", "Open a page that leads through an analysis, in the browser."),
     "prove": ("gcrules.apps.cli.algebra:prove", 'Decide an identity "LHS == RHS".'),
     "expand": ("gcrules.apps.cli.algebra:expand", "Expand an expression into brackets."),

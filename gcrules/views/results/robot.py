@@ -1,4 +1,4 @@
-r"""Analyses of robots as plain text and as LaTeX."""
+r"""Analyses of robots as plain text."""
 
 from __future__ import annotations
 
@@ -6,7 +6,6 @@ import textwrap
 from collections.abc import Iterator
 
 from gcrules.algebra import expr as ex
-from gcrules.algebra.expr import Expr
 from gcrules.algebra.language.text import text
 from gcrules.core.english import listed
 from gcrules.mechanisms.conditions.common_factor import CommonFactor, Subset
@@ -14,9 +13,6 @@ from gcrules.mechanisms.conditions.factor_causes import KINDS, FactorCause
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.mechanisms.lines.serial import LimbCondition, LimbSingularity
 from gcrules.mechanisms.lines.wrenches import LimbWrenches, WrenchLine
-from gcrules.views.formulas.latex import latex_lines
-from gcrules.views.formulas.latex_text import latex_document
-from gcrules.views.formulas.latex_text import latex_words as words
 from gcrules.views.report.dimension_items import dimension_lines
 from gcrules.views.report.stage_ids import TITLES
 from gcrules.views.results.derivation import ascii_words
@@ -26,9 +22,9 @@ __all__ = [
     "FACTORS",
     "LIMBS",
     "LINES",
-    "as_latex",
     "as_text",
     "factor_kind",
+    "factor_words",
     "formula",
     "leading_sentences",
     "sections",
@@ -210,38 +206,12 @@ def _wrapped(words: str, indent: int = 0) -> list[str]:
 # --- LaTeX ---
 
 
-def as_latex(a: RobotAnalysis) -> str:
-    """A document with the limbs, the identity of the lines, the factors and the statement."""
-    out = [rf"\section*{{{words(a.robot.title)}}}", *(rf"{words(said)}\par" for said in leading_sentences(a))]
-    if a.structure.limbs:
-        out += [r"\subsection*{Limbs}", *(rf"{words(_limb(limb))}\par" for limb in a.structure.limbs)]
-    if a.wrenches:
-        out += [r"\subsection*{Wrenches that are no such lines, at home}"]
-        out += [rf"{words(str(one))}\par" for one in a.wrenches]
-    if a.condition is not None and a.lines is not None:
-        left = ex.mul(a.condition.cofactor, a.lines.structure.superbracket)
-        out += [r"\subsection*{Condition of the lines}", _display(left, a.condition.right_side)]
-        out += [r"\subsection*{Factors}"]
-        out += [f"{_display(None, p.expression)}\n{words(_told(p))}" for p in a.parts]
-    if a.common is not None and a.lines is not None:
-        out += [rf"\subsection*{{All {_NUMBERS[a.robot.family.plane]}-subsets of the limbs' lines}}"]
-        out += [rf"{words(line)}\par" for line in _common(a, a.common, True)]
-    if a.dimensions is not None:
-        out += [rf"\subsection*{{{TITLES['dimensions']}}}"]
-        out += [rf"{words(line)}\par" for line in dimension_lines(a.dimensions)]
-    return latex_document([*out, r"\subsection*{Certificate}", words(a.certificate)])
-
-
-def _told(part: FactorCause) -> str:
+def factor_words(part: FactorCause) -> str:
+    """The kind of a factor and when it vanishes."""
     if part.same is not None:
         return f"{part.kind}; implies that {text(part.same, unicode=True)} is zero"
     said = f"zero where {part.statement}" if part.statement else KINDS[part.kind]
     return "; ".join(filter(None, (factor_kind(part), part.reason or said, part.remark)))
-
-
-def _display(left: Expr | None, right: Expr) -> str:
-    lines = [*([f"{line} = " for line in latex_lines(left)] if left else []), *latex_lines(right)]
-    return "\\begin{align*}\n" + " \\\\\n".join(lines) + "\n\\end{align*}"
 
 
 def formula(a: RobotAnalysis) -> str | None:

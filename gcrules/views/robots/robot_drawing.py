@@ -31,7 +31,7 @@ from gcrules.views.robots.lines import (
 from gcrules.views.robots.picture import robot_shapes
 from gcrules.views.robots.scene import HEIGHT, WIDTH, Scene, scene
 
-__all__ = ["draw_robot", "draw_singular", "motion_of", "robot_thumbnail"]
+__all__ = ["draw_parts", "draw_robot", "draw_singular", "motion_of", "robot_thumbnail"]
 
 _ROW = 22.0
 _REACH = 2.0  # how far from the middle of the robot something is drawn, in its radii
@@ -40,9 +40,7 @@ _NAMES = "MNXYZ"
 
 def draw_robot(a: RobotAnalysis, values: Values) -> Drawing:
     """The robot with its wrenches, and beside it the lines that stand for them, in one configuration."""
-    shown = entities(a, live_parts(a)) if a.lines else ()
-    s = scene(a, values, _normals(a, shown, values))
-    s = s.holding(structure_extent(s, shown))
+    s, shown = _in_configuration(a, values)
     right = structure_shapes(s, shown) if a.structure.lines else []
     return _beside(
         robot_shapes(s),
@@ -51,6 +49,31 @@ def draw_robot(a: RobotAnalysis, values: Values) -> Drawing:
         robot_legend(s, shown, None),
         f"{a.robot.title} with its joints and wrenches, and its equivalent structure",
     )
+
+
+def draw_parts(a: RobotAnalysis, values: Values) -> tuple[Drawing, ...]:
+    """The same as figures of their own, each as narrow as a column: the robot, then the lines, if there are such, with
+    what lies at infinity and the legend below them.
+    """
+    s, shown = _in_configuration(a, values)
+    entries = robot_legend(s, shown, None)
+    robot, title = robot_shapes(s), f"{a.robot.title} with its joints and wrenches"
+    if not a.structure.lines:
+        return (Drawing(WIDTH, HEIGHT + _legend_height(entries, WIDTH), (*robot, *_legend(entries, WIDTH)), title),)
+    lines = structure_shapes(s, shown)
+    sky = [mapped(one, 1.0, (-2 * WIDTH + (WIDTH - SKY) / 2, (HEIGHT + SKY) / 2)) for one in _sky(s, None)]
+    legend = _legend(entries, WIDTH)
+    below = SKY + 8 if sky else 0.0
+    shapes = (*lines, *sky, *(mapped(one, 1.0, (0.0, below)) for one in legend))
+    height = HEIGHT + below + _legend_height(entries, WIDTH)
+    return Drawing(WIDTH, HEIGHT, tuple(robot), title), Drawing(WIDTH, height, shapes, "its equivalent structure")
+
+
+def _in_configuration(a: RobotAnalysis, values: Values) -> tuple[Scene, Sequence[DrawnFlat]]:
+    """The scene, and the flats of the condition."""
+    shown = entities(a, live_parts(a)) if a.lines else ()
+    s = scene(a, values, _normals(a, shown, values))
+    return s.holding(structure_extent(s, shown)), shown
 
 
 def draw_singular(a: RobotAnalysis, pose: SingularPose) -> Drawing:
@@ -158,12 +181,22 @@ def _beside(
     shapes: list[Shape] = [*left, *(mapped(one, 1.0, (WIDTH, 0.0)) for one in right), *sky]
     shapes += [Stroke((WIDTH, 30), (WIDTH, HEIGHT - 20), "muted", 0.8, opacity=0.5)] if right else []
     shapes += [Text(((k + 0.5) * WIDTH, 18), (Run(words),), 14, "middle", "muted") for k, words in enumerate(halves)]
-    rows = entry_rows(entries, width - 24)
-    for k, row in enumerate(rows):
+    shapes += _legend(entries, width)
+    return Drawing(width, HEIGHT + _legend_height(entries, width), tuple(shapes), title)
+
+
+def _legend(entries: Sequence[Entry], width: float) -> list[Shape]:
+    """The legend below a picture."""
+    shapes: list[Shape] = []
+    for k, row in enumerate(entry_rows(entries, width - 24)):
         x = 12.0
         for entry in row:
             y = HEIGHT + 8 + _ROW * k + _ROW / 2
             shapes += [mapped(one, 1.0, (x + SAMPLE / 2, y)) for one in entry[0]]
             shapes.append(Text((x + SAMPLE + 4, y + 4.2), entry[1], SIZE))
             x += entry_width(entry)
-    return Drawing(width, HEIGHT + 16 + _ROW * len(rows), tuple(shapes), title)
+    return shapes
+
+
+def _legend_height(entries: Sequence[Entry], width: float) -> float:
+    return 16 + _ROW * len(entry_rows(entries, width - 24))

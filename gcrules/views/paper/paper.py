@@ -1,0 +1,126 @@
+"""The files of a paper: the section with its figures and works, and a document that sets them."""
+
+from __future__ import annotations
+
+import os
+from os import PathLike, fspath
+
+from gcrules.conditions.analysis import Analysis
+from gcrules.core.errors import FileError
+from gcrules.core.files import check_name, held, write_file
+from gcrules.core.version import __version__
+from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
+from gcrules.views.drawing.drawing import Drawing
+from gcrules.views.paper.bibliography import references
+from gcrules.views.paper.formulas import MACROS, named_words
+from gcrules.views.paper.section import appendix, keys, section, slug
+from gcrules.views.paper.subject import Figure, Subject, subject_of
+from gcrules.views.paper.tikz import at_column_width, tikz, trimmed
+
+__all__ = ["as_latex", "files_of", "save"]
+
+_MARK = "% gcrules paper"
+"""How each of the files begins: what begins otherwise is somebody's own, and is not overwritten."""
+
+_CLASS = r"\documentclass[10pt]{article}"
+_PREAMBLE = r"""\usepackage[T1]{fontenc}
+\usepackage{lmodern}
+\usepackage{amsmath,amsthm}
+\usepackage{tikz}
+\newtheorem{theorem}{Theorem}
+\newtheorem{observation}[theorem]{Observation}
+\emergencystretch=2em
+\allowdisplaybreaks"""
+_NEEDED = "needs the packages amsmath, amsthm and tikz, and theorem environments `theorem` and `observation`"
+
+
+def files_of(a: Analysis | RobotAnalysis, *, full: bool = False) -> dict[str, str]:
+    """The files by name: section.tex, figure.tex (and figure-2.tex), references.bib, main.tex; if `full` appendix.tex."""
+    s = subject_of(a)
+    head = f"{_MARK}, version {__version__}; sha256 of the analysis {s.digest}\n"
+    pictures, placed = {}, []
+    for n, (figure, drawing) in enumerate(_drawn(s), 1):
+        name = f"figure{f'-{n}' * (n > 1)}"
+        pictures[f"{name}.tex"] = f"{head}{tikz(drawing)}\n"
+        placed.append(_placed(s, n, figure, drawing, rf"\input{{{name}}}"))
+    body = section(s, placed, full=full)
+    more = {"appendix.tex": f"{head}{appendix(s)}"} if full else {}
+    return {
+        "section.tex": f"{head}% {_NEEDED}\n{MACROS}\n\n{body}",
+        **more,
+        **pictures,
+        "references.bib": head + references(keys(s)),
+        "main.tex": head
+        + _document(f"{_CLASS} % or [10pt,twocolumn]", r"\input{section}", r"\input{appendix}" if full else ""),
+    }
+
+
+def as_latex(a: Analysis | RobotAnalysis, *, full: bool = False) -> str:
+    """The same as one document that brings its list of works along."""
+    s = subject_of(a)
+    placed = [_placed(s, n, figure, drawing, tikz(drawing)) for n, (figure, drawing) in enumerate(_drawn(s), 1)]
+    works = f"\\begin{{filecontents}}{{references.bib}}\n{references(keys(s))}\\end{{filecontents}}\n"
+    return works + _document(_CLASS, f"{MACROS}\n\n{section(s, placed, full=full)}", appendix(s) if full else "")
+
+
+def save(a: Analysis | RobotAnalysis, folder: str | PathLike[str], *, full: bool = False) -> tuple[str, ...]:
+    """Write the files into a folder, which is made if need be; all of them appear, or none.
+
+    Returns their names. Raises FileError where that is not possible, and where a file of one of these names was not
+    written by gcrules.
+    """
+    where = fspath(folder)
+    check_name(where)
+    made = files_of(a, full=full)
+    if os.path.exists(where) and not os.path.isdir(where):
+        raise FileError("this is a file, expected a directory", filename=where, hint="-o names the directory")
+    for name in made:
+        _check_own(os.path.join(where, name))
+    try:
+        os.makedirs(where, exist_ok=True)
+    except OSError as fault:
+        raise FileError(f"cannot be made: {fault.strerror}", filename=where) from None
+    paths = tuple(os.path.join(where, name) for name in made)
+    with held():
+        for path, content in zip(paths, made.values(), strict=True):
+            write_file(path, content)
+    return paths
+
+
+def _check_own(path: str) -> None:
+    if not os.path.lexists(path):
+        return
+    try:
+        with open(path, encoding="utf-8", errors="replace") as file:
+            own = file.read(len(_MARK)) == _MARK
+    except OSError as fault:
+        raise FileError(f"cannot be read: {fault.strerror}", filename=path) from None
+    if not own:
+        raise FileError(
+            "there is a file of this name that gcrules did not write",
+            filename=path,
+            hint="choose another directory; a file that begins with the line of gcrules paper is replaced",
+        )
+
+
+def _drawn(s: Subject) -> list[tuple[Figure, Drawing]]:
+    """The figures, each with its drawing as it is printed."""
+    return [(figure, trimmed(figure.drawing)) for figure in s.figures()]
+
+
+def _placed(s: Subject, number: int, figure: Figure, drawing: Drawing, picture: str) -> str:
+    return "\n".join(
+        [
+            r"\begin{figure}[t]",
+            r"\centering",
+            at_column_width(picture, drawing.width),
+            rf"\caption{{{named_words(figure.caption, s.names)}.}}\label{{fig:{slug(s)}-{number}}}",
+            r"\end{figure}",
+        ]
+    )
+
+
+def _document(first: str, body: str, more: str) -> str:
+    added = [r"\appendix", more] if more else []
+    works = [r"\bibliographystyle{plain}", r"\bibliography{references}"]
+    return "\n".join([first, _PREAMBLE, r"\begin{document}", body, *added, *works, r"\end{document}", ""])

@@ -1,0 +1,286 @@
+"""A section for a paper: structure, theorem and proof, numbers, how sure it is; and an appendix of steps."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+
+from gcrules.algebra.expr import ONE, Bracket, Expr, Meet, Point
+from gcrules.conditions.analysis import Analysis
+from gcrules.conditions.gained_motion import factors
+from gcrules.core.english import listed
+from gcrules.core.version import __version__
+from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
+from gcrules.mechanisms.lines.wrenches import LimbWrenches, WrenchLine
+from gcrules.rules.condition import Condition
+from gcrules.views.formulas.latex_text import latex_words
+from gcrules.views.paper.bibliography import OWN_KEY, cited_in
+from gcrules.views.paper.formulas import breakable, displayed, equation, inline, itemized, named_words, sentence
+from gcrules.views.paper.subject import Subject
+from gcrules.views.results.derivation import reasons
+from gcrules.views.results.robot import CONDITION, FACTORS, LIMBS, LINES, factor_words, leading_sentences, sections
+
+__all__ = ["appendix", "keys", "section", "slug"]
+
+_ALGEBRA = ("White1983", "McMillanWhite1991", "SinguLab2008")
+_SHORT = 8  # terms of a form that stands in the proof
+_COUNTS = {3: "three", 6: "six", 10: "ten"}
+
+
+def section(s: Subject, figures: Sequence[str], *, full: bool = False) -> str:
+    """The section; `figures` are the pictures as LaTeX, with their captions. `full` refers to the appendix of steps."""
+    parts = [rf"\section{{{latex_words(s.title)}}}\label{{sec:{slug(s)}}}", *_structure(s, len(figures))]
+    parts += [*figures, *_result(s), *_limits(s), *_numbers(s), _sure(s, full)]
+    return "\n\n".join(filter(None, parts)) + "\n"
+
+
+def slug(s: Subject) -> str:
+    """A word for labels, made of the letters of the title."""
+    return re.sub(r"[^a-z0-9]+", "-", s.title.lower()).strip("-") or "robot"
+
+
+def keys(s: Subject) -> tuple[str, ...]:
+    """The works that the section cites, gcrules left out."""
+    return (*_ALGEBRA, *cited_in(s.source))
+
+
+# --- structure -----------------------------------------------------------------------------------------------------
+
+
+def _structure(s: Subject, figures: int) -> Iterator[str]:
+    shown = f" (Fig.~\\ref{{fig:{slug(s)}-1}})" if figures else ""
+    if s.robot and s.robot.robot.limbs:
+        yield from _of_joints(s, s.robot, shown)
+    else:
+        assert s.lines is not None
+        yield _of_legs(s.lines, shown) + _works(s)
+    if s.lines is not None:
+        yield _NOTATION
+
+
+_NOTATION = (
+    r"A point is the column of its homogeneous coordinates, a bracket $[\cdots]$ the determinant of such columns;"
+    r" points side by side, or $\vee$, denote the join, and $\wedge$ the meet of flats. The superbracket"
+    rf" $[\![\cdots]\!]$ is the determinant of the Pl\"{{u}}cker coordinates of lines~\cite{{{','.join(_ALGEBRA)}}}."
+)
+
+
+def _of_legs(a: Analysis, shown: str) -> str:
+    s = a.structure
+    number = _COUNTS.get(len(s.legs), str(len(s.legs)))
+    words = f"We consider two rigid bodies{shown} that are joined by {number} legs."
+    if s.base and s.platform:
+        words = f"We consider a parallel robot{shown} whose platform is joined to its base by {number} legs."
+    words += f" Legs that share a joint share its name: they are the lines {_listed(s.lines)}."
+    if s.base and s.platform:
+        words += f" The joints of the base are {_points(s.base)}, those of the platform {_points(s.platform)}."
+    if s.ideal:
+        words += f" At infinity {'lie' if len(s.ideal) > 1 else 'lies'} {_points(s.ideal)}."
+    if s.given:
+        words += f" It is assumed: {latex_words(', '.join(map(str, s.given)))}."
+    if a.match:
+        words += f" This is class {latex_words(a.match.entry.id)} of the catalog of gcrules~\\cite{{{OWN_KEY}}}."
+    return words
+
+
+def _of_joints(s: Subject, a: RobotAnalysis, shown: str) -> Iterator[str]:
+    t = a.structure
+    words = f"We consider the robot {latex_words(a.robot.title)}{shown}, with the limbs {latex_words(a.robot.chain)}."
+    words += f" Its platform has mobility {t.mobility}"
+    words += f", and there are {t.overconstraints} overconstraints" * (t.overconstraints > 0)
+    words += f" and {t.redundant} actuators beyond the freedoms" * (t.redundant > 0)
+    yield f"{words}.{_works(s)} With the actuators locked its limbs apply these wrenches:"
+    yield itemized(map(_limb, t.limbs))
+    if a.wrenches:
+        yield "Wrenches at home that are no such lines:"
+        yield itemized(latex_words(str(one)) for one in a.wrenches)
+    if s.lines is not None:
+        chosen = ", chosen among those of all limbs," * (t.redundant > 0 or t.over > 0)
+        words = f"So the lines{chosen} {_listed(s.lines.structure.lines)} stand for the robot."
+        if t.ideal:
+            words += f" At infinity {'lie' if len(t.ideal) > 1 else 'lies'} {_points(t.ideal)}."
+        named = [f"${breakable(Point(n))}$ is {latex_words(what)}" for n, what in t.named]
+        yield words + (f" Here {'; '.join(named)}." if named else "")
+
+
+def _limb(limb: LimbWrenches) -> str:
+    what = f"{latex_words(limb.limb.name)} ({latex_words(limb.limb.chain)}): {latex_words(limb.kind)}"
+    if limb.lines is None:
+        return f"{what}; no lines that can be named span it"
+    return f"{what}, spanned by {listed([_line(one) for one in limb.lines])}"
+
+
+def _line(line: WrenchLine) -> str:
+    ends = r"\gcbreak\,".join(breakable(Point(n)) for n in line.ends)
+    ends = ends.replace(r"\gcbreak\,", "") if all(len(n) < 4 for n in line.ends) else ends
+    return f"the {'couple' if line.couple else 'force'} ${ends}$" + " (constraint)" * (line.role == "constraint")
+
+
+def _works(s: Subject) -> str:
+    found = cited_in(s.source)
+    return f" See~\\cite{{{','.join(found)}}}." if found else ""
+
+
+def _listed(lines: Sequence[Expr]) -> str:
+    return listed([inline(e) for e in lines])
+
+
+def _points(names: Sequence[str]) -> str:
+    return listed([f"${breakable(Point(n))}$" for n in names])
+
+
+# --- theorem and proof ---------------------------------------------------------------------------------------------
+
+
+def _result(s: Subject) -> Iterator[str]:
+    said = latex_words(s.whose) + sentence(s.meaning, [n for n, _ in s.condition.lines] if s.condition else ())
+    if s.condition is None or s.lines is None:
+        yield from (latex_words(one) for one in leading_sentences(s.robot) if s.robot and one != str(s.meaning))
+        yield said
+        return
+    kind = "theorem" if s.proved else "observation"
+    identity = equation(*s.sides, f"eq:{slug(s)}")
+    within = "Suppose that the limbs apply the wrenches above. " if s.robot and s.robot.robot.limbs else ""
+    lead = "The identity" if s.proved else "At all points tried, the identity"
+    yield "\n".join(
+        [
+            rf"\begin{{{kind}}}[{{{latex_words(s.title)}}}]\label{{thm:{slug(s)}}}",
+            f"{lead}\n{identity}\nholds. {within}{said}",
+            rf"\end{{{kind}}}",
+        ]
+    )
+    yield "\n".join([r"\begin{proof}" + _heading(s), *_proof(s, s.lines), r"\end{proof}"])
+
+
+def _heading(s: Subject) -> str:
+    if not s.proved:
+        return "[How sure this is]"
+    return "[Proof of the identity, and how sure the rest is]" if s.robot and s.robot.robot.limbs else ""
+
+
+def _proof(s: Subject, a: Analysis) -> Iterator[str]:
+    assert s.condition is not None
+    number = _COUNTS.get(len(a.structure.legs), str(len(a.structure.legs)))
+    yield (
+        f"With the actuators locked the platform can move to first order exactly if the {number} lines are linearly"
+        " dependent, that is, if the superbracket vanishes."
+    )
+    yield _certified(s, s.condition)
+    terms = a.shortest.polynomial
+    if a.shortest.form and s.condition.kind != "always-singular" and 0 < len(terms) <= _SHORT:
+        whole = (terms * a.shortest.sign).to_expr()
+        yield f"Expanded, the superbracket has {len(terms)} term{'s' * (len(terms) > 1)}:"
+        yield displayed("", whole) + r"\noindent"
+    yield from _vanishing(s.condition.expression)
+    if s.condition.cofactor != ONE:
+        yield (
+            f"Where the cofactor {inline(s.condition.cofactor)} vanishes, both sides do, whether or not the robot is"
+            " singular; there the identity decides nothing."
+        )
+
+
+def _certified(s: Subject, c: Condition) -> str:
+    """How sure the identity is, and of a robot of joints what else was found."""
+    if s.robot and s.robot.robot.limbs:
+        detail = s.robot.certificate
+        return f"{latex_words(detail[:1].upper() + detail[1:])}."
+    detail = c.certificate.detail
+    if detail.startswith("proved"):
+        return f"Identity~\\eqref{{eq:{slug(s)}}} is {latex_words(detail)}."
+    return f"Identity~\\eqref{{eq:{slug(s)}}} {'' if detail.startswith('holds') else 'is '}{latex_words(detail)}."
+
+
+def _vanishing(e: Expr) -> Iterator[str]:
+    """When the kinds of factors that occur vanish."""
+    found = factors(e)
+    if len(found) > 1:
+        yield "The product vanishes exactly if one of its factors does."
+    if any(isinstance(f, Bracket) for f in found):
+        yield "A bracket vanishes exactly if its points do not span the whole space."
+    if any(isinstance(f, Meet) for f in found):
+        yield (
+            "A meet of value $0$ says that the flats have a point in common, possibly at infinity, or that one of them"
+            " is not determined."
+        )
+
+
+# --- what else is known --------------------------------------------------------------------------------------------
+
+_LIMBS_ALONE = "Singularities of the limbs by themselves"
+_TOLD = (LIMBS, LINES, CONDITION, FACTORS, "Wrenches that are no such lines, at home", "Certificate")
+
+
+def _limits(s: Subject) -> Iterator[str]:
+    """Factors of a robot's condition told apart, and the singularities of its limbs."""
+    a = s.robot
+    if a is None:
+        always = s.lines.dimensions.architecture.sentence if s.lines and s.lines.dimensions else ""
+        yield latex_words(always)
+        return
+    if len(a.parts) > 1 or any(p.kind in ("never", "choice", "limb") for p in a.parts):
+        yield r"\paragraph{Factors.} The factors of the right side are, for this robot:"
+        yield itemized(f"{inline(p.expression)}: {named_words(factor_words(p), s.names)}" for p in a.parts)
+    if a.cofactors:
+        yield f"Of the left side {listed([inline(e) for e in a.cofactors])} may vanish in poses that are not singular."
+    for title, lines in sections(a, True):
+        if title.startswith(_LIMBS_ALONE):
+            yield rf"\paragraph{{{latex_words(title)}.}}"
+            yield itemized(named_words(line, s.names) for line in lines)
+
+
+def _numbers(s: Subject) -> Iterator[str]:
+    report = s.numbers()
+    if report is None:
+        return
+    caption = f"{latex_words(s.title)}: numbers in the pose of the file"
+    yield "\n".join(
+        [
+            r"\begin{table}[t]",
+            rf"\centering\caption{{{caption}}}\label{{tab:{slug(s)}}}",
+            r"\small",
+            report.latex(),
+            r"\end{table}",
+        ]
+    )
+    yield (
+        f"Table~\\ref{{tab:{slug(s)}}} lists the numbers in the pose of the file; the margin $\\sigma$ is $0$ in"
+        " singular poses."
+    )
+
+
+def _sure(s: Subject, full: bool) -> str:
+    steps = f", the steps stand in Appendix~\\ref{{app:{slug(s)}}}" * full
+    return (
+        rf"\paragraph{{Reproducibility.}} Computed with gcrules, version {__version__}~\cite{{{OWN_KEY}}}{steps}. The"
+        rf" SHA-256 digest of the analysis with its certificate begins with \texttt{{{s.digest[:16]}}}."
+    )
+
+
+# --- the appendix --------------------------------------------------------------------------------------------------
+
+
+def appendix(s: Subject) -> str:
+    """Every single step of the derivation, and what else is known of a robot of joints."""
+    return "\n\n".join(_steps(s)) + "\n"
+
+
+def _steps(s: Subject) -> Iterator[str]:
+    yield rf"\section{{Steps of the derivation}}\label{{app:{slug(s)}}}"
+    if s.lines is not None:
+        d = s.lines.unfolded()
+        if d.steps:
+            if str(s.lines.condition.expression) != str(s.condition and s.condition.expression):
+                yield "The steps lead to the reading with the smallest cofactor."
+            yield displayed("", d.before)
+            words = reasons(d)
+            for step in d.steps:
+                if step.steps:
+                    yield latex_words(f"{step.rule}: {step.why}")
+                for single in step.steps or (step,):
+                    yield f"{displayed('{}=', single.after)}\n\\noindent {latex_words(next(words))}"
+                yield from (f"assuming that {inline(e)} is not $0$" for e in step.assumed)
+    if s.robot is not None:
+        for title, lines in sections(s.robot, True):
+            if title not in _TOLD and not title.startswith(_LIMBS_ALONE):
+                yield rf"\paragraph{{{latex_words(title)}.}}"
+                yield itemized(map(latex_words, lines))

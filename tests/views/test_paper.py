@@ -1,0 +1,153 @@
+"""A section for a paper: its files, figures and works, and what is said as proved."""
+
+from __future__ import annotations
+
+import re
+import subprocess
+from pathlib import Path
+
+import pytest
+from commands import invoke
+from places import EXAMPLES, ROOT
+
+import gcrules as gc
+from gcrules.core.version import __version__
+from gcrules.views.drawing.drawing import Circle, Drawing, Polygon, Run, Stroke, Text
+from gcrules.views.paper.bibliography import cited_in, own_entry, references
+from gcrules.views.paper.paper import files_of, save
+from gcrules.views.paper.tikz import tikz, trimmed
+
+OCTAHEDRAL = EXAMPLES / "octahedral.yaml"
+FILES = {"section.tex", "figure.tex", "references.bib", "main.tex"}
+KINDS = {
+    "planes": ("ab af cb cd ed ef", r"\begin{theorem}", "is proved: both sides have the same normal form"),
+    "no incidence": ("Aa Bb Cc Dd Ee Ff", r"\begin{theorem}", "holds by definition of the superbracket"),
+    "cofactor": ("Aa Ab Ba Cc Dd Ee", r"\begin{theorem}", "there the identity decides nothing"),
+    "always singular": ("Aa Ab Ac Ad Be Cf", r"\begin{theorem}", "the normal form of the superbracket is 0"),
+    "the plane": ("ab cd ef", r"\begin{theorem}", "the three lines are linearly"),
+}
+
+
+@pytest.mark.parametrize(("legs", "kind", "words"), KINDS.values(), ids=KINDS)
+def test_theorems_of_legs(legs: str, kind: str, words: str) -> None:
+    rank = 3 if len(legs.split()) == 3 else 4
+    section = files_of(gc.analyze(legs, rank=rank))["section.tex"]
+    assert kind in section
+    assert words in " ".join(section.split())
+
+
+def test_what_is_seen_at_members_of_a_family_is_told_apart_from_the_proof() -> None:
+    section = " ".join(files_of(gc.analyze("3-rps"))["section.tex"].split())
+    assert "[Proof of the identity, and how sure the rest is]" in section
+    assert "exact random members of the family" in section
+    assert "Suppose that the limbs apply the wrenches above." in section
+
+
+def test_files_of_a_command(tmp_path: Path) -> None:
+    folder = tmp_path / "paper"
+    run = invoke("paper", str(OCTAHEDRAL), "-o", str(folder))
+    assert run.exit_code == 0, run.output
+    assert {p.name for p in folder.iterdir()} == FILES
+    assert sorted(run.stdout.split()) == sorted(str(folder / name) for name in FILES)
+    again = invoke("paper", str(OCTAHEDRAL), "-o", str(folder), "--full")
+    assert again.exit_code == 0, again.output
+    assert {p.name for p in folder.iterdir()} == {*FILES, "appendix.tex"}
+
+
+def test_files_of_others_are_kept(tmp_path: Path) -> None:
+    (tmp_path / "main.tex").write_text("mine", encoding="utf-8")
+    with pytest.raises(gc.GcrulesError, match="gcrules did not write"):
+        save(gc.analyze("ab af cb cd ed ef"), tmp_path)
+    assert [p.name for p in tmp_path.iterdir()] == ["main.tex"]
+    run = invoke("paper", "delta", "-o", str(tmp_path / "main.tex"))
+    assert run.exit_code == 2
+    assert "expected a directory" in run.stderr
+
+
+def test_bad_input_is_refused(tmp_path: Path) -> None:
+    run = invoke("paper", "no-such-robot", "-o", str(tmp_path / "new"))
+    assert run.exit_code == 2
+    assert not (tmp_path / "new").exists()
+
+
+def test_a_report_is_no_pdf(tmp_path: Path) -> None:
+    run = invoke("report", "ab af cb cd ed ef", "-o", str(tmp_path / "x.pdf"))
+    assert run.exit_code == 2
+    assert not list(tmp_path.iterdir())
+
+
+def test_the_digest_is_that_of_the_analysis() -> None:
+    one, other = (files_of(gc.analyze(legs))["section.tex"] for legs in ("ab af cb cd ed ef", "ab af cb cd ed eg"))
+    digest = re.compile(r"sha256 of the analysis ([0-9a-f]{64})")
+    found = [digest.search(text) for text in (one, other)]
+    assert all(found)
+    digests = [m[1] for m in found if m]
+    assert digests[0] != digests[1]
+    assert digests[0][:16] in one.split("Reproducibility")[1]
+
+
+# --- works ----------------------------------------------------------------------------------------------------------
+
+
+def test_how_to_cite() -> None:
+    entry = invoke("cite").stdout
+    assert entry.strip() == own_entry()
+    assert f"Version {__version__}" in entry
+    title = re.search(r'^title: "(.*)"$', (ROOT / "CITATION.cff").read_text(encoding="utf-8"), re.MULTILINE)
+    assert title
+    assert re.sub(r"[{}]", "", entry).replace("--", "-").count(title[1]) == 1
+
+
+def test_works_have_what_they_need() -> None:
+    found = references(["SinguLab2008", "White1983", "no-such-key"])
+    assert re.findall(r"^@\w+\{(\w+),", found, re.MULTILINE) == ["SinguLab2008", "White1983", "gcrules"]
+    assert "read in full" not in found
+    assert "arXiv:0809.3182" in found
+    assert cited_in("Liu2006 (abstract read)") == ("Liu2006",)
+
+
+@pytest.mark.parametrize("source", ["ab af cb cd ed ef", "delta", "4-upu", str(OCTAHEDRAL)])
+def test_all_that_is_cited_is_listed(source: str) -> None:
+    files = files_of(gc.analyze(gc.load(source)))
+    cited = {key for keys in re.findall(r"\\cite\{([^}]*)\}", files["section.tex"]) for key in keys.split(",")}
+    assert cited == set(re.findall(r"^@\w+\{(\w+),", files["references.bib"], re.MULTILINE))
+
+
+# --- figures --------------------------------------------------------------------------------------------------------
+
+
+def test_shapes_in_tikz() -> None:
+    runs = (Run("a_1", "italic"), Run("2", "subscript"))
+    shapes = (
+        Polygon(((0, 0), (10, 0), (5, 5)), "entity1", "ink", fill_opacity=0.5),
+        Stroke((0, 0), (1, 2), dash=(3, 2)),
+        Circle((1, 1), 2),
+        Text((3, 4), runs, 10, "end", halo=True),
+    )
+    lines = tikz(Drawing(20, 10, shapes)).splitlines()
+    assert r"\definecolor{gcentity1}{HTML}{0072B2}" in lines
+    assert "fill opacity=0.5" in lines[-5]
+    assert "dash pattern=on 3bp off 2bp" in lines[-4]
+    assert "circle[radius=2bp]" in lines[-3]
+    assert r"\textit{a\_1}\textsubscript{2}" in lines[-2]
+
+
+def test_margins_are_cut() -> None:
+    cut = trimmed(Drawing(200, 100, (Circle((100, 50), 10),)))
+    assert (cut.width, cut.height) == (28, 28)
+
+
+# --- set by LaTeX ---------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.needs("pdflatex", "bibtex")
+@pytest.mark.parametrize("source", ["Aa Ab Ba Cc Dd Ee", "3-rps"])
+def test_the_files_set_themselves(source: str, tmp_path: Path) -> None:
+    save(gc.analyze(gc.load(source)), tmp_path, full=True)
+    latex = ["pdflatex", "-interaction=nonstopmode", "-halt-on-error", "main"]
+    for run in (latex, ["bibtex", "main"], latex, latex):
+        done = subprocess.run(run, cwd=tmp_path, capture_output=True, timeout=300, check=False)
+        assert done.returncode == 0, done.stdout[-2000:]
+    log = (tmp_path / "main.log").read_text(encoding="latin-1")
+    assert "undefined" not in log
+    assert "Warning--" not in (tmp_path / "main.blg").read_text(encoding="latin-1")
