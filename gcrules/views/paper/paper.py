@@ -12,7 +12,7 @@ from gcrules.core.version import __version__
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.views.drawing.drawing import Drawing
 from gcrules.views.paper.bibliography import references
-from gcrules.views.paper.formulas import MACROS, named_words
+from gcrules.views.paper.formulas import MACROS
 from gcrules.views.paper.section import appendix, keys, section, slug
 from gcrules.views.paper.subject import Figure, Subject, subject_of
 from gcrules.views.paper.tikz import at_column_width, tikz, trimmed
@@ -35,7 +35,7 @@ _NEEDED = "needs the packages amsmath, amsthm and tikz, and theorem environments
 
 
 def files_of(a: Analysis | RobotAnalysis, *, full: bool = False) -> dict[str, str]:
-    """The files by name: section.tex, figure.tex (and figure-2.tex), references.bib, main.tex; if `full` appendix.tex."""
+    """The files by name: section.tex, figure.tex (and figure-2.tex), references.bib, main.tex; `full`: appendix.tex."""
     s = subject_of(a)
     head = f"{_MARK}, version {__version__}; sha256 of the analysis {s.digest}\n"
     pictures, placed = {}, []
@@ -114,7 +114,7 @@ def _placed(s: Subject, number: int, figure: Figure, drawing: Drawing, picture: 
             r"\begin{figure}[t]",
             r"\centering",
             at_column_width(picture, drawing.width),
-            rf"\caption{{{named_words(figure.caption, s.names)}.}}\label{{fig:{slug(s)}-{number}}}",
+            rf"\caption{{{figure.caption}.}}\label{{fig:{slug(s)}-{number}}}",
             r"\end{figure}",
         ]
     )

@@ -237,7 +237,7 @@ def _numbers(s: Subject) -> Iterator[str]:
         [
             r"\begin{table}[t]",
             rf"\centering\caption{{{caption}}}\label{{tab:{slug(s)}}}",
-            r"\small",
+            r"\smallskip\small",
             report.latex(),
             r"\end{table}",
         ]

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from typing import Any
 
 from gcrules.algebra import expr as ex
-from gcrules.algebra.expr import Expr
+from gcrules.algebra.expr import Expr, Point, join
 from gcrules.conditions.analysis import Analysis
 from gcrules.core.dataclass import dataclass
 from gcrules.core.deferred import deferred
@@ -19,6 +19,8 @@ from gcrules.rules.condition import Condition
 from gcrules.rules.statement import Statement
 from gcrules.views.drawing.drawing import Drawing
 from gcrules.views.drawing.figures import distinct_entities, graph_figure, robot_figure
+from gcrules.views.formulas.latex_text import latex_words
+from gcrules.views.paper.formulas import inline
 from gcrules.views.robots.robot_drawing import draw_parts
 
 __all__ = ["Figure", "Subject", "subject_of"]
@@ -29,7 +31,7 @@ _OF_A_MACHINE = ("pose", "dimensions", "home_wrenches")  # numbers whose last di
 
 @dataclass(frozen=True)
 class Figure:
-    """A drawing and the words below it."""
+    """A drawing and the words below it, in LaTeX."""
 
     drawing: Drawing
     caption: str
@@ -91,20 +93,20 @@ class Subject:
 
     def figures(self) -> Iterator[Figure]:
         """What can be drawn: the platform or the graph of its legs; the robot, and the lines that stand for it."""
-        a = self.robot
+        a, title = self.robot, latex_words(self.title)
         if a is not None and a.robot.limbs:
             if a.robot.home is not None:
                 robot, *others = draw_parts(a, a.robot.values_at())
-                yield Figure(robot, f"{self.title} with the wrenches that its limbs apply, actuators locked")
-                yield from (Figure(one, f"{self.title}: the lines that stand for its wrenches") for one in others)
+                yield Figure(robot, f"{title} with the wrenches that its limbs apply, actuators locked")
+                yield from (Figure(one, f"{title}: the lines that stand for its wrenches") for one in others)
             return
         assert self.lines is not None
         if self.lines.platform:
-            yield Figure(robot_figure(self.lines, key=False), f"{self.title}{_coloured(self.lines)}")
+            yield Figure(robot_figure(self.lines, key=False), f"{title}{_coloured(self.lines)}")
         else:
             try:
                 drawn = graph_figure(self.lines, key=False)
-                yield Figure(drawn, f"{self.title}: the graph of its legs{_coloured(self.lines)}")
+                yield Figure(drawn, f"{title}: the graph of its legs{_coloured(self.lines)}")
             except InputError:  # no line joins two joints
                 return
 
@@ -129,5 +131,5 @@ def _coloured(a: Analysis) -> str:
     shown = distinct_entities(a) if a.structure.rank == 4 else []
     if not shown or len(shown) > len(_COLOURS):
         return ""
-    words = [f"the {e.kind} {''.join(e.points)} ({c})" for e, c in zip(shown, _COLOURS, strict=False)]
+    words = [f"the {e.kind} {inline(join(*map(Point, e.points)))} ({c})" for e, c in zip(shown, _COLOURS, strict=False)]
     return f", with {listed(words)}"
