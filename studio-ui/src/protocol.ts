@@ -951,12 +951,16 @@ export interface WaypointsAnswer {
 
 export type CellStatus = "free" | "crossed" | "undecided" | "outside";
 
+/** Singular poses in the coordinates of the axes, within the limits throughout (`reached`) or nowhere. */
+export interface Curve {
+  points: number[][];
+  reached: boolean;
+}
+
 /** A map over two coordinates. Arrays run over the first axis, then over the second. */
 export interface MapAnswer {
   axes: Axis[];
-  /** SVG in base64, "" where matplotlib is missing. */
-  picture: string;
-  frame: Frame;
+  curves: Curve[];
   /** σ at the nodes; null where the robot does not get. */
   margin: ((number | null)[])[];
   /** The measure at the nodes, where it is another one than the margin; null where it is infinite. */

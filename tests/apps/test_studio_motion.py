@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import re
-from base64 import b64decode
 from itertools import pairwise
 from pathlib import Path
 from typing import Any
@@ -26,9 +25,6 @@ pytest.importorskip("starlette", reason="needs the extra gcrules[studio]")
 
 from apps.studio_client import HOME, Page
 
-from gcrules.apps.studio.map_view import map_view
-from gcrules.apps.studio.protocol.requests import HOME as AT_HOME
-from gcrules.apps.studio.subject import read_subject
 from gcrules.mechanisms.kinematics.amplification import INDICES
 
 DELTA = {"kind": "robot", "id": "delta"}
@@ -272,32 +268,24 @@ def test_a_map_keeps_what_is_no_axis_as_the_pose_has_it(page: Page) -> None:
 # --- pictures ------------------------------------------------------------------------------------------------------
 
 
-def test_axes_are_where_the_frame_of_a_map_says(asked: Asked, page: Page) -> None:
-    """The frame is compared with the patch that matplotlib draws behind the axes."""
-    pytest.importorskip("matplotlib")
-    for source, over in MAPS.values():
-        found = asked(page, "map", source=source, over=over, pose=HOME)
-        root = ElementTree.fromstring(b64decode(found["picture"]))
-        *_, width, height = map(float, root.attrib["viewBox"].split())
-        patch = root.find(f".//{SVG}g[@id='axes_1']/{SVG}g[@id='patch_2']/{SVG}path")
-        assert patch is not None
-        corners = np.array(re.findall(r"(-?[\d.]+) (-?[\d.]+)", patch.attrib["d"]), dtype=float)
-        (left, top), (right, bottom) = corners.min(axis=0), corners.max(axis=0)
-        frame = [found["frame"][side] for side in ("left", "right", "top", "bottom")]
-        assert frame == pytest.approx([left / width, right / width, top / height, bottom / height], abs=1e-4)
+@pytest.mark.parametrize(("source", "over"), MAPS.values(), ids=MAPS)
+def test_curves_of_a_map_are_those_of_gc_singular_map(
+    root: Path, asked: Asked, page: Page, source: dict[str, str], over: list[str]
+) -> None:
+    found = asked(page, "map", source=source, over=over, pose=HOME)["curves"]
+    same = [c.points for c in gc.singular_map(opened(root, source), over).curves]
+    assert all(c["reached"] for c in found), "without limits all is reached"
+    np.testing.assert_allclose([p for c in found for p in c["points"]], [p for c in same for p in c], rtol=1e-5)
 
 
-def test_without_matplotlib_a_map_says_what_is_proved(monkeypatch: pytest.MonkeyPatch) -> None:
-    def missing(_: Any) -> Any:
-        raise ImportError("No module named 'matplotlib'")
-
-    monkeypatch.setattr("gcrules.apps.studio.map_view.framed", missing)
-    found = map_view(read_subject({"kind": "robot", "id": "delta"}), ["x -0.1:0.1:3", "y -0.1:0.1:3"], AT_HOME, None)
-    assert found["picture"] == ""
-    assert found["guarantee"].startswith("All 4 cells are proved free")
-    legs = map_view(read_subject({"kind": "example", "name": "octahedral"}), ["x 0:1:3", "y 0:1:3"], AT_HOME, None)
-    assert legs["guarantee"].startswith("No pose of the slice is singular: all 4 cells are proved free")
-    assert {s for row in legs["status"] for s in row} == {"free"}
+def test_curves_of_a_map_are_cut_at_the_limits(root: Path, page: Page) -> None:
+    """On both sides of a cut stand stretches of the same curve, which share a point."""
+    text = (root / "examples" / "octahedral.yaml").read_text(encoding="utf-8")
+    text = re.sub(r"(?m)^limits:.*\n", "", text) + "\nlimits: leg lengths 100..640\n"
+    source = {"kind": "file", "text": text, "name": "limited.yaml"}
+    found = page.ask("map", source=source, over=["x -300:300:9", "z -500:0:9"], pose=HOME)["curves"]
+    assert {c["reached"] for c in found} == {True, False}
+    assert any(a["points"][-1] == b["points"][0] and a["reached"] != b["reached"] for a, b in pairwise(found))
 
 
 @pytest.mark.parametrize("measure", ["isotropy", "shift_error"])

@@ -1,10 +1,10 @@
-"""A map over two coordinates around a pose of the page: its picture with the places of its axes, and what is proved."""
+"""A map over two coordinates around a pose of the page: its cells, its singular curves, and what is proved."""
 
 from __future__ import annotations
 
-from base64 import b64encode
 from collections.abc import Sequence
 from fractions import Fraction
+from itertools import pairwise
 from math import isfinite
 from typing import Any
 
@@ -13,14 +13,12 @@ import numpy as np
 from gcrules.apps.studio.items import fact
 from gcrules.apps.studio.moving import amounts_at
 from gcrules.apps.studio.numbers import exact_pose
-from gcrules.apps.studio.protocol.motion_views import MapAnswer, PlacedPose
+from gcrules.apps.studio.protocol.motion_views import CurveView, MapAnswer, PlacedPose
 from gcrules.apps.studio.protocol.requests import PoseJson
 from gcrules.apps.studio.protocol.study_views import Axis
 from gcrules.apps.studio.subject import Subject
 from gcrules.apps.studio.thresholds import threshold_of
 from gcrules.apps.studio.whereabouts import at_coordinates, coordinates_at, pose_json
-from gcrules.core.budget import report
-from gcrules.core.deferred import deferred
 from gcrules.core.english import as_sentence
 from gcrules.core.errors import LimitReached
 from gcrules.mechanisms.kinematics.amplification import INDICES
@@ -35,7 +33,7 @@ from gcrules.poses.maps.grid import Grid
 from gcrules.poses.maps.limb_grid import LimbsGrid
 from gcrules.poses.maps.maps import done
 from gcrules.poses.maps.planned import Plan, planned
-from gcrules.poses.maps.report import SingularMap
+from gcrules.poses.maps.report import Curve, SingularMap
 from gcrules.poses.methods import Methods, method
 from gcrules.screws.threshold import DEFAULT, Threshold
 from gcrules.views.results.map import account
@@ -44,8 +42,6 @@ __all__ = ["map_view", "place_view", "rest_of_map"]
 
 MAX_NODES = 20_000
 """Poses of a map in the page."""
-
-framed = deferred("gcrules.views.plots.map_plot:framed")  # matplotlib, an extra of the installation
 
 
 def map_view(
@@ -61,12 +57,9 @@ def map_view(
             hint="take a coarser grid; `gcrules map` takes it",
         )
     found = done(plan)
-    report("drawing the map")
-    picture, (left, right, top, bottom) = _drawn(found)
     return {
         "axes": [_axis(a) for a in found.grid.axes],
-        "picture": picture,
-        "frame": {"left": left, "right": right, "top": top, "bottom": bottom},
+        "curves": [stretch for c in found.curves for stretch in _stretches(c)],
         "margin": _table(found, "margin"),
         "index": _table(found, found.task.measure) if found.task.measure in INDICES else [],
         "status": [[MEANINGS[s] for s in row] for row in found.values("cell_status").tolist()],
@@ -123,12 +116,16 @@ def _placed_of_limbs(m: Limbs, g: LimbsGrid, place: Sequence[float]) -> PoseJson
 _PLACED: Methods[PoseJson] = {SixLegs: _placed_of_legs, Limbs: _placed_of_limbs}
 
 
-def _drawn(m: SingularMap) -> tuple[str, tuple[float, float, float, float]]:
-    try:
-        picture, frame = framed(m)
-    except ImportError:
-        return "", (0.0, 1.0, 0.0, 1.0)
-    return b64encode(picture).decode(), frame
+def _stretches(c: Curve) -> list[CurveView]:
+    """A singular curve in stretches that keep to the limits throughout, or nowhere; neighbours share a point."""
+    turns = (np.flatnonzero(np.diff(c.allowed)) + 1).tolist()
+    return [
+        {
+            "points": [[_digits(x, 6) for x in p] for p in c.points[first : last + 1].tolist()],
+            "reached": bool(c.allowed[first]),
+        }
+        for first, last in pairwise([0, *turns, len(c.points)])
+    ]
 
 
 def _axis(a: GridAxis) -> Axis:
@@ -140,4 +137,8 @@ def _table(m: SingularMap, name: str) -> list[list[float | None]]:
 
 
 def _short(value: float) -> float | None:
-    return float(f"{value:.4g}") if isfinite(value) else None
+    return _digits(value, 4) if isfinite(value) else None
+
+
+def _digits(value: float, number: int) -> float:
+    return float(f"{value:.{number}g}")

@@ -37,7 +37,7 @@ _LEFT = LinearSegmentedColormap.from_list("left", ["#F4F8FC", "#F6D9A0", COLOURS
 
 def picture(m: BoxMap, kind: str) -> bytes:
     """The bytes of a picture: svg, pdf or png."""
-    return saved(lambda: figure(m), f"Boxes of poses of {m.task.mechanism.title}", kind)[0]
+    return saved(lambda: figure(m), f"Boxes of poses of {m.task.mechanism.title}", kind)
 
 
 def figure(m: BoxMap) -> Figure:

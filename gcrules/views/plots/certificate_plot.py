@@ -29,7 +29,7 @@ _ASIDE = 1e-9  # of a range; boxes are larger
 
 def picture(c: Certificate, kind: str) -> bytes:
     """The bytes of a picture: svg, pdf or png."""
-    return saved(lambda: figure(c), f"Boxes of poses of {c.task.mechanism.title}", kind)[0]
+    return saved(lambda: figure(c), f"Boxes of poses of {c.task.mechanism.title}", kind)
 
 
 def figure(c: Certificate) -> Figure:

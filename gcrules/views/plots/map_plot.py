@@ -24,7 +24,7 @@ from gcrules.views.drawing.palette import LIGHT
 from gcrules.views.plots.map_surface import views
 from gcrules.views.plots.saving import saved
 
-__all__ = ["figure", "framed", "picture"]
+__all__ = ["figure", "picture"]
 
 Floats = NDArray[np.float64]
 
@@ -38,19 +38,6 @@ _FAR = 8.0
 
 def picture(m: SingularMap, kind: str) -> bytes:
     """The bytes of a picture: svg, pdf or png."""
-    return _saved(m, kind)[0]
-
-
-def framed(m: SingularMap) -> tuple[bytes, tuple[float, float, float, float]]:
-    """The picture of a map over two coordinates as SVG, and where the axes are in it: left and right as parts of its
-    width, top and bottom of its height.
-    """
-    found, made = _saved(m, "svg")
-    box = made.axes[0].get_position()
-    return found, (float(box.x0), float(box.x1), float(1 - box.y1), float(1 - box.y0))
-
-
-def _saved(m: SingularMap, kind: str) -> tuple[bytes, Figure]:
     return saved(lambda: figure(m), m.about["title"], kind)
 
 

@@ -27,8 +27,8 @@ _SETTINGS: Any = {
 _SETTING = Lock()  # the settings of matplotlib are global
 
 
-def saved(make: Callable[[], Figure], title: str, kind: str) -> tuple[bytes, Figure]:
-    """The bytes of the figure that is made (svg, pdf or png), and the figure."""
+def saved(make: Callable[[], Figure], title: str, kind: str) -> bytes:
+    """The bytes of the figure that is made: svg, pdf or png."""
     out = BytesIO()
     with _SETTING, matplotlib.rc_context(_SETTINGS):
         made = make()
@@ -38,4 +38,4 @@ def saved(make: Callable[[], Figure], title: str, kind: str) -> tuple[bytes, Fig
             "png": {"Title": title},
         }
         made.savefig(out, format=kind, dpi=200, metadata=metadata[kind])
-    return out.getvalue(), made
+    return out.getvalue()

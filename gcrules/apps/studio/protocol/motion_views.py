@@ -11,6 +11,7 @@ from gcrules.views.scene_data import Verdict
 
 __all__ = [
     "CellStatus",
+    "CurveView",
     "DetourView",
     "FrameView",
     "MapAnswer",
@@ -99,13 +100,18 @@ class WaypointsAnswer(TypedDict):
 CellStatus = Annotated[str, OneOf(("free", "crossed", "undecided", "outside"))]
 
 
+class CurveView(TypedDict):
+    """Singular poses in the coordinates of the axes, within the limits throughout (`reached`) or nowhere."""
+
+    points: list[list[float]]
+    reached: bool
+
+
 class MapAnswer(TypedDict):
     """A map over two coordinates. Arrays run over the first axis, then over the second."""
 
     axes: list[Axis]
-    picture: str
-    """SVG in base64, "" where matplotlib is missing."""
-    frame: FrameView
+    curves: list[CurveView]
     margin: list[list[float | None]]
     """σ at the nodes; null where the robot does not get."""
     index: list[list[float | None]]

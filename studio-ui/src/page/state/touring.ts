@@ -3,11 +3,12 @@ import type { Axis, Study } from "../../protocol";
 import type { Client } from "../net/client";
 import { MARGIN, type Range, type Tour } from "./doc";
 import type { Editing } from "./editing";
+import { createMapping, type Mapping } from "./mapping";
 import { createRunner, type Runner } from "./running";
 
 export interface Touring {
   path: Runner<"path">;
-  map: Runner<"map">;
+  map: Mapping;
   place: Runner<"place">;
   /** Changes what is asked; changes of the same field in a row are undone as one. */
   change(part: Partial<Tour>): void;
@@ -17,7 +18,7 @@ export function createTouring(client: Client, editing: Editing): Touring {
   const { doc, edit } = editing;
   return {
     path: createRunner(client, editing, "path", "Going along the path"),
-    map: createRunner(client, editing, "map", "Mapping"),
+    map: createMapping(client, editing),
     place: createRunner(client, editing, "place", "Going there"),
     change: (part) => edit({ tour: { ...doc.peek().tour, ...part } }, `tour ${Object.keys(part).join(" ")}`),
   };

@@ -1,21 +1,16 @@
 // The map as a picture: what stands under the pointer is said, and a click takes the robot there.
 import { useSignal } from "@preact/signals";
-import type { MapAnswer, MapArgs, Measure, Pose } from "../../../protocol";
+import type { CellStatus, MapAnswer, MapArgs, Measure, Pose } from "../../../protocol";
 import { short } from "../../lib/format";
 import { useStore } from "../../parts/context";
 import { FaultBox } from "../../parts/fault-box";
-import { samePose } from "../../state/doc";
+import { MARGIN, samePose } from "../../state/doc";
 import { spoken } from "../../state/touring";
 import { Facts } from "./facts";
+import { CELLS, FRAME, MapLegend, MapPicture } from "./map-picture";
 import { Plot, type Spot } from "./plot";
 import { stepped, valueOf, within } from "./spots";
 
-const CELLS: Record<string, string> = {
-  free: "proved free of singular poses",
-  crossed: "crossed by singular poses",
-  undecided: "not decided",
-  outside: "not reached at a corner",
-};
 
 interface Props {
   asked: MapArgs;
@@ -28,7 +23,7 @@ export function MapResult({ asked, result, measures }: Props) {
   const hovered = useSignal<Spot | null>(null);
   const chosen = useSignal<Spot | null>(null);
   const led = useSignal<Pose | null>(null); // where the robot was taken from the map
-  const { axes, frame, picture, guarantee } = result;
+  const { axes, guarantee } = result;
   const going = touring.place.now.value;
   const left = led.value !== null && !moving.active.value && !samePose(led.value, pose$.value);
   const mark = left ? null : chosen.value;
@@ -57,28 +52,24 @@ export function MapResult({ asked, result, measures }: Props) {
     moving.to(found.pose);
   }
 
-  const image = `data:image/svg+xml;base64,${picture}`;
   return (
     <div class="answer">
       <p class="guarantee" data-testid="map-guarantee">
         {guarantee}
       </p>
-      {picture ? (
-        <Plot
-          frame={frame}
-          picture={<img src={image} alt={`Map over ${axes.map(({ name }) => name).join(" and ")}`} data-testid="map-picture" />}
-          testid="map-plot"
-          label="A place of the map: the arrow keys choose it, Enter takes the robot there"
-          onKey={key}
-          onHover={(at) => (hovered.value = at)}
-          onPress={choose}
-          onRelease={() => chosen.value && void go(chosen.value)}
-        >
-          {mark && <span class="here" style={{ left: `${100 * mark[0]}%`, bottom: `${100 * mark[1]}%` }} />}
-        </Plot>
-      ) : (
-        <p class="none">The picture needs matplotlib: pip install "gcrules[maps]".</p>
-      )}
+      <Plot
+        frame={FRAME}
+        picture={<MapPicture result={result} />}
+        testid="map-plot"
+        label="A place of the map: the arrow keys choose it, Enter takes the robot there"
+        onKey={key}
+        onHover={(at) => (hovered.value = at)}
+        onPress={choose}
+        onRelease={() => chosen.value && void go(chosen.value)}
+      >
+        {mark && <span class="here" style={{ left: `${100 * mark[0]}%`, bottom: `${100 * mark[1]}%` }} />}
+      </Plot>
+      <MapLegend result={result} measure={spoken(asked.measure ?? MARGIN)} />
       <p class="readout" data-testid="map-readout" aria-live="polite">
         {spot ? <Spoken result={result} spot={spot} measure={measures.find(({ name }) => name === asked.measure)} /> : "Point at the map to read it; a click takes the robot there."}
       </p>
@@ -116,7 +107,7 @@ function Spoken({ result, spot, measure }: SpokenProps) {
           , {spoken(measure.name)} <b>{own === null ? "none" : short(own, 3)}</b> {measure.unit}
         </>
       )}{" "}
-      at the nearest node · the cell is <b class={kind}>{CELLS[kind]}</b>
+      at the nearest node · the cell is <b class={kind}>{CELLS[kind as CellStatus]}</b>
     </>
   );
 }

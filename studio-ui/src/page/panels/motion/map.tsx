@@ -1,4 +1,5 @@
 // A map over two coordinates; the others stay as they are at the pose on show.
+import { useEffect, useRef } from "preact/hooks";
 import type { Axis, Study } from "../../../protocol";
 import { useStore } from "../../parts/context";
 import { FaultBox } from "../../parts/fault-box";
@@ -10,6 +11,8 @@ import { NODES, type Range } from "../../state/doc";
 import { changed, inWords, measureOf, rangeOf, rangesOf, spoken } from "../../state/touring";
 import { MapResult } from "./map-result";
 
+const SOON = 400; // milliseconds after a change until the map follows
+
 export function MapSection({ study }: { study: Study }) {
   const { touring, doc, tour$ } = useStore();
   const { map, change } = touring;
@@ -17,14 +20,29 @@ export function MapSection({ study }: { study: Study }) {
   const ranges = rangesOf(study, tour$.value);
   const measure = measureOf(study, tour$.value);
   const now = map.now.value;
-  if (!ranges) return null;
-  const words = (range: Range) => inWords(range, study.ranges.find(({ name }) => name === range.name)?.unit ?? "", nodes);
+  const shown = map.shown.value;
+  const words = (range: Range, n: number) =>
+    inWords(range, study.ranges.find(({ name }) => name === range.name)?.unit ?? "", n);
 
   function go([across, upwards]: [Range, Range]): void {
     const { source, pose, threshold } = doc.peek();
-    if (source) void map.start({ source, pose, threshold, over: [words(across), words(upwards)], measure });
+    if (!source) return;
+    void map.start((n) => ({ source, pose, threshold, over: [words(across, n), words(upwards, n)], measure }), nodes);
   }
 
+  useEffect(() => map.stop, [map]); // nobody looks any more
+
+  const wanted = JSON.stringify([ranges, measure, nodes]);
+  const asked = useRef(wanted);
+  useEffect(() => {
+    if (asked.current === wanted || !ranges) return;
+    asked.current = wanted;
+    if (!map.shown.peek() && map.now.peek().state !== "busy") return;
+    const soon = setTimeout(() => go(ranges), SOON);
+    return () => clearTimeout(soon);
+  }, [wanted]);
+
+  if (!ranges) return null;
   return (
     <section class="map" aria-label="Map">
       <h3>Over two coordinates</h3>
@@ -40,7 +58,7 @@ export function MapSection({ study }: { study: Study }) {
         ))}
         <div class="row">
           <label>
-            <span class="label">bands</span>
+            <span class="label">shade</span>
             <select
               value={measure}
               title={study.measures.find(({ name }) => name === measure)?.meaning}
@@ -71,7 +89,7 @@ export function MapSection({ study }: { study: Study }) {
       </form>
       {now.state === "busy" && <Seeks words={now.words} stop={map.stop} testid="map-stop" />}
       {now.state === "failed" && <FaultBox fault={now.fault} />}
-      {now.state === "found" && <MapResult asked={now.asked} result={now.result} measures={study.measures} />}
+      {shown && <MapResult asked={shown.asked} result={shown.result} measures={study.measures} />}
     </section>
   );
 }
