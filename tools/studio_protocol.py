@@ -15,14 +15,24 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any
 
-from gcrules.apps.studio.protocol import answer_views, motion_views, requests, study_views, where_views
+from gcrules.apps.studio.protocol import answer_views, locus_views, motion_views, requests, study_views, where_views
 from gcrules.apps.studio.protocol.methods import METHODS
 from gcrules.core.shapes import EntryCount, OneOf
 from gcrules.views import glossary, scene_data
 from gcrules.views.report import stage_ids
 
 TARGET = Path(__file__).resolve().parent.parent / "studio-ui" / "src" / "protocol.ts"
-MODULES = (stage_ids, glossary, scene_data, requests, study_views, answer_views, motion_views, where_views)
+MODULES = (
+    stage_ids,
+    glossary,
+    scene_data,
+    requests,
+    study_views,
+    answer_views,
+    motion_views,
+    locus_views,
+    where_views,
+)
 
 START = """\
 // What the page and the server say to each other over one websocket: JSON, one object a message.

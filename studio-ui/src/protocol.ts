@@ -407,6 +407,13 @@ export interface CertifyArgs extends BoxesArgs {
   tilt?: string;
 }
 
+/** Over these coordinates, without them over the position, else over all; the others as they are at the pose. */
+export interface LocusArgs {
+  source: Source;
+  pose: Pose;
+  over?: string[];
+}
+
 /** The pose at a place of that map, in the units of its axes. */
 export interface PlaceArgs {
   source: Source;
@@ -976,6 +983,42 @@ export interface PlacedPose {
   pose: Pose;
 }
 
+export interface Polynomial {
+  degree: number;
+  terms: number;
+  plain: string;
+  latex: string;
+  /** A function of its variables, for numbers, arrays and symbols. */
+  python: string;
+}
+
+export interface LocusFactor {
+  polynomial: Polynomial;
+  multiplicity: number;
+  /** It is 0 in no pose. */
+  never: boolean;
+}
+
+/** The polynomial of the condition, or of one of its factors: `statement` says which. */
+export interface LocusPart {
+  name: string;
+  statement: string;
+  polynomial: Polynomial;
+  factors: LocusFactor[];
+  /** Why its factors are not known; "" where they are. */
+  undecided: string;
+}
+
+export interface LocusAnswer {
+  variables: string[];
+  /** What the zeros are. */
+  statement: string;
+  /** How the pose was rounded. */
+  notes: string[];
+  parts: LocusPart[];
+  facts: FactItem[];
+}
+
 export interface AssemblyMode {
   number: number;
   /** It is the pose that was asked about. */
@@ -1085,6 +1128,7 @@ export interface Methods {
   waypoints: { args: WaypointsArgs; result: WaypointsAnswer };
   map: { args: MapArgs; result: MapAnswer };
   place: { args: PlaceArgs; result: PlacedPose };
+  locus: { args: LocusArgs; result: LocusAnswer };
   assemblies: { args: PoseArgs; result: AssembliesAnswer };
   aspects: { args: OpenArgs; result: AspectsAnswer };
   free: { args: FreeArgs; result: FreeAnswer };

@@ -1,4 +1,4 @@
-"""The map of the studio in a browser: coarse at first, then refined, stopped when nobody looks."""
+"""The map of the studio in a browser: coarse at first, then refined, stopped when nobody looks; and the locus."""
 
 from __future__ import annotations
 
@@ -6,6 +6,9 @@ from collections.abc import Callable
 from typing import Any
 
 import pytest
+from places import EXAMPLES
+
+import gcrules as gc
 
 pytest.importorskip("starlette", reason="needs the extra gcrules[studio]")
 pytest.importorskip("playwright", reason="needs the extra gcrules[dev]")
@@ -14,6 +17,7 @@ from studio_page import Desk
 
 pytestmark = pytest.mark.browser
 
+FILE = str(EXAMPLES / "octahedral.yaml")
 LEVELS = """() => { const seen = (gcrules.levels = []); gcrules.touring.map.shown.subscribe(found => {
     if (found) seen.push(found.result.margin.length); }); }"""
 
@@ -87,3 +91,48 @@ def test_a_map_is_stopped_when_nobody_looks(desk: Desk) -> None:
     assert desk.one("map-picture").is_visible()
     desk.open("example", "octahedral")
     assert desk.run("gcrules.touring.map.shown.value") is None
+
+
+# --- the locus -----------------------------------------------------------------------------------------------------
+
+
+def test_the_locus_is_a_function_that_vanishes_where_the_path_crosses(desk: Desk) -> None:
+    """What is copied for Python is 0 at the singular poses that `gc.path` finds, and nowhere between them."""
+    desk.open("example", "octahedral").one("panel-motion").click()
+    desk.one("locus-position").click()
+    desk.one("locus-python").first.click()
+    scope: dict[str, Any] = {}
+    exec(desk.one("locus-text").first.inner_text(), scope)
+    heights = [z.parameter * -490 for z in gc.path(FILE, ["home", "0 0 -490"]).zeros]
+    assert len(heights) == 3
+    size = abs(scope["P"](0, 0, 0))
+    assert [scope["P"](0, 0, z) / size for z in heights] == pytest.approx([0] * 3, abs=1e-9)
+    signs = [scope["P"](0, 0, z) > 0 for z in (0, -352, -380, -490)]
+    assert signs == [signs[0], not signs[0], signs[0], not signs[0]]
+    desk.one("locus-latex").first.click()
+    assert "z^{3}" in desk.one("locus-text").first.inner_text()
+    assert desk.faults == []
+
+
+def test_the_locus_of_a_robot_of_joints_is_that_of_the_slice(desk: Desk) -> None:
+    desk.open("robot", "3-rps").one("panel-motion").click()
+    desk.run("over => gcrules.touring.change({over})", CROSSED["3-rps"])
+    desk.one("locus-slice").click()
+    same = gc.locus("3-rps", "z, roll", at="pitch=0deg")
+    desk.one("locus-text").first.wait_for()
+    assert desk.run("gcrules.touring.locus.now.value.result.variables") == ["z", "t_roll"]
+    parts = desk.run("gcrules.touring.locus.now.value.result.parts")
+    assert [p["polynomial"]["plain"] for p in parts] == [str(p.form) for p in same.parts]
+    assert [len(p["factors"]) for p in parts] == [len(p.factors) for p in same.parts]
+    assert desk.one("locus-factor").count() == sum(len(p.factors) for p in same.parts if len(p.factors) > 1)
+
+
+def test_the_turn_of_a_locus_has_short_numbers_and_says_so(desk: Desk) -> None:
+    desk.open("example", "octahedral").one("panel-motion").click()
+    desk.slide("rz", 20)
+    desk.answered()
+    desk.one("locus-position").click()
+    desk.one("locus-text").first.wait_for()
+    (note,) = desk.run("gcrules.touring.locus.now.value.result.notes")
+    assert "quaternion 1, 0, 0, " in note
+    assert "° from that of the pose" in note

@@ -11,6 +11,7 @@ from gcrules.apps.studio.certificate_view import certificate_view
 from gcrules.apps.studio.composing import composed
 from gcrules.apps.studio.export import saved
 from gcrules.apps.studio.gallery import gallery
+from gcrules.apps.studio.locus_view import locus_view
 from gcrules.apps.studio.manual_replay import replayed
 from gcrules.apps.studio.map_view import map_view, place_view
 from gcrules.apps.studio.modes_view import modes_view
@@ -50,6 +51,7 @@ ANSWERS: Mapping[str, Callable[[Any, Args], Any]] = {
         subject, args["over"], args["pose"], args.get("threshold"), args.get("measure")
     ),
     "place": lambda subject, args: place_view(subject, args["over"], args["pose"], args["place"]),
+    "locus": lambda subject, args: locus_view(subject, args["pose"], args.get("over")),
     "assemblies": lambda subject, args: assemblies_view(subject, args["pose"], args.get("threshold")),
     "aspects": lambda subject, args: aspects_view(subject),
     "free": lambda subject, args: free_view(subject, args["pose"], args["shape"]),

@@ -27,7 +27,7 @@ from gcrules.core.frozen import FrozenMap
 from gcrules.core.seeds import DRAWN, PRIME, drawn
 from gcrules.mechanisms.limbs import Limbs
 from gcrules.mechanisms.load import Source
-from gcrules.mechanisms.mechanism import mechanism
+from gcrules.mechanisms.mechanism import Mechanism, mechanism
 from gcrules.mechanisms.moving_platform import MovingPlatform
 from gcrules.mechanisms.six_legs import SixLegs
 from gcrules.poses.loci.expansion import Terms, expansion
@@ -44,7 +44,7 @@ from gcrules.screws.pose import Pose
 from gcrules.screws.rotations import Quaternion, Vector
 from gcrules.screws.rotations import rotation as matrix
 
-__all__ = ["locus"]
+__all__ = ["locus", "locus_of"]
 
 CHECKS = 3  # poses of each kind
 
@@ -77,7 +77,19 @@ def locus(
     too; by default (None) products are left out that may be long. Raises InputError where the loops cannot be
     eliminated, with what to use instead, and LimitReached where that makes too large polynomials.
     """
-    m = mechanism(source, about=about)
+    return locus_of(mechanism(source, about=about), over, fix, at, rotation, limit, product)
+
+
+def locus_of(
+    m: Mechanism,
+    over: str | Sequence[str] | None,
+    fix: str | Mapping[str, Any] | None,
+    at: Any,
+    rotation: str = "quaternion",
+    limit: int = MAX_TERMS,
+    product: bool | None = None,
+) -> Locus | RobotLocus:
+    """That of a mechanism; of a robot of joints `at` may be a mapping, too. Raises as `locus`."""
     if has_six_legs(m):
         return _locus(m.six_legs(), over, fix, at, rotation, limit, product)
     return method(_METHODS, m, "the locus")(over, fix, at, rotation, limit, product)

@@ -12,7 +12,7 @@ from gcrules.poses.loci.variables import TRANSLATION
 from gcrules.views.formulas.latex import latex_name
 from gcrules.views.text_tables import WIDTH, table
 
-__all__ = ["SHOWN", "as_latex", "as_text", "counted", "degrees_text", "form_latex", "size_text"]
+__all__ = ["SHOWN", "account", "as_latex", "as_text", "counted", "degrees_text", "form_latex", "headline", "size_text"]
 
 SHOWN = 40
 """Polynomials of more terms are not printed with the summary."""
@@ -22,28 +22,42 @@ _LINE = 4  # terms in a line of LaTeX
 
 def as_text(found: Locus, *, unicode: bool = False) -> str:
     """The summary, and the polynomial P where it is short."""
+    lines = [headline(found), "", *table(account(found, unicode=unicode))]
+    if found.vanishes:
+        return "\n".join(lines)
+    if len(found.form.terms) > SHOWN:
+        end = "P is long: --export sympy (or maple, singular), --json or --latex prints it."
+    else:
+        end = fill(f"P = {found.form}", WIDTH, subsequent_indent="    ", break_long_words=False)
+    return "\n".join([*lines, "", end])
+
+
+def headline(found: Locus) -> str:
+    """What the polynomial says, in one sentence."""
+    if not found.vanishes:
+        return "A pose is singular exactly where the polynomial P is 0."
+    what = "each of these poses is singular"
+    if found.question.whole:
+        what = "every pose is singular, so the robot is architecturally singular"
+    return f"The polynomial of the singular poses is 0: {what}."
+
+
+def account(found: Locus, *, unicode: bool = False) -> list[tuple[str, str]]:
+    """What there is to say of it, names with what they say."""
     rows = [("variables", _variables(found)), *_fixed(found), ("centre", _centre(found))]
     if found.vanishes:
-        what = "each of these poses is singular"
-        if found.question.whole:
-            what = "every pose is singular, so the robot is architecturally singular"
-        return "\n".join([f"The polynomial of the singular poses is 0: {what}.", "", *table([*rows, _checked(found)])])
+        return [*rows, _checked(found)]
     times = "·" if unicode else "*"
     coefficient = f"({found.coefficient}) {times} P" if found.coefficient != 1 else "P"
     norm = f" {times} ".join(f"({n})^3" for n in found.norms)
-    rows += [
+    return [
+        *rows,
         ("identity", f"{norm + f' {times} ' if norm else ''}superbracket = {coefficient}"),
         ("P", size_text(found.form)),
         ("degrees", degrees_text(found.degrees)),
         ("factors", _factors(found)),
         _checked(found),
     ]
-    head = "A pose is singular exactly where the polynomial P is 0."
-    if len(found.form.terms) > SHOWN:
-        end = "P is long: --export sympy (or maple, singular), --json or --latex prints it."
-    else:
-        end = fill(f"P = {found.form}", WIDTH, subsequent_indent="    ", break_long_words=False)
-    return "\n".join([head, "", *table(rows), "", end])
 
 
 def counted(n: int, what: str) -> str:

@@ -13,7 +13,7 @@ from gcrules.poses.loci.working_modes import Sightings
 from gcrules.views.results.locus import SHOWN, counted, degrees_text, form_latex, size_text
 from gcrules.views.text_tables import WIDTH, table
 
-__all__ = ["as_latex", "as_text"]
+__all__ = ["account", "as_latex", "as_text", "headline"]
 
 _HEAD = (
     "Each polynomial is the product of a factor of the condition over all working modes. Every singular pose is a zero"
@@ -34,8 +34,7 @@ _CHOSEN = ", or lines that were chosen for a limb depend on each other"
 
 def as_text(found: RobotLocus, *, unicode: bool = False) -> str:
     """The summary, and polynomials that are short."""
-    head = (_ALONE if not found.roots else _HEAD if found.multiplied else _KEPT).format(_CHOSEN if found.chosen else "")
-    lines = [fill(head, WIDTH), "", *table(list(_rows(found, unicode)))]
+    lines = [fill(headline(found), WIDTH), "", *table(account(found, unicode=unicode))]
     for number, part in enumerate(found.parts, 1):
         name = _name(found, number)
         lines += ["", *table(list(_part(part, name, found, unicode)))]
@@ -45,6 +44,17 @@ def as_text(found: RobotLocus, *, unicode: bool = False) -> str:
         elif part.form.terms:
             lines.append(fill(f"{name} = {part.form}", WIDTH, subsequent_indent="    ", break_long_words=False))
     return "\n".join(lines)
+
+
+def headline(found: RobotLocus) -> str:
+    """What the polynomials say."""
+    head = _ALONE if not found.roots else _HEAD if found.multiplied else _KEPT
+    return head.format(_CHOSEN if found.chosen else "")
+
+
+def account(found: RobotLocus, *, unicode: bool = False) -> list[tuple[str, str]]:
+    """What there is to say of all of them, names with what they say."""
+    return list(_rows(found, unicode))
 
 
 def _name(found: RobotLocus, number: int) -> str:

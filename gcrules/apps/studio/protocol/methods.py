@@ -12,6 +12,7 @@ from typing import Any, Literal
 from gcrules.apps.studio.protocol import answer_views as answers
 from gcrules.apps.studio.protocol import requests
 from gcrules.apps.studio.protocol.checking import Check
+from gcrules.apps.studio.protocol.locus_views import LocusAnswer
 from gcrules.apps.studio.protocol.motion_views import MapAnswer, PathAnswer, PlacedPose, WaypointsAnswer
 from gcrules.apps.studio.protocol.shape_checks import check_of
 from gcrules.apps.studio.protocol.study_views import Gallery, Hello, Study
@@ -60,6 +61,7 @@ METHODS: Mapping[str, Method] = {
     "waypoints": Method(requests.WaypointsArgs, WaypointsAnswer),
     "map": Method(requests.MapArgs, MapAnswer, seconds=600),
     "place": Method(requests.PlaceArgs, PlacedPose),
+    "locus": Method(requests.LocusArgs, LocusAnswer, seconds=300),
     "assemblies": Method(requests.PoseArgs, AssembliesAnswer, seconds=300),
     "aspects": Method(requests.OpenArgs, AspectsAnswer, seconds=600),
     "free": Method(requests.FreeArgs, FreeAnswer, seconds=300),

@@ -32,6 +32,7 @@ __all__ = [
     "Format",
     "FreeArgs",
     "LegsSource",
+    "LocusArgs",
     "ManualArgs",
     "MapArgs",
     "ModesArgs",
@@ -246,6 +247,14 @@ class CertifyArgs(BoxesArgs):
 
     cone: NotRequired[Annotated[str, text(400)]]
     tilt: NotRequired[Annotated[str, text(40)]]
+
+
+class LocusArgs(TypedDict):
+    """Over these coordinates, without them over the position, else over all; the others as they are at the pose."""
+
+    source: SourceJson
+    pose: PoseJson
+    over: NotRequired[Annotated[list[_Point], EntryCount(1, 3)]]
 
 
 class PlaceArgs(TypedDict):

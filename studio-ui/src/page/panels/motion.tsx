@@ -1,5 +1,6 @@
 // Every singular pose between two poses, and over two coordinates, of any robot.
 import type { PanelProps } from "./index";
+import { LocusSection } from "./motion/locus";
 import { MapSection } from "./motion/map";
 import { PathSection } from "./motion/path";
 import "./motion/motion.css";
@@ -20,6 +21,7 @@ export function Motion({ store }: PanelProps) {
         <>
           <PathSection />
           <MapSection study={study} />
+          <LocusSection study={study} />
         </>
       )}
     </div>

@@ -10,6 +10,7 @@ export interface Touring {
   path: Runner<"path">;
   map: Mapping;
   place: Runner<"place">;
+  locus: Runner<"locus">;
   /** Changes what is asked; changes of the same field in a row are undone as one. */
   change(part: Partial<Tour>): void;
 }
@@ -20,6 +21,7 @@ export function createTouring(client: Client, editing: Editing): Touring {
     path: createRunner(client, editing, "path", "Going along the path"),
     map: createMapping(client, editing),
     place: createRunner(client, editing, "place", "Going there"),
+    locus: createRunner(client, editing, "locus", "Working out the polynomial"),
     change: (part) => edit({ tour: { ...doc.peek().tour, ...part } }, `tour ${Object.keys(part).join(" ")}`),
   };
 }

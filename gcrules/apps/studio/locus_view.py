@@ -1,0 +1,158 @@
+"""The polynomials of the singular poses around a pose of the page, as formulas to copy."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from fractions import Fraction
+from typing import Any
+
+from gcrules.apps.studio.items import fact
+from gcrules.apps.studio.protocol.locus_views import LocusAnswer, LocusFactorView, LocusPartView, PolynomialView
+from gcrules.apps.studio.protocol.requests import PoseJson
+from gcrules.apps.studio.subject import Subject
+from gcrules.apps.studio.whereabouts import coordinates_at
+from gcrules.core.budget import report
+from gcrules.core.dataclass import dataclass
+from gcrules.core.errors import LimitReached
+from gcrules.mechanisms.kinematics.solve import free_coordinates
+from gcrules.mechanisms.limbs import Limbs
+from gcrules.mechanisms.six_legs import SixLegs
+from gcrules.poses.loci.form import PolynomialForm
+from gcrules.poses.loci.limb_question import variable
+from gcrules.poses.loci.limb_report import LocusPart
+from gcrules.poses.loci.locus import locus_of
+from gcrules.poses.loci.report import Locus, LocusFactor
+from gcrules.poses.methods import Methods, has_six_legs, method
+from gcrules.screws.pose import Pose
+from gcrules.screws.pose_text import SHIFTS, TURNS, pose_of
+from gcrules.views.results import locus as of_legs
+from gcrules.views.results import robot_locus as of_limbs
+from gcrules.views.results.locus import form_latex
+
+__all__ = ["locus_view"]
+
+_DENOMINATORS = 1000  # of quaternions: coefficients have their sixth powers
+_SAME = 1e-12  # radians, of rounding
+
+
+def locus_view(subject: Subject, pose: PoseJson, over: Sequence[str] | None) -> LocusAnswer:
+    """Over these coordinates, or over the position, else over all. Raises InputError and LimitReached as `locus`."""
+    m = subject.mechanism
+    asked = method(_ASKED, m, "the locus")(pose, over)
+    report("eliminating the joints")
+    found = locus_of(m, asked.free, asked.fix, asked.at)
+    told: Any = of_legs if isinstance(found, Locus) else of_limbs
+    parts = [_whole(found)] if isinstance(found, Locus) else [_part(p, name) for name, p in _numbered(found.parts)]
+    return {
+        "variables": list(found.variables),
+        "statement": told.headline(found),
+        "notes": list(asked.notes),
+        "parts": parts,
+        "facts": [fact(name, words) for name, words in told.account(found, unicode=True)],
+    }
+
+
+# --- what is asked -------------------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class _Asked:
+    """The `free` coordinates, the others as `locus` takes them, `fix` and `at`, and how they were rounded."""
+
+    free: tuple[str, ...]
+    fix: Mapping[str, Any] | None
+    at: Pose | None
+    notes: tuple[str, ...]
+
+
+def _of_legs(m: SixLegs, pose: PoseJson, over: Sequence[str] | None) -> _Asked:
+    return _at(pose["translation"], pose["quaternion"], over)
+
+
+def _at(translation: Sequence[float], quaternion: Sequence[float], over: Sequence[str] | None) -> _Asked:
+    """At a turn with short numbers."""
+    largest = max(quaternion, key=abs)
+    w, x, y, z = (Fraction(c / largest).limit_denominator(_DENOMINATORS) for c in quaternion)
+    a, b, c = (Fraction(repr(n)) for n in translation)
+    near = [float(n) * math.copysign(1.0, largest) for n in (w, x, y, z)]
+    apart = math.dist(*([n / math.hypot(*q) for n in q] for q in (quaternion, near)))
+    notes = _away(f"the quaternion {w}, {x}, {y}, {z}", 4 * math.asin(apart / 2))
+    return _Asked(tuple(over or SHIFTS), None, Pose((a, b, c), (w, x, y, z)), notes)
+
+
+def _of_limbs(m: Limbs, pose: PoseJson, over: Sequence[str] | None) -> _Asked:
+    if has_six_legs(m):
+        there = pose_of(coordinates_at(m, pose, (*SHIFTS, *TURNS)))
+        return _at([round(c, 9) for c in map(float, there.translation)], there.unit_quaternion, over)
+    names = free_coordinates(m.linkage, over or ())
+    free = tuple(over or [n for n in names if n in SHIFTS] or names)
+    fix: dict[str, Fraction] = {}
+    notes: tuple[str, ...] = ()
+    for n, value in coordinates_at(m, pose, names).items():
+        if n in free:
+            continue
+        if n in SHIFTS:
+            fix[n] = Fraction(f"{value:.9f}")
+            continue
+        tangent = Fraction(math.tan(value / 2)).limit_denominator(_DENOMINATORS)
+        fix[variable(n)] = tangent
+        notes += _away(f"{variable(n)} = {tangent}", abs(2 * math.atan(tangent) - value))
+    return _Asked(free, fix or None, None, notes)
+
+
+def _away(what: str, angle: float) -> tuple[str, ...]:
+    """How far a turn with short numbers is from the one on show, where it is another one."""
+    if angle < _SAME:
+        return ()
+    away = f"{math.degrees(angle):.2g}° from that of the pose"
+    return (f"So that coefficients are short, the turn is taken as {what}, {away}.",)
+
+
+_ASKED: Methods[_Asked] = {SixLegs: _of_legs, Limbs: _of_limbs}
+"""How it is asked of each kind of mechanism."""
+
+
+# --- what is answered ----------------------------------------------------------------------------------------------
+
+
+def _numbered(parts: Sequence[LocusPart]) -> list[tuple[str, LocusPart]]:
+    return [("P" if len(parts) == 1 else f"P{k}", p) for k, p in enumerate(parts, 1)]
+
+
+def _whole(found: Locus) -> LocusPartView:
+    return _shown("P", found.condition.sentence, found.form, found)
+
+
+def _part(part: LocusPart, name: str) -> LocusPartView:
+    return _shown(name, part.statement, part.form, part)
+
+
+def _shown(name: str, statement: str, form: PolynomialForm, held: Locus | LocusPart) -> LocusPartView:
+    factors: tuple[LocusFactor, ...] = ()
+    undecided = ""
+    try:
+        factors = held.factors
+    except LimitReached as fault:
+        undecided = fault.message
+    return {
+        "name": name,
+        "statement": statement,
+        "polynomial": _polynomial(name, form),
+        "factors": [_factor(f"{name}_{k}", f) for k, f in enumerate(factors, 1)],
+        "undecided": undecided,
+    }
+
+
+def _factor(name: str, f: LocusFactor) -> LocusFactorView:
+    return {"polynomial": _polynomial(name, f.form), "multiplicity": f.multiplicity, "never": f.kind == "norm"}
+
+
+def _polynomial(name: str, form: PolynomialForm) -> PolynomialView:
+    return {
+        "degree": form.degree,
+        "terms": len(form.terms),
+        "plain": str(form),
+        "latex": form_latex(form),
+        "python": f"def {name}({', '.join(form.variables)}):\n    return {form.written('sympy')}\n",
+    }

@@ -1,0 +1,46 @@
+"""What the server tells the page of a locus: its polynomials, as formulas to copy."""
+
+from __future__ import annotations
+
+from typing import TypedDict
+
+from gcrules.apps.studio.protocol.study_views import FactItem
+
+__all__ = ["LocusAnswer", "LocusFactorView", "LocusPartView", "PolynomialView"]
+
+
+class PolynomialView(TypedDict):
+    degree: int
+    terms: int
+    plain: str
+    latex: str
+    python: str
+    """A function of its variables, for numbers, arrays and symbols."""
+
+
+class LocusFactorView(TypedDict):
+    polynomial: PolynomialView
+    multiplicity: int
+    never: bool
+    """It is 0 in no pose."""
+
+
+class LocusPartView(TypedDict):
+    """The polynomial of the condition, or of one of its factors: `statement` says which."""
+
+    name: str
+    statement: str
+    polynomial: PolynomialView
+    factors: list[LocusFactorView]
+    undecided: str
+    """Why its factors are not known; "" where they are."""
+
+
+class LocusAnswer(TypedDict):
+    variables: list[str]
+    statement: str
+    """What the zeros are."""
+    notes: list[str]
+    """How the pose was rounded."""
+    parts: list[LocusPartView]
+    facts: list[FactItem]
