@@ -135,7 +135,8 @@ def _points(names: Sequence[str]) -> str:
 def _result(s: Subject) -> Iterator[str]:
     said = latex_words(s.whose) + sentence(s.meaning, [n for n, _ in s.condition.lines] if s.condition else ())
     if s.condition is None or s.lines is None:
-        yield from (latex_words(one) for one in leading_sentences(s.robot) if s.robot and one != str(s.meaning))
+        before = leading_sentences(s.robot)[:-1] if s.robot else ()
+        yield from map(latex_words, before)
         yield said
         return
     kind = "theorem" if s.proved else "observation"
