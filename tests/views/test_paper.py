@@ -21,7 +21,7 @@ OCTAHEDRAL = EXAMPLES / "octahedral.yaml"
 FILES = {"section.tex", "figure.tex", "references.bib", "main.tex"}
 KINDS = {
     "planes": ("ab af cb cd ed ef", r"\begin{theorem}", "is proved: both sides have the same normal form"),
-    "no incidence": ("Aa Bb Cc Dd Ee Ff", r"\begin{theorem}", "holds by definition of the superbracket"),
+    "no incidence": ("Aa Bb Cc Dd Ee Ff", r"\begin{theorem}", "lie in one hyperplane"),
     "cofactor": ("Aa Ab Ba Cc Dd Ee", r"\begin{theorem}", "there the identity decides nothing"),
     "always singular": ("Aa Ab Ac Ad Be Cf", r"\begin{theorem}", "the normal form of the superbracket is 0"),
     "the plane": ("ab cd ef", r"\begin{theorem}", "the three lines are linearly"),

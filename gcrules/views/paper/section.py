@@ -146,7 +146,7 @@ def _result(s: Subject) -> Iterator[str]:
     yield "\n".join(
         [
             rf"\begin{{{kind}}}[{{{latex_words(s.title)}}}]\label{{thm:{slug(s)}}}",
-            f"{lead}\n{identity}\nholds. {within}{said}",
+            f"{within}{said}" if _says_nothing(s) else f"{lead}\n{identity}\nholds. {within}{said}",
             rf"\end{{{kind}}}",
         ]
     )
@@ -180,11 +180,22 @@ def _proof(s: Subject, a: Analysis) -> Iterator[str]:
         )
 
 
+def _says_nothing(s: Subject) -> bool:
+    """Whether both sides of the identity are the superbracket itself."""
+    left, right = s.sides
+    return str(left) == str(right)
+
+
 def _certified(s: Subject, c: Condition) -> str:
     """How sure the identity is, and of a robot of joints what else was found."""
     if s.robot and s.robot.robot.limbs:
         detail = s.robot.certificate
         return f"{latex_words(detail[:1].upper() + detail[1:])}."
+    if _says_nothing(s):
+        return (
+            r"Lines are dependent exactly if their Pl\"{u}cker coordinates lie in one hyperplane, that is, if the lines"
+            " belong to one linear complex."
+        )
     detail = c.certificate.detail
     if detail.startswith("proved"):
         return f"Identity~\\eqref{{eq:{slug(s)}}} is {latex_words(detail)}."
