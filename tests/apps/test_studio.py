@@ -466,7 +466,7 @@ def test_drawings_at_fault(page: Page, change: dict[str, Any], words: str) -> No
     ("what", "begins"),
     [
         ("html", "<!DOCTYPE html>"),
-        ("latex", "\\documentclass"),
+        ("latex", "\\begin{filecontents}"),
         ("svg", "<svg"),
         ("pdf", "JVBERi0"),
         ("json", "{"),

@@ -117,7 +117,7 @@ TABLES = {
     **{f"pose {r}": ("robot", "pose", r) for r in ("3-rps", "4-ruu", "delta", "exechon", "tricept")},
 }
 
-OUTPUTS = {
+OUTPUTS: dict[str, Callable[[Path], str]] = {
     **{name: lambda _, a=a: formula(command(*a, "--latex")) for name, a in FORMULAS.items()},
     "words": lambda _: latex_document([rf"\section*{{{latex_words(HARD_TITLE)}}}"]),
     "every sign": lambda _: latex_document(rf"{latex_words(chr(c))}\par" for c in SAMPLE_OF_SIGNS),
