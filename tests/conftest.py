@@ -9,6 +9,7 @@ import signal
 import subprocess
 from collections import defaultdict
 from collections.abc import Callable, Iterator
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -49,11 +50,18 @@ def find_browser() -> str | None:
     return next((path for name in names if (path := shutil.which(name))), None)
 
 
+@cache
+def is_there(name: str) -> bool:
+    """Whether a program is there, or, of a name with an ending, TeX finds such a file."""
+    if "." not in name:
+        return shutil.which(name) is not None
+    finder = shutil.which("kpsewhich")
+    return finder is not None and subprocess.run([finder, name], capture_output=True, check=False).returncode == 0
+
+
 def pytest_runtest_setup(item: pytest.Item) -> None:
-    """Leave out what needs a missing program; with ``GCRULES_REQUIRE_BROWSER=1`` fail it instead."""
-    missing = [
-        program for marker in item.iter_markers("needs") for program in marker.args if shutil.which(program) is None
-    ]
+    """Leave out what needs a missing program or file of TeX; with ``GCRULES_REQUIRE_BROWSER=1`` fail it instead."""
+    missing = [name for marker in item.iter_markers("needs") for name in marker.args if not is_there(name)]
     if item.get_closest_marker("browser") and find_browser() is None:
         missing.append("chromium")
     if not missing:

@@ -444,7 +444,7 @@ mobility: 6
     assert "belong to one linear complex" in a.statement
 
 
-@pytest.mark.needs("pdflatex")
+@pytest.mark.needs("pdflatex", "tikz.sty")
 @pytest.mark.parametrize("name", ["4-ruu", "3-upu", "gallardo-4dof"])
 def test_latex_compiles(name: str, tmp_path: Path) -> None:
     (tmp_path / "a.tex").write_text(analysis(name).latex(), encoding="utf-8")

@@ -497,7 +497,7 @@ COMPILED = {
 }
 
 
-@pytest.mark.needs("pdflatex")
+@pytest.mark.needs("pdflatex", "tikz.sty")
 @pytest.mark.parametrize("full", [False, True], ids=["folded", "full"])
 @pytest.mark.parametrize("legs", COMPILED.values(), ids=COMPILED)
 def test_latex_compiles_with_the_article_class(legs: str, full: bool, tmp_path: Path) -> None:

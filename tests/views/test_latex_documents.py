@@ -174,23 +174,23 @@ def papers(tmp_path_factory: pytest.TempPathFactory) -> dict[str, str]:
     return {name: make(folder) for name, make in PAPERS.items()}
 
 
-@pytest.mark.needs("pdflatex")
+@pytest.mark.needs("pdflatex", "tikz.sty")
 @pytest.mark.parametrize("columns", [ONE, TWO], ids=["one column", "two columns"])
 def test_papers_compile(papers: dict[str, str], columns: str, tmp_path: Path) -> None:
     assert faults(papers, tmp_path, columns=columns) == {}
 
 
-@pytest.mark.needs("lualatex")
+@pytest.mark.needs("lualatex", "luaotfload.sty", "tikz.sty")
 def test_papers_compile_with_lualatex(papers: dict[str, str], tmp_path: Path) -> None:
     assert faults(papers, tmp_path, "lualatex", TWO) == {}
 
 
-@pytest.mark.needs("pdflatex")
+@pytest.mark.needs("pdflatex", "tikz.sty")
 def test_outputs_compile(tmp_path: Path) -> None:
     assert faults({name: make(tmp_path) for name, make in OUTPUTS.items()}, tmp_path) == {}
 
 
-@pytest.mark.needs("pdflatex")
+@pytest.mark.needs("pdflatex", "tikz.sty")
 def test_faults_are_found(tmp_path: Path) -> None:
     documents = {"good": latex_document(["a"]), "sign": latex_document(["mm⁹"]), "command": latex_document(["a_1"])}
     assert faults(documents, tmp_path).keys() == {"sign", "command"}
