@@ -58,6 +58,9 @@ def _structure(s: Subject, figures: int) -> Iterator[str]:
         yield _NOTATION
 
 
+_NOUNS = ("robot", "platform", "wrist", "head")
+_COMMON = ("Planar", "Spherical", "Robot")  # words of titles that are no names
+
 _NOTATION = (
     r"A point is the column of its homogeneous coordinates, a bracket $[\cdots]$ the determinant of such columns;"
     r" points side by side, or $\vee$, denote the join, and $\wedge$ the meet of flats. The superbracket"
@@ -85,7 +88,7 @@ def _of_legs(a: Analysis, shown: str) -> str:
 
 def _of_joints(s: Subject, a: RobotAnalysis, shown: str) -> Iterator[str]:
     t = a.structure
-    words = f"We consider the robot {latex_words(a.robot.title)}{shown}, with the limbs {latex_words(a.robot.chain)}."
+    words = f"We consider {_named(a.robot.title)}{shown}, with the limbs {latex_words(a.robot.chain)}."
     words += f" Its platform has mobility {t.mobility}"
     words += f", and there are {t.overconstraints} overconstraints" * (t.overconstraints > 0)
     words += f" and {t.redundant} actuators beyond the freedoms" * (t.redundant > 0)
@@ -95,12 +98,25 @@ def _of_joints(s: Subject, a: RobotAnalysis, shown: str) -> Iterator[str]:
         yield "Wrenches at home that are no such lines:"
         yield itemized(latex_words(str(one)) for one in a.wrenches)
     if s.lines is not None:
-        chosen = ", chosen among those of all limbs," * (t.redundant > 0 or t.over > 0)
+        chosen = ", chosen among those of all limbs," * _chosen(a)
         words = f"So the lines{chosen} {_listed(s.lines.structure.lines)} stand for the robot."
         if t.ideal:
             words += f" At infinity {'lie' if len(t.ideal) > 1 else 'lies'} {_points(t.ideal)}."
         named = [f"${breakable(Point(n))}$ is {latex_words(what)}" for n, what in t.named]
         yield words + (f" Here {'; '.join(named)}." if named else "")
+
+
+def _chosen(a: RobotAnalysis) -> bool:
+    """Whether the lines are some of more wrenches: they may depend on each other where all of these hold the platform."""
+    return a.structure.redundant > 0 or a.structure.over > 0
+
+
+def _named(title: str) -> str:
+    """A robot by its title within a sentence: "the planar 3-RPR robot", "the robot Tricept, 3-UPS + UP"."""
+    first, _, rest = title.partition(" ")
+    if not any(noun in title.lower() for noun in _NOUNS):
+        return f"the robot {latex_words(title)}"
+    return f"the {latex_words(f'{first.lower() if first in _COMMON else first} {rest}')}"
 
 
 def _limb(limb: LimbWrenches) -> str:
@@ -156,14 +172,17 @@ def _result(s: Subject) -> Iterator[str]:
 def _heading(s: Subject) -> str:
     if not s.proved:
         return "[How sure this is]"
-    return "[Proof of the identity, and how sure the rest is]" if s.robot and s.robot.robot.limbs else ""
+    if not (s.robot and s.robot.robot.limbs):
+        return ""
+    return "[On what this rests]" if _says_nothing(s) else "[Proof of the identity, and how sure the rest is]"
 
 
 def _proof(s: Subject, a: Analysis) -> Iterator[str]:
     assert s.condition is not None
     number = _COUNTS.get(len(a.structure.legs), str(len(a.structure.legs)))
+    when = "only if" if s.robot and _chosen(s.robot) else "exactly if"
     yield (
-        f"With the actuators locked the platform can move to first order exactly if the {number} lines are linearly"
+        f"With the actuators locked the platform can move to first order {when} the {number} lines are linearly"
         " dependent, that is, if the superbracket vanishes."
     )
     yield _certified(s, s.condition)
