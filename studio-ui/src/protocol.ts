@@ -988,7 +988,7 @@ export interface Polynomial {
   terms: number;
   plain: string;
   latex: string;
-  /** A function of its variables, for numbers, arrays and symbols. */
+  /** A function of its variables, for numbers, arrays and symbols; of roots it takes the signs, in home's mode 1. */
   python: string;
 }
 
@@ -1009,6 +1009,14 @@ export interface LocusPart {
   undecided: string;
 }
 
+/** A root that is a variable of the polynomials: its `square`, and whose `sign` it has in home's mode ("" where it is positive there). */
+export interface Root {
+  name: string;
+  places: string;
+  square: Polynomial;
+  sign: string;
+}
+
 export interface LocusAnswer {
   variables: string[];
   /** What the zeros are. */
@@ -1016,6 +1024,7 @@ export interface LocusAnswer {
   /** How the pose was rounded. */
   notes: string[];
   parts: LocusPart[];
+  roots: Root[];
   facts: FactItem[];
 }
 

@@ -136,3 +136,20 @@ def test_the_turn_of_a_locus_has_short_numbers_and_says_so(desk: Desk) -> None:
     (note,) = desk.run("gcrules.touring.locus.now.value.result.notes")
     assert "quaternion 1, 0, 0, " in note
     assert "° from that of the pose" in note
+
+
+def test_a_function_with_roots_vanishes_at_the_nearest_singular_configuration(desk: Desk) -> None:
+    """Of Delta over its position the roots stay in, and the function takes the working mode."""
+    desk.open("robot", "delta").one("panel-motion").click()
+    desk.one("locus-position").click()
+    desk.one("locus-python").first.click()
+    assert desk.page.get_by_test_id("locus-root").count() == 3
+    scope: dict[str, Any] = {}
+    exec(desk.one("locus-text").first.inner_text(), scope)
+    nearest = gc.pose("delta").nearest
+    assert nearest is not None
+    at = [nearest.coordinates[n] for n in "xyz"]
+    value = scope["P1"]
+    assert abs(value(*at) / value(0, 0, 0)) < 1e-6
+    assert abs(value(*at, 1, -1, 1) / value(0, 0, 0)) > 1e-3
+    assert desk.faults == []

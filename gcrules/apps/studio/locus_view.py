@@ -8,7 +8,13 @@ from fractions import Fraction
 from typing import Any
 
 from gcrules.apps.studio.items import fact
-from gcrules.apps.studio.protocol.locus_views import LocusAnswer, LocusFactorView, LocusPartView, PolynomialView
+from gcrules.apps.studio.protocol.locus_views import (
+    LocusAnswer,
+    LocusFactorView,
+    LocusPartView,
+    PolynomialView,
+    RootView,
+)
 from gcrules.apps.studio.protocol.requests import PoseJson
 from gcrules.apps.studio.subject import Subject
 from gcrules.apps.studio.whereabouts import coordinates_at
@@ -18,10 +24,12 @@ from gcrules.core.errors import LimitReached
 from gcrules.mechanisms.kinematics.solve import free_coordinates
 from gcrules.mechanisms.limbs import Limbs
 from gcrules.mechanisms.six_legs import SixLegs
+from gcrules.poses.loci.elimination import FormalRoot
 from gcrules.poses.loci.form import PolynomialForm
 from gcrules.poses.loci.limb_question import variable
 from gcrules.poses.loci.limb_report import LocusPart
 from gcrules.poses.loci.locus import locus_of
+from gcrules.poses.loci.polynomial import degrees_of
 from gcrules.poses.loci.report import Locus, LocusFactor
 from gcrules.poses.methods import Methods, has_six_legs, method
 from gcrules.screws.pose import Pose
@@ -43,12 +51,14 @@ def locus_view(subject: Subject, pose: PoseJson, over: Sequence[str] | None) -> 
     report("eliminating the joints")
     found = locus_of(m, asked.free, asked.fix, asked.at)
     told: Any = of_legs if isinstance(found, Locus) else of_limbs
-    parts = [_whole(found)] if isinstance(found, Locus) else [_part(p, name) for name, p in _numbered(found.parts)]
+    roots = () if isinstance(found, Locus) or found.multiplied else found.roots
+    numbered = [] if isinstance(found, Locus) else _numbered(found.parts)
     return {
         "variables": list(found.variables),
         "statement": told.headline(found),
         "notes": list(asked.notes),
-        "parts": parts,
+        "parts": [_whole(found)] if isinstance(found, Locus) else [_part(p, name, roots) for name, p in numbered],
+        "roots": [_root(r) for r in roots],
         "facts": [fact(name, words) for name, words in told.account(found, unicode=True)],
     }
 
@@ -121,14 +131,25 @@ def _numbered(parts: Sequence[LocusPart]) -> list[tuple[str, LocusPart]]:
 
 
 def _whole(found: Locus) -> LocusPartView:
-    return _shown("P", found.condition.sentence, found.form, found)
+    return _shown("P", found.condition.sentence, found.form, found, ())
 
 
-def _part(part: LocusPart, name: str) -> LocusPartView:
-    return _shown(name, part.statement, part.form, part)
+def _part(part: LocusPart, name: str, roots: Sequence[FormalRoot]) -> LocusPartView:
+    return _shown(name, part.statement, part.form, part, roots)
 
 
-def _shown(name: str, statement: str, form: PolynomialForm, held: Locus | LocusPart) -> LocusPartView:
+def _root(r: FormalRoot) -> RootView:
+    return {
+        "name": r.name,
+        "places": r.places,
+        "square": _polynomial(f"square_of_{r.name}", r.radicand, ()),
+        "sign": " · ".join(f"({p})" for p in r.sign),
+    }
+
+
+def _shown(
+    name: str, statement: str, form: PolynomialForm, held: Locus | LocusPart, roots: Sequence[FormalRoot]
+) -> LocusPartView:
     factors: tuple[LocusFactor, ...] = ()
     undecided = ""
     try:
@@ -138,21 +159,31 @@ def _shown(name: str, statement: str, form: PolynomialForm, held: Locus | LocusP
     return {
         "name": name,
         "statement": statement,
-        "polynomial": _polynomial(name, form),
-        "factors": [_factor(f"{name}_{k}", f) for k, f in enumerate(factors, 1)],
+        "polynomial": _polynomial(name, form, roots),
+        "factors": [_factor(f"{name}_{k}", f, roots) for k, f in enumerate(factors, 1)],
         "undecided": undecided,
     }
 
 
-def _factor(name: str, f: LocusFactor) -> LocusFactorView:
-    return {"polynomial": _polynomial(name, f.form), "multiplicity": f.multiplicity, "never": f.kind == "norm"}
+def _factor(name: str, f: LocusFactor, roots: Sequence[FormalRoot]) -> LocusFactorView:
+    return {"polynomial": _polynomial(name, f.form, roots), "multiplicity": f.multiplicity, "never": f.kind == "norm"}
 
 
-def _polynomial(name: str, form: PolynomialForm) -> PolynomialView:
+def _polynomial(name: str, form: PolynomialForm, roots: Sequence[FormalRoot]) -> PolynomialView:
     return {
-        "degree": form.degree,
+        "degree": degrees_of(form, [r.name for r in roots])["total"],
         "terms": len(form.terms),
         "plain": str(form),
         "latex": form_latex(form),
-        "python": f"def {name}({', '.join(form.variables)}):\n    return {form.written('sympy')}\n",
+        "python": _function(name, form, roots),
     }
+
+
+def _function(name: str, form: PolynomialForm, roots: Sequence[FormalRoot]) -> str:
+    """A function of Python; of roots it takes the signs, in home's mode 1."""
+    signs = {r.name: f"{r.name}=1" for r in roots}
+    lines = [f"def {name}({', '.join(signs.get(n, n) for n in form.variables)}):"]
+    for r in roots:
+        turned = "".join(f" * ({p.written('sympy')}) / abs({p.written('sympy')})" for p in r.sign)
+        lines.append(f"    {r.name} = {r.name} * ({r.radicand.written('sympy')}) ** 0.5{turned}")
+    return "\n".join([*lines, f"    return {form.written('sympy')}", ""])

@@ -107,7 +107,7 @@ def _of_joints(s: Subject, a: RobotAnalysis, shown: str) -> Iterator[str]:
 
 
 def _chosen(a: RobotAnalysis) -> bool:
-    """Whether the lines are some of more wrenches: they may depend on each other where all of these hold the platform."""
+    """Whether the lines are some of more wrenches, and may depend on each other where all of them hold the platform."""
     return a.structure.redundant > 0 or a.structure.over > 0
 
 

@@ -6,7 +6,7 @@ from typing import TypedDict
 
 from gcrules.apps.studio.protocol.study_views import FactItem
 
-__all__ = ["LocusAnswer", "LocusFactorView", "LocusPartView", "PolynomialView"]
+__all__ = ["LocusAnswer", "LocusFactorView", "LocusPartView", "PolynomialView", "RootView"]
 
 
 class PolynomialView(TypedDict):
@@ -15,7 +15,7 @@ class PolynomialView(TypedDict):
     plain: str
     latex: str
     python: str
-    """A function of its variables, for numbers, arrays and symbols."""
+    """A function of its variables, for numbers, arrays and symbols; of roots it takes the signs, in home's mode 1."""
 
 
 class LocusFactorView(TypedDict):
@@ -36,6 +36,17 @@ class LocusPartView(TypedDict):
     """Why its factors are not known; "" where they are."""
 
 
+class RootView(TypedDict):
+    """A root that is a variable of the polynomials: its `square`, and whose `sign` it has in home's mode ("" where it
+    is positive there).
+    """
+
+    name: str
+    places: str
+    square: PolynomialView
+    sign: str
+
+
 class LocusAnswer(TypedDict):
     variables: list[str]
     statement: str
@@ -43,4 +54,5 @@ class LocusAnswer(TypedDict):
     notes: list[str]
     """How the pose was rounded."""
     parts: list[LocusPartView]
+    roots: list[RootView]
     facts: list[FactItem]

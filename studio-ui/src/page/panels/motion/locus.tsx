@@ -61,6 +61,14 @@ export function LocusSection({ study }: { study: Study }) {
           {now.result.parts.map((part) => (
             <Part key={part.name} part={part} />
           ))}
+          {now.result.roots.map(({ name, places, square, sign }) => (
+            <article key={name} class="polynomial" data-testid="locus-root">
+              <p class="reason">
+                {name} tells apart two places of {places}; in home's mode it {sign ? `has the sign of ${sign}` : "is positive"}.
+              </p>
+              <Formulas name={`${name}²`} polynomial={square} />
+            </article>
+          ))}
           <Facts facts={now.result.facts} title="What was computed, and how it was checked" />
         </div>
       )}
