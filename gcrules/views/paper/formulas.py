@@ -63,35 +63,39 @@ def inline(e: Expr) -> str:
     return f"$({code})$" if isinstance(e, Meet) and e.step else f"${code}$"
 
 
-def sentence(s: Statement, names: Iterable[str] = ()) -> str:
-    """A statement; its flats, and the `names` of lines that it gives, are mathematics."""
-    named = [n for n in names if n]
-    pieces = [inline(p.expression) if isinstance(p, Flat) else _words(str(p), named) for p in s.pieces]
-    return "".join(pieces)
+def sentence(s: Statement, lines: Iterable[str] = (), names: Sequence[str] = ()) -> str:
+    """A statement; its flats, the names of `lines` that it gives, and those of points with digits are mathematics."""
+    given = [n for n in lines if n]
+    return "".join(inline(p.expression) if isinstance(p, Flat) else _words(str(p), given, names) for p in s.pieces)
 
 
-def _words(words: str, names: Sequence[str]) -> str:
-    if not names:
-        return latex_words(words)
-    parts = re.split(rf"\b({'|'.join(map(re.escape, names))})\b", words)
-    return "".join(f"${part}$" if part in names else latex_words(part) for part in parts)
+def _words(words: str, lines: Sequence[str], names: Sequence[str]) -> str:
+    if not lines:
+        return named_words(words, names)
+    parts = re.split(rf"\b({'|'.join(map(re.escape, lines))})\b", words)
+    return "".join(f"${part}$" if part in lines else named_words(part, names) for part in parts)
 
 
 def named_words(words: str, names: Sequence[str]) -> str:
-    r"""Running text in which names of points with digits, one or several side by side, are mathematics.
+    r"""Running text in which names of points with digits, one or several side by side, and axes are mathematics.
 
-    >>> print(named_words("the line O1A1 and 2 of 3", ["O1", "A1"]))
-    the line $O_{1}A_{1}$ and 2 of 3
+    >>> print(named_words("the line O1A1, the plane zp1p2' and 2 of 3", ["O1", "A1", "z", "p1", "p2'"]))
+    the line $O_{1}A_{1}$, the plane $zp_{1}p_{2}'$ and 2 of 3
     """
-    numbered = sorted((n for n in names if re.fullmatch(r"[A-Za-z]+\d+", n)), key=len, reverse=True)
-    if not numbered:
+    short = sorted((n for n in names if re.fullmatch(r"[A-Za-z]+\d*'*", n)), key=len, reverse=True)
+    if not any(re.search(r"\d", n) for n in short):
         return latex_words(words)
-    one = "|".join(numbered)
-    parts = re.split(rf"(?<!\w)((?:{one})+)(?!\w)", words)
+    one = "|".join(map(re.escape, short))
+    parts = re.split(rf"(?<![\w'])((?:{one})+)(?![\w'])", words)
     return "".join(
-        f"${''.join(map(latex_name, re.findall(one, part)))}$" if n % 2 else latex_words(part)
+        f"${''.join(map(latex_name, re.findall(one, part)))}$" if n % 2 and _is_name(part) else latex_words(part)
         for n, part in enumerate(parts)
     )
+
+
+def _is_name(word: str) -> bool:
+    """Whether a word that names make is no word of English."""
+    return bool(re.search(r"\d", word)) or word in ("x", "y", "z")
 
 
 def itemized(items: Iterable[str]) -> str:

@@ -102,7 +102,7 @@ def _of_joints(s: Subject, a: RobotAnalysis, shown: str) -> Iterator[str]:
         words = f"So the lines{chosen} {_listed(s.lines.structure.lines)} stand for the robot."
         if t.ideal:
             words += f" At infinity {'lie' if len(t.ideal) > 1 else 'lies'} {_points(t.ideal)}."
-        named = [f"${breakable(Point(n))}$ is {latex_words(what)}" for n, what in t.named]
+        named = [f"${breakable(Point(n))}$ is {named_words(what, s.names)}" for n, what in t.named]
         yield words + (f" Here {'; '.join(named)}." if named else "")
 
 
@@ -149,7 +149,8 @@ def _points(names: Sequence[str]) -> str:
 
 
 def _result(s: Subject) -> Iterator[str]:
-    said = latex_words(s.whose) + sentence(s.meaning, [n for n, _ in s.condition.lines] if s.condition else ())
+    lines = [n for n, _ in s.condition.lines] if s.condition else ()
+    said = latex_words(s.whose) + sentence(s.meaning, lines, s.names)
     if s.condition is None or s.lines is None:
         before = leading_sentences(s.robot)[:-1] if s.robot else ()
         yield from map(latex_words, before)

@@ -61,7 +61,8 @@ class Subject:
     def names(self) -> tuple[str, ...]:
         """The names of points and directions."""
         if self.robot is not None:
-            return tuple(dict.fromkeys((*self.robot.robot.family.sorts, *self.robot.structure.ideal)))
+            t = self.robot.structure
+            return tuple(dict.fromkeys((*self.robot.robot.family.sorts, *t.ideal, *(n for n, _ in t.named))))
         return self.lines.structure.names if self.lines else ()
 
     @property
