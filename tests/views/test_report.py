@@ -79,7 +79,11 @@ def test_reports_of_all_classes(legs: str | tuple[tuple[str, str], ...]) -> None
     assert a.text().isascii()
     latex = a.latex()
     assert latex.count("{") - latex.count("\\{") == latex.count("}") - latex.count("\\}")
-    assert len(re.findall(r"\\begin\{align\*\}", latex)) == len(re.findall(r"\\end\{align\*\}", latex)) > 0
+    assert (
+        re.findall(r"\\begin\{(theorem|observation)\}", latex)
+        == re.findall(r"\\end\{(theorem|observation)\}", latex)
+        != []
+    )
 
 
 @pytest.mark.parametrize("legs", [*STRUCTURES, *(e.legs for e in load().entries)], ids=str)

@@ -46,5 +46,8 @@ def paper(legs: tuple[str, ...], mode: str | None, folder: str, full: bool, sear
 
 @click.command()
 def cite() -> None:
-    """Print gcrules of this version as a BibTeX entry."""
+    """Print gcrules of this version as a BibTeX entry.
+
+    gcrules cite
+    """
     click.echo(_own_entry())

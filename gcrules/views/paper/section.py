@@ -17,6 +17,8 @@ from gcrules.views.formulas.latex_text import latex_words
 from gcrules.views.paper.bibliography import OWN_KEY, cited_in
 from gcrules.views.paper.formulas import breakable, displayed, equation, inline, itemized, named_words, sentence
 from gcrules.views.paper.subject import Subject
+from gcrules.views.report.dimension_items import dimension_lines
+from gcrules.views.report.stage_ids import TITLES
 from gcrules.views.results.derivation import reasons
 from gcrules.views.results.robot import CONDITION, FACTORS, LIMBS, LINES, factor_words, leading_sentences, sections
 
@@ -238,7 +240,6 @@ def _vanishing(e: Expr) -> Iterator[str]:
 
 # --- what else is known --------------------------------------------------------------------------------------------
 
-_LIMBS_ALONE = "Singularities of the limbs by themselves"
 _TOLD = (LIMBS, LINES, CONDITION, FACTORS, "Wrenches that are no such lines, at home", "Certificate")
 
 
@@ -246,8 +247,10 @@ def _limits(s: Subject) -> Iterator[str]:
     """Factors of a robot's condition told apart, and the singularities of its limbs."""
     a = s.robot
     if a is None:
-        always = s.lines.dimensions.architecture.sentence if s.lines and s.lines.dimensions else ""
-        yield latex_words(always)
+        dimensions = s.lines.dimensions if s.lines else None
+        if dimensions is not None:
+            yield rf"\paragraph{{{latex_words(TITLES['dimensions'])}.}}"
+            yield itemized(named_words(line, s.names) for line in dimension_lines(dimensions))
         return
     if len(a.parts) > 1 or any(p.kind in ("never", "choice", "limb") for p in a.parts):
         yield r"\paragraph{Factors.} The factors of the right side are, for this robot:"
@@ -255,7 +258,7 @@ def _limits(s: Subject) -> Iterator[str]:
     if a.cofactors:
         yield f"Of the left side {listed([inline(e) for e in a.cofactors])} may vanish in poses that are not singular."
     for title, lines in sections(a, True):
-        if title.startswith(_LIMBS_ALONE):
+        if title not in _TOLD:
             yield rf"\paragraph{{{latex_words(title)}.}}"
             yield itemized(named_words(line, s.names) for line in lines)
 
@@ -311,8 +314,3 @@ def _steps(s: Subject) -> Iterator[str]:
                 for single in step.steps or (step,):
                     yield f"{displayed('{}=', single.after)}\n\\noindent {latex_words(next(words))}"
                 yield from (f"assuming that {inline(e)} is not $0$" for e in step.assumed)
-    if s.robot is not None:
-        for title, lines in sections(s.robot, True):
-            if title not in _TOLD and not title.startswith(_LIMBS_ALONE):
-                yield rf"\paragraph{{{latex_words(title)}.}}"
-                yield itemized(map(latex_words, lines))
