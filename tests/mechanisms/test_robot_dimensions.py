@@ -9,7 +9,7 @@ from fractions import Fraction
 import numpy as np
 import pytest
 from commands import invoke
-from places import ROOT
+from places import DATA, EXAMPLES
 
 import gcrules as gc
 from gcrules.conditions.dimensions.facts import KINDS
@@ -22,8 +22,6 @@ from gcrules.mechanisms.kinematics.targets import coordinates_target
 from gcrules.mechanisms.load import read_robot
 from gcrules.mechanisms.robot import Robot
 from gcrules.screws import RATIONALS
-
-DATA = ROOT / "tests" / "data"
 
 
 def facts(robot: Robot) -> set[tuple[str, str, frozenset[str]]]:
@@ -103,9 +101,9 @@ def test_bodies_and_lengths_keep_as_the_joints_move(name: str) -> None:
 # --- symmetry, seen by NumPy ---
 
 
-@pytest.mark.parametrize("path", ["modes/tsai-3-upu.yaml", "modes/snu-3-upu.yaml", "modes/equilateral-3-rps.yaml"])
+@pytest.mark.parametrize("path", ["tsai-3-upu.yaml", "snu-3-upu.yaml", "equilateral-3-rps.yaml"])
 def test_a_turn_of_order_three(path: str) -> None:
-    robot = read_robot(DATA / path)
+    robot = read_robot(EXAMPLES / "published" / path)
     orders = [f.order for f in facts_of_design(robot) if f.kind == "rotation"]
     assert orders == [3]
     at = {n: np.array([float(c) for c in v]) for n, v in robot.values_at().items()}
@@ -118,7 +116,7 @@ def test_a_turn_of_order_three(path: str) -> None:
 
 
 def test_a_direction_that_the_turn_does_not_carry_ends_it() -> None:
-    robot = read_robot(DATA / "modes" / "tsai-3-upu.yaml")
+    robot = read_robot(EXAMPLES / "published" / "tsai-3-upu.yaml")
     home = {**(robot.home or {}), "u1": (Fraction(1), Fraction(2), Fraction(5))}
     assert not [f for f in facts_of_design(dataclasses.replace(robot, home=home)) if f.kind == "rotation"]
 

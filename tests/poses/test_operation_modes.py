@@ -12,7 +12,7 @@ from typing import Any
 
 import pytest
 from click.testing import CliRunner
-from places import DATA
+from places import EXAMPLES
 
 import gcrules as gc
 from gcrules.apps.cli import cli
@@ -24,7 +24,7 @@ from gcrules.poses.operation_modes.report import OperationModes
 from gcrules.poses.operation_modes.study import coupled, motions, pose
 
 SCHOENFLIES = "Schönflies motion with the direction z"
-OUR_OWN = str(DATA / "modes")
+OUR_OWN = str(EXAMPLES / "published")
 
 MOTIONS: dict[str, tuple[str, ...]] = {
     "delta": ("pure translations",),
