@@ -90,7 +90,7 @@ def run(command: str, folder: Path) -> str:
         tool.write_text(f'#!/bin/sh\nexec "{sys.executable}" -m gcrules "$@"\n', encoding="utf-8")
         tool.chmod(0o755)
         path = f"{folder}{os.pathsep}{path}"
-        words = ["sh", "-c", command]
+        words = ["sh", "-c", re.sub(r" -o (\S+)", lambda m: f" -o {shlex.quote(str(folder / m[1]))}", command)]
     else:
         words = [sys.executable, "-m", "gcrules", *words[1:]]
     environment = {**os.environ, "PYTHONIOENCODING": "utf-8", "NO_COLOR": "1", "PATH": path}

@@ -13,6 +13,7 @@ import pytest
 from click.testing import CliRunner
 from commands import invoke
 from mechanisms.shipped_robots import GOOD
+from places import EXAMPLES
 
 from gcrules.apps.cli import cli
 from gcrules.core.errors import FileError, InputError
@@ -173,3 +174,15 @@ def test_a_new_robot_needs_an_id_of_its_own(taken: str, tmp_path: Path, monkeypa
     assert not list(tmp_path.iterdir())
     (shows,) = re.findall(r"`gcrules (.+)` shows what has it", found.output)
     assert invoke(*shows.split()).exit_code == 0
+
+
+@pytest.mark.parametrize("command", ["check", "analyze", "show", "pose"])
+def test_a_robot_file_comes_from_standard_input(command: str) -> None:
+    text = (EXAMPLES / "tutorial" / "tripod.yaml").read_text(encoding="utf-8")
+    done = CliRunner().invoke(cli, ["robot", command, "-"], input=text)
+    assert done.exit_code == 0, done.stderr
+    wrong = CliRunner().invoke(cli, ["robot", command, "-"], input=text.replace("S(S%)", "S(T%)"))
+    assert wrong.exit_code == 2
+    assert "<stdin>:11:33: T1 is not defined" in wrong.stderr
+    legs = CliRunner().invoke(cli, ["robot", command, "-"], input="legs: [ab]\npoints: {a: [0, 0, 0], b: [1, 0, 0]}\n")
+    assert legs.exit_code == 2

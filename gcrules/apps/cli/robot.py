@@ -26,7 +26,7 @@ from gcrules.apps.cli.limits import time_limit
 from gcrules.apps.cli.robot_docs import docs
 from gcrules.apps.cli.robot_export import export
 from gcrules.apps.cli.robot_import import import_
-from gcrules.apps.cli.sources import in_mode, mode_option
+from gcrules.apps.cli.sources import in_mode, mode_option, robot_named
 from gcrules.core.budget import checkpoint
 from gcrules.core.deferred import deferred
 from gcrules.core.errors import FileError, GcrulesError, InputError, LimitReached
@@ -70,7 +70,8 @@ def robot() -> None:
     gcrules robot new my-robot
     gcrules robot check my-robot/robot.yaml
 
-    A robot is a file of data, `robot.yaml`, in a folder that bears its id; docs/robots.md describes it.
+    A robot is a file of data, `robot.yaml`, in a folder that bears its id; docs/robots.md describes it. "-" reads the
+    file from standard input.
     """
 
 
@@ -98,7 +99,7 @@ def list_command(folders: tuple[str, ...], as_json: bool) -> None:
 @_plugins
 def show_command(name: str, folders: tuple[str, ...]) -> None:
     """Show a robot: its points and directions with the relations that make them, and its limbs."""
-    click.echo("\n".join(_shown(read_robot(name, folders))))
+    click.echo("\n".join(_shown(robot_named(name, folders))))
 
 
 def _by_number(d: Definition) -> tuple[str, int]:
@@ -153,7 +154,7 @@ def check_command(ctx: click.Context, names: tuple[str, ...], folders: tuple[str
             left = f"{len(chosen) - number} of {len(chosen)} robots are not checked"
             raise LimitReached(f"{over.message}: {left}", hint=over.hint) from None
         try:
-            found = read_robot(name, folders)
+            found = robot_named(name, folders)
             analysis = analyze_robot(found)
         except GcrulesError as fault:
             if fault.place is None:
@@ -268,7 +269,7 @@ def pose_command(
 
 def _read(name: str, folders: tuple[str, ...], mode: str | None) -> Robot:
     """The robot, with its home in a mode."""
-    found = in_mode(read_robot(name, folders), mode)
+    found = in_mode(robot_named(name, folders), mode)
     assert isinstance(found, Robot)
     return found
 

@@ -11,9 +11,10 @@ from gcrules.apps.cli.files import read_stdin
 from gcrules.core.deferred import deferred
 from gcrules.core.errors import InputError
 from gcrules.mechanisms.description.platform_file import Platform
-from gcrules.mechanisms.load import Loaded, is_path, load
+from gcrules.mechanisms.load import Loaded, is_path, load, read_robot, read_text
+from gcrules.mechanisms.robot import Robot
 
-__all__ = ["in_mode", "mode_option", "read_source", "warn"]
+__all__ = ["in_mode", "mode_option", "read_source", "robot_named", "warn"]
 
 _in_mode = deferred("gcrules.poses.modes.choose:in_mode")  # numpy
 
@@ -34,6 +35,16 @@ def read_source(words: str | Sequence[str], *, mode: str | None = None, **option
     if len(words) > 1 and any(word == "-" or is_path(word) for word in words):
         raise InputError("expected one geometry file, or legs", hint="give one file at a time")
     return in_mode(load(" ".join(words), stdin=read_stdin, **options), mode)
+
+
+def robot_named(name: str, folders: Sequence[str] = ()) -> Robot:
+    """The robot of this id or file; "-" is standard input. Raises InputError for a geometry file there."""
+    if name != "-":
+        return read_robot(name, folders)
+    found = read_text(read_stdin(), "<stdin>")
+    if isinstance(found, Robot):
+        return found
+    raise InputError("<stdin> is a geometry file, and describes no joints", hint="`gcrules analyze -` takes it")
 
 
 def in_mode(loaded: Loaded, mode: str | None) -> Loaded:
