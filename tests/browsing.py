@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from contextlib import contextmanager
+from typing import Any
 
 from conftest import find_browser
 from playwright.sync_api import Browser, sync_playwright
@@ -29,3 +30,10 @@ def chromium() -> Iterator[Browser]:
         browser = playwright.chromium.launch(executable_path=find_browser(), args=list(ARGS))
         yield browser
         browser.close()
+
+
+def two_frames(page: Any) -> None:
+    """Wait until the page has been drawn twice, no longer than the page's own timeout."""
+    drawn = "requestAnimationFrame(() => requestAnimationFrame(() => { window.drawn = true; }))"
+    page.evaluate(f"() => {{ window.drawn = false; {drawn}; }}")
+    page.wait_for_function("() => window.drawn", polling=16)

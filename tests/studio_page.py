@@ -134,7 +134,9 @@ class Desk:
 
     def painted(self) -> None:
         """Wait for two frames and for the picture."""
-        self.run("() => new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)))")
+        from browsing import two_frames
+
+        two_frames(self.page)
         self.page.wait_for_timeout(60)
 
     @property

@@ -195,6 +195,21 @@ def test_handles_and_keys_move_a_robot_with_limbs(desk: Any) -> None:
 
 
 @pytest.mark.browser
+def test_an_answer_that_comes_after_undo_is_not_wanted(desk: Any) -> None:
+    desk.open("robot", "3-rps", "check")
+    desk.one("led").select_option("platform")
+    desk.slide("z", 0.1)
+    wait_for(desk, 0, 0.1)
+    desk.let_go("z")
+    desk.run("() => { gcrules.leading.set(0, 0.2); gcrules.undo(); }")
+    wait_for(desk, 0, 0)
+    desk.slide("roll", 2)  # its answer comes after that of the move that was undone
+    wait_for(desk, 1, 2)
+    assert desk.numbers["freedoms"] == pytest.approx([0, 2, 0], abs=1e-6)
+    assert desk.faults == []
+
+
+@pytest.mark.browser
 def test_the_table_of_actuators(desk: Any, root: Path) -> None:
     text = (root / "examples" / "octahedral.yaml").read_text("utf-8") + "\nlimits: ab 350..420\n"
     desk.run("text => gcrules.open({kind: 'file', text, name: 'octahedral.yaml'})", text)

@@ -27,7 +27,9 @@ class Shown:
 
     def settled(self) -> None:
         """Two frames later."""
-        self.run("() => new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)))")
+        from browsing import two_frames
+
+        two_frames(self.page)
 
 
 Open = Callable[..., Shown]

@@ -22,6 +22,7 @@ export interface Leading {
 }
 
 interface Asked {
+  hands: number;
   source: Source;
   pose: Pose;
   at?: number[];
@@ -34,14 +35,18 @@ export function createLeading(client: Client, { doc, source$, pose$, edit, settl
   let answered: Pose | null = null;
   let last: Asked | null = null; // the request whose answer is awaited
   let ending = false;
+  let moving = false; // whether the pose changes by an answer
+  let hands = 0; // how often anything else has moved the robot, undo for one
 
   const request = latest(
-    (asked: Asked) => client.ask("move", { ...asked }, { channel: "move" }),
+    ({ hands: _, ...asked }: Asked) => client.ask("move", asked, { channel: "move" }),
     ({ pose }, asked) => {
       if (!current(asked)) return;
       fault.value = null;
       answered = pose;
+      moving = true;
       edit({ pose }, "platform");
+      moving = false;
       ended(asked);
     },
     (error, asked) => {
@@ -52,12 +57,12 @@ export function createLeading(client: Client, { doc, source$, pose$, edit, settl
       ended(asked);
     },
   );
-  const current = ({ source }: Asked): boolean => sameSource(source, doc.peek().source);
+  const current = (asked: Asked): boolean => asked.hands === hands && sameSource(asked.source, doc.peek().source);
 
   function ask(what: Pick<Asked, "at" | "to">): void {
     const { source, pose } = doc.peek();
     if (!source) return;
-    last = { source, pose, ...what };
+    last = { hands, source, pose, ...what };
     request(last);
   }
 
@@ -68,6 +73,15 @@ export function createLeading(client: Client, { doc, source$, pose$, edit, settl
     ending = false;
   }
 
+  // an answer that comes after another hand has moved the robot is not wanted any more
+  effect(() => {
+    void pose$.value;
+    if (moving) return;
+    hands += 1;
+    last = null;
+    ending = false;
+    wanted.value = null;
+  });
   // what was wanted is there when the numbers of its pose are; another hand at the actuators, or undo, ends it too
   effect(() => {
     const pose = pose$.value;
