@@ -22,6 +22,7 @@ pytest.importorskip("starlette", reason="needs the extra gcrules[studio]")
 OCTAHEDRAL = {"kind": "example", "name": "octahedral"}
 DELTA = {"kind": "robot", "id": "delta"}
 THREE_RPS = {"kind": "robot", "id": "3-rps"}
+FIVE_BARS = {"kind": "robot", "id": "5r"}
 SHORT_LEGS = {"kind": "legs", "legs": "ab af  cb cd ed ef"}
 HOME = {"translation": [0, 0, 0], "quaternion": [1, 0, 0, 0]}
 MOVED = {"translation": [12.5, 0, -100 / 3], "quaternion": [0.98, 0.1, 0, -0.17]}
@@ -135,7 +136,7 @@ def test_a_map(repeat: Repeat, source: Any, over: Any, pose: Any) -> None:
     assert shell
 
 
-@pytest.mark.parametrize(("source", "pose"), [(OCTAHEDRAL, MOVED), (DELTA, driven(3, 2, 1))])
+@pytest.mark.parametrize(("source", "pose"), [(OCTAHEDRAL, MOVED), (FIVE_BARS, driven(0.05, -0.02))])
 def test_free_poses_and_assembly_modes(repeat: Repeat, source: Any, pose: Any) -> None:
     shown = repeat.page.ask("free", source=source, pose=pose, shape="ball")
     shell, python = repeat.both("free", source, pose=pose, shape="ball")

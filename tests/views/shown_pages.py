@@ -38,7 +38,7 @@ Open = Callable[..., Shown]
 def open_from_file(chromium: Any, path: Path, text: str, **options: Any) -> Shown:
     """The text of a page opened from a file, with reduced motion, so that nothing is under way."""
     page = chromium.new_context(viewport={"width": 900, "height": 640}, reduced_motion="reduce", **options).new_page()
-    page.set_default_timeout(10_000)
+    page.set_default_timeout(60_000)
     path.write_text(text, encoding="utf-8")
     shown = Shown(page, [], [])
     page.on("request", lambda request: shown.requests.append(request.url))

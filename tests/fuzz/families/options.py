@@ -255,4 +255,4 @@ def run(case: Case, jail: Jail) -> Outcome:
         serving.serve = serve
 
 
-OPTIONS = Family("options", "options of every command, good and bad, in any sequence", options, run, share=2, few=30)
+OPTIONS = Family("options", "options of every command, good and bad, in any sequence", options, run, share=2, few=15)
