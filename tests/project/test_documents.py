@@ -18,7 +18,7 @@ from places import ROOT
 NOT_RUN = {
     (
         "README.md",
-        "make demo                                        # makes .venv, installs, analyses a platform, writes its report",
+        "make demo                                        # makes .venv, installs, writes the report of a platform",
     ): ("a target of make; the tests run both commands"),
     (
         "docs/boxes.md",
