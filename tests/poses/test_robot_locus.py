@@ -10,6 +10,7 @@ from fractions import Fraction
 from typing import Any
 
 import pytest
+import sympy
 from click.testing import CliRunner
 from commands import assert_refused
 from mechanisms.shipped_robots import analysis
@@ -199,6 +200,20 @@ def test_commands() -> None:
     for option in (["--latex"], ["--export", "sympy"], ["--export", "maple"], ["--export", "singular"]):
         assert run(cli, ["locus", "orthoglide", "--over", "x,y", "--at", "z=0.1", *option]).exit_code == 0
     assert_refused(run(cli, ["locus", "3-rpr", "--over", "q1"]), 2, "q1")
+
+
+def test_squares_of_roots_are_exported_with_the_polynomial() -> None:
+    found = gc.locus("3-rrr", over="x", product=False)
+    polynomial, zeros = sympy.sympify(found.written("sympy"))
+    assert sympy.expand(polynomial - found.to_sympy()) == 0
+    for root, zero in zip(found.roots, zeros, strict=True):
+        assert sympy.expand(sympy.Symbol(root.name) ** 2 - zero - root.radicand.poly.as_expr()) == 0
+    assert found.written("maple").splitlines()[1].startswith("roots := [s_B1^2 - (")
+    ring, poly, ideal = found.written("singular").splitlines()
+    assert ring == "ring R = 0, (x, s_B1, s_B2, s_B3), dp;"
+    assert poly.startswith("poly P = ")
+    assert ideal.startswith("ideal roots = s_B1^2 - (")
+    assert gc.locus("3-rpr", over="x").written("maple").count(":=") == 1
 
 
 def test_results_are_values() -> None:

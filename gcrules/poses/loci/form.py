@@ -33,6 +33,11 @@ _WRITTEN = {
     "maple": "P := {0}:",
     "singular": "ring R = 0, ({1}), dp;\npoly P = {0};",
 }
+_WITH_ROOTS = {
+    "sympy": "[{0}, [{2}]]",
+    "maple": "P := {0}:\nroots := [{2}]:",
+    "singular": "ring R = 0, ({1}), dp;\npoly P = {0};\nideal roots = {2};",
+}
 
 
 @dataclass(frozen=True)
@@ -109,13 +114,17 @@ class PolynomialForm:
     def __str__(self) -> str:
         return self._sum("^")
 
-    def written(self, style: str) -> str:
-        """Text for another program: sympy (`sympify`), maple or singular. Raises InputError for others."""
+    def written(self, style: str, roots: Sequence[tuple[str, PolynomialForm]] = ()) -> str:
+        """Text for another program: sympy (`sympify`), maple or singular; after the polynomial those that are 0 by the
+        `roots` among its variables, each with its square. Raises InputError for other programs.
+        """
         if style not in FORMATS:
             raise InputError(
                 f"there is no format {style[:20]!r}", hint=near(style, FORMATS) or f"choose {', '.join(FORMATS)}"
             )
-        return _WRITTEN[style].format(self._sum("**" if style == "sympy" else "^"), ", ".join(self.variables))
+        power = "**" if style == "sympy" else "^"
+        zeros = ", ".join(f"{name}{power}2 - ({square._sum(power)})" for name, square in roots)
+        return (_WITH_ROOTS if roots else _WRITTEN)[style].format(self._sum(power), ", ".join(self.variables), zeros)
 
     def _sum(self, power: str) -> str:
         def factor(name: str, n: int) -> str:

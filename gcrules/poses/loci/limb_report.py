@@ -152,6 +152,10 @@ class RobotLocus(LocusPolynomial, Shown):
         """Those of all parts. Raises LimitReached where some are not decided."""
         return tuple(f for part in self.parts for f in part.factors)
 
+    def written(self, style: str) -> str:
+        """The polynomial for sympy, maple or singular, as text; with the squares of the roots where they are kept."""
+        return self.form.written(style, () if self.multiplied else [(r.name, r.radicand) for r in self.roots])
+
     def to_json(self) -> dict[str, Any]:
         """One JSON object; coefficients are texts, exponents belong to `variables`."""
         q = self.question
