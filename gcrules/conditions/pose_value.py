@@ -115,7 +115,7 @@ def _centred(structure: Structure, points: Mapping[str, Sequence[Fraction]]) -> 
 
 
 def measure(structure: Structure, points: Mapping[str, XYZ]) -> float:
-    """The measure σ of `gcrules.screws.margin` in [0, 1], which knows neither frame nor unit; 0 for a leg
+    """The measure σ of `gcrules.screws.margin` in [0, 1], which is the same in every frame and unit; 0 for a leg
     of no length. Where the legs do not tell base from platform, `line_measure`.
     """
     return _measured(structure, points)[0]

@@ -125,7 +125,7 @@ class LimitReached(GcrulesError):
 
 
 class SingularEverywhere(GcrulesError):
-    """A definite no to every question for a regular pose: the robot is singular in all of them, proved."""
+    """The answer no to every question for a regular pose: the robot is singular in all of them, proved."""
 
     exit_code = 1
 

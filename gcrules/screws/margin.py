@@ -1,4 +1,4 @@
-r"""The six legs' Jacobian at poses, and the measure σ that knows neither frame nor unit; all vectorised over N poses.
+r"""The six legs' Jacobian at poses, and the measure σ, the same in every frame and unit; vectorised over N poses.
 
 A twist moves the platform; leg i changes its length at the rate u_i·v_i, u_i its unit direction and v_i the velocity of
 its joint on the platform. σ² is the least value of Σ (u_i·v_i)² / Σ |v_i|² over all twists: how much of the platform's

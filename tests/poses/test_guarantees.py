@@ -1,4 +1,4 @@
-"""The measure knows neither frame nor unit, and its guarantees hold and say something."""
+"""The measure is the same in every frame and unit, and its guarantees hold and say something."""
 
 from __future__ import annotations
 

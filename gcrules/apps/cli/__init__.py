@@ -62,7 +62,7 @@ COMMANDS = {
     cls=LazyGroup,
     table=COMMANDS,
     context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100},
-    epilog="Exit codes: 0 done or proved, 1 a definite no, 2 the input is at fault, 3 not decided within a limit;"
+    epilog="Exit codes: 0 done or proved, 1 the answer is no, 2 the input is at fault, 3 not decided within a limit;"
     " 130 interrupted, 143 terminated. Output files are written with code 0 or 1, by certify with 3 too.",
 )
 @click.version_option(__version__, message="gcrules %(version)s")

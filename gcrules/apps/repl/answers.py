@@ -62,7 +62,7 @@ _SEVERITY = (0, 3, 1, 2)
 
 
 def worst(codes: Iterable[int]) -> int:
-    """One exit code for several answers: the input is at fault, else a definite no, else not decided."""
+    """One exit code for several answers: the input is at fault, else no, else not decided."""
     return max(codes, key=_SEVERITY.index, default=0)
 
 

@@ -7,8 +7,8 @@ platform, summed over an orthonormal basis of W_i. It is at most |v_i|² + ε_i 
 
     σ² = the least value over all twists of Σ |P_i ξ|² / Σ (|v_i|² + ε_i ρ²|ω|²)
 
-lies in [0, 1], and is 0 exactly where all wrenches together do not hold the platform. It knows neither frame nor unit
-nor basis. For six legs with ball joints it is the σ of `gcrules.screws.margin`.
+lies in [0, 1], and is 0 exactly where all wrenches together do not hold the platform. It is the same in every
+frame, unit and basis. For six legs with ball joints it is the σ of `gcrules.screws.margin`.
 
 In a singular configuration some ξ has P′_i ξ = 0 for all i, all seen from the platform; so Σ |P_i ξ|² =
 Σ |(P_i − P′_i) ξ|² ≤ sin² θ Σ (…), θ the largest angle between W_i and W′_i, also where a singular limb has more

@@ -103,7 +103,7 @@ def _header(robot: Controller, spelt: Language) -> Iterator[str]:
         if why.startswith("The robot is singular exactly when "):
             why = why.removeprefix("The robot is singular exactly when ")
         yield from _wrapped(f"  {k}: {factor.kind}, {factor.expression}" + (f": {why}." if why else "."))
-    yield "margin: sigma, from 0 (singular) to 1; it knows neither unit nor frame."
+    yield "margin: sigma, from 0 (singular) to 1; it is the same in every frame and unit."
     if robot.cables:
         yield "Cables only pull: whether positive tensions balance each other (wrench closure) is not said here."
     if robot.mode:

@@ -27,7 +27,7 @@ def numbers_html(r: RobotPose) -> str:
 
 
 def _rows(r: RobotPose) -> Iterator[tuple[str, str, str]]:
-    yield "margin σ", small(r.margin), "0 singular, at most 1; knows neither frame nor unit"
+    yield "margin σ", small(r.margin), "0 singular, at most 1; the same in every frame and unit"
     actuators = r.jacobian.amplification
     yield "actuators", "", conditioning(actuators, r.unit)
     for name, speed, turn in amplification_rows(actuators, r.unit):

@@ -84,8 +84,9 @@ def _least(r: PathReport) -> Iterator[tuple[str, str]]:
     turn = degrees(turn_of(r.least.bound))
     yield "closest", at
     yield (
-        "free of",
-        f"singular poses, proved: σ ≥ {rounded_down(r.least.bound)} on the whole path, any leg's turn by {turn}",
+        "proved",
+        f"σ ≥ {rounded_down(r.least.bound)} on the whole path: no pose near it is singular while every leg turns by "
+        f"less than {turn} relative to the platform",
     )
 
 

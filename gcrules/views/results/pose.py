@@ -40,7 +40,7 @@ def _lines(r: PoseReport) -> Iterator[str]:
     yield from table(
         [
             ("pose", f"{_pose(r.pose)}, about {_about(r)}"),
-            ("margin", f"σ = {r.margin:.4g} (0 singular, at most 1; knows neither frame nor unit)"),
+            ("margin", f"σ = {r.margin:.4g} (0 singular, at most 1; the same in every frame and unit)"),
             *_meaning(r),
             ("superbracket", f"{decimal(r.superbracket)}{f' {u}⁹' if u else ''}"),
             ("Jacobian", jacobian_numbers(r.jacobian, u)),
@@ -72,14 +72,14 @@ def _meaning(r: PoseReport) -> Iterator[tuple[str, str]]:
     if r.verdict == "singular":
         return
     yield (
-        "that is",
-        f"errors of the leg lengths move the platform's joints by up to {1 / r.margin:.3g} times as much (root mean "
+        "error gain",
+        f"errors of the leg lengths reach the platform's joints up to {1 / r.margin:.3g} times as large (root mean "
         "squares)",
     )
     yield (
-        "free of",
-        f"singular poses: any leg's turn by {degrees(r.turn)} against the platform, a translation by "
-        f"{_length(r.shift, r.rig.unit)}{_as_given(r)}",
+        "proved",
+        f"no pose is singular while every leg turns by less than {degrees(r.turn)} relative to the platform, nor "
+        f"after a translation by less than {_length(r.shift, r.rig.unit)}{_as_given(r)}",
     )
 
 

@@ -46,7 +46,7 @@ def _lines(r: RobotPose) -> Iterator[str]:
         [
             ("robot", f"{r.title} ({r.robot}), at {r.target}"),
             ("pose", _pose(r)),
-            ("margin", f"σ = {small(r.margin)} (0 singular, at most 1; knows neither frame nor unit)"),
+            ("margin", f"σ = {small(r.margin)} (0 singular, at most 1; the same in every frame and unit)"),
             ("Jacobian", f"{len(j.labels)} wrenches, {jacobian_numbers(j, r.unit)}"),
             ("actuators", conditioning(j.amplification, r.unit)),
             (

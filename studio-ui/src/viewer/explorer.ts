@@ -37,7 +37,7 @@ const LIMB_VERDICTS = {
   singular: "Warning: singular within rounding: the limbs do not control the platform here.",
 };
 const SUPERBRACKET = "The superbracket is the determinant of the six lines, 0 at a singular pose.";
-const MARGIN = "The margin is 0 at a singular pose and at most 1; it knows neither frame nor unit.";
+const MARGIN = "The margin is 0 at a singular pose and at most 1; it is the same in every frame and unit.";
 type Row = [string, HTMLElement | string];
 const gain = (motion: PoseNumbers["motion"]): Row[] => (motion ? [["Gained motion", motion.text]] : []);
 const MODES: [Mode, string, string][] = [

@@ -22,7 +22,7 @@ const SCALES = {
     "The superbracket of the equivalent lines over Hadamard's bound, the product of the lengths of their six coordinate vectors, with its sign: zero at a singular pose. Points count from their centroid, at unit scale. Without equivalent lines, σ",
 };
 
-const MARGIN = "The singularity margin: 0 at a singular pose, at most 1; knows neither frame nor unit";
+const MARGIN = "The singularity margin: 0 at a singular pose, at most 1; the same in every frame and unit";
 
 export function VerdictView() {
   const { posing, client, study } = useStore();
