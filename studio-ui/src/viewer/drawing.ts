@@ -1,4 +1,5 @@
 // What is drawn: faces, rods, balls, cones and labels in space with their colours, whoever draws them.
+import type { Veil } from "./mesh";
 import { blend, colourOf, entityRole, legible, type Role } from "./palette";
 import type { Outline } from "./solids";
 import type { Highlight, Layer, Scene, Theme, Vec3 } from "./types";
@@ -51,6 +52,8 @@ export interface Model {
   balls: Ball[];
   cones: Cone[];
   tags: Tag[];
+  /** A curved surface, translucent. */
+  veil: Veil | null;
   /** Thin lines of the ground. */
   grid: [Vec3, Vec3][];
   /** The width of a square of the grid, in words. */
@@ -68,6 +71,8 @@ export interface State {
   hidden: ReadonlySet<Layer>;
   /** Place in the swing of the gained motion, from −1 to 1; null while it rests. */
   swing: number | null;
+  /** Where the platform's centre is. */
+  centre: Vec3;
 }
 
 /** Lengths as shares of the scene's size. */
@@ -84,6 +89,7 @@ export class Drawing implements Model {
   readonly cones: Cone[] = [];
   readonly tags: Tag[] = [];
   readonly grid: [Vec3, Vec3][] = [];
+  veil: Veil | null = null;
   gauge = "";
   readonly middle: Vec3;
   readonly radius: number;

@@ -3,6 +3,7 @@ import type { PanelProps } from "./index";
 import { LocusSection } from "./motion/locus";
 import { MapSection } from "./motion/map";
 import { PathSection } from "./motion/path";
+import { SurfaceSection } from "./motion/surface";
 import "./motion/motion.css";
 
 export function Motion({ store }: PanelProps) {
@@ -21,6 +22,7 @@ export function Motion({ store }: PanelProps) {
         <>
           <PathSection />
           <MapSection study={study} />
+          <SurfaceSection study={study} />
           <LocusSection study={study} />
         </>
       )}
