@@ -96,7 +96,9 @@ export class Drawing implements Model {
 
   get reach(): number {
     const corners = [...this.faces.flatMap((f) => f.corners), ...this.rods.flatMap((r) => [r.a, r.b])];
-    return Math.min(1.45 * this.radius, Math.max(this.radius, ...corners.map((c) => distance(c, this.middle))));
+    const robot = Math.min(1.45 * this.radius, Math.max(this.radius, ...corners.map((c) => distance(c, this.middle))));
+    const farthest = this.veil?.corners.reduce((far, c) => Math.max(far, distance(c, this.middle)), 0) ?? 0;
+    return Math.max(robot, Math.min(0.85 * farthest, SIZES.far * this.radius));
   }
 
   constructor(readonly scene: Scene, readonly state: State) {

@@ -16,7 +16,7 @@ export interface Veil {
   fill: number;
 }
 
-const FILL = { current: 0.42, stale: 0.2 };
+const FILL = { current: 0.3, stale: 0.16 };
 const known = new WeakMap<TriangleMesh, Pick<Veil, "corners" | "triangles" | "middles">>();
 
 /** Corners and triangles are the same while the mesh is: it outlives many drawings. */
@@ -48,5 +48,5 @@ export function shaded({ corners, triangles, middles, colours, shade }: Veil, i:
   const [a, b, c] = triangles[i]!;
   const normal = unit(cross(sub(corners[b]!, corners[a]!), sub(corners[c]!, corners[a]!)));
   const edgewise = 1 - Math.abs(dot(normal, unit(sub(eye, middles[i]!))));
-  return blend(colours[a]!, shade, 0.45 * edgewise);
+  return blend(colours[a]!, shade, 0.2 * edgewise);
 }

@@ -24,7 +24,7 @@ export function modelOf(scene: Scene, state: State): Model {
     drawnMesh(d, scene.surface);
     const radius = 0.8 * SIZES.joint * scene.size;
     d.ball(state.centre, radius, d.colour("paper"), d.colour("mark"), 1.5);
-    d.tag("centre", state.centre, d.colour("mark"), "construction", { clear: 1.5 * radius, upright: true });
+    d.tag("centre", state.centre, d.colour("mark"), "entity", { clear: 1.5 * radius, upright: true });
   }
   if (scene.ghost) bodies(d, { ...scene.points, ...scene.ghost }, 0.6, true);
   if (d.shows("motion") && scene.motion) {

@@ -14,7 +14,7 @@ export function Motion({ store }: PanelProps) {
     <div class="motion">
       <header>
         <h2>Path and map</h2>
-        <p class="why">Every singular pose between two poses, and over two coordinates: proved free, crossed, or said to be undecided.</p>
+        <p class="why">Every singular pose between two poses, over two coordinates, and over x, y and z: proved free, crossed, or said to be undecided.</p>
       </header>
       {still ? (
         <p class="none">This structure has no numbers in other poses.</p>

@@ -121,9 +121,14 @@ function drawSurface({ touring, study, pose$, posing }: Store, viewer: Viewer): 
     const [shown, robot] = [touring.surface.shown.value, study.value];
     return shown !== null && robot !== null && isStale(shown, pose$.value, posing.numbers.value, robot);
   });
+  let there = false;
   return effect(() => {
     const [shown, robot] = [touring.surface.shown.value, study.value];
-    viewer.update({ surface: shown && robot ? meshOf(shown.result, robot.about, stale.value) : null });
+    const surface = shown && robot ? meshOf(shown.result, robot.about, stale.value) : null;
+    viewer.update({ surface });
+    const drawn = surface !== null && surface.faces.length > 0;
+    if (drawn && !there) viewer.setView("fit"); // it is seen whole when it comes, then the user's view is kept
+    there = drawn;
   });
 }
 

@@ -12,21 +12,24 @@ export type Box = [Range, Range, Range];
 export interface Surfacing extends Refining<"surface"> {
   /** The ranges that were chosen; null for those to begin with. */
   box: Signal<Box | null>;
-  /** Poses along each of them. */
-  nodes: Signal<number>;
+  /** Poses along each of them; null for so many as are soon there. */
+  nodes: Signal<number | null>;
 }
 
 export const FINENESS: readonly number[] = [13, 25, 41];
 
 export function createSurfacing(client: Client, editing: Editing): Surfacing {
   const box = signal<Box | null>(null);
-  const nodes = signal(25);
+  const nodes = signal<number | null>(null);
   effect(() => {
     void editing.source$.value;
-    box.value = null;
+    box.value = nodes.value = null;
   });
   return { ...createRefining(client, editing, "surface", "Looking for singular poses"), box, nodes };
 }
+
+/** Where joints are solved for, each pose takes longer. */
+export const finenessOf = ({ kind }: Study): number => (kind === "robot" ? 13 : 25);
 
 const rounded = (value: number): number => Number(value.toPrecision(2));
 

@@ -1,6 +1,6 @@
 // The singular surface over x, y and z, drawn in the picture around the robot.
-import { useComputed } from "@preact/signals";
-import { useEffect } from "preact/hooks";
+import { computed } from "@preact/signals";
+import { useEffect, useMemo } from "preact/hooks";
 import type { Study, SurfaceArgs, SurfaceAnswer, Vec3 } from "../../../protocol";
 import { show } from "../../actions/picture";
 import { short } from "../../lib/format";
@@ -10,7 +10,7 @@ import { Icon } from "../../parts/icon";
 import { NumberField } from "../../parts/number-field";
 import { digitsOf } from "../../pose/axis-slider";
 import { Seeks } from "../../pose/nearest-view";
-import { FINENESS, boxOf, isStale, nearestCorner, type Box } from "../../state/surfacing";
+import { FINENESS, boxOf, finenessOf, isStale, nearestCorner, type Box } from "../../state/surfacing";
 import { inWords } from "../../state/touring";
 import { Facts } from "./facts";
 import "./surface.css";
@@ -20,14 +20,14 @@ export function SurfaceSection({ study }: { study: Study }) {
   const { surface } = touring;
   const now = surface.now.value;
   const shown = surface.shown.value;
-  const first = boxOf(study);
-  const box = surface.box.value ?? first;
+  const box = surface.box.value ?? boxOf(study);
+  const nodes = surface.nodes.value ?? finenessOf(study);
   useEffect(() => surface.stop, [surface]); // nobody looks any more
 
   function go(): void {
     const { source, pose } = doc.peek();
     if (!source || !box) return;
-    void surface.start((n) => ({ source, pose, over: inAll(box, n) }), surface.nodes.peek());
+    void surface.start((n) => ({ source, pose, over: inAll(box, n) }), nodes);
   }
 
   return (
@@ -49,7 +49,7 @@ export function SurfaceSection({ study }: { study: Study }) {
             <label>
               <span class="label">poses</span>
               <select
-                value={surface.nodes.value}
+                value={nodes}
                 data-testid="surface-nodes"
                 onChange={(event) => (surface.nodes.value = Number(event.currentTarget.value))}
               >
@@ -132,7 +132,10 @@ function Answer({ study, asked, result, again }: AnswerProps) {
   const store = useStore();
   const { touring, moving, posing, pose$, space } = store;
   const { free, cells, nodes, guarantee, resolution, facts } = result;
-  const stale = useComputed(() => isStale({ asked, result }, pose$.value, posing.numbers.value, study)).value;
+  const stale = useMemo(
+    () => computed(() => isStale({ asked, result }, pose$.value, posing.numbers.value, study)),
+    [asked, result, study],
+  ).value;
   const drawn = result.faces.length > 0;
   const going = touring.place.now.value;
 
@@ -164,14 +167,15 @@ function Answer({ study, asked, result, again }: AnswerProps) {
             <i class={stale ? "swatch stale" : "swatch"} aria-hidden="true" /> Shown in the picture
           </label>
           <button type="button" class="second" disabled={stale || going.state === "busy"} onClick={() => void toward()} data-testid="surface-nearest">
-            <Icon name="target" size={14} /> Go to its nearest point
+            <Icon name="target" size={14} /> Go to its nearest corner
           </button>
         </div>
       )}
       {result.reached.includes(false) && <p class="tip">Grey parts of the surface are beyond the limits of the robot.</p>}
       {stale && (
-        <p class="stale" role="status" data-testid="surface-stale">
-          <Icon name="warn" size={14} /> The platform has turned since: the surface, now grey, holds for the pose that was asked about.
+        <p class="outdated" role="status" data-testid="surface-stale">
+          <Icon name="warn" size={16} />
+          <span>The platform has turned since: the surface, now grey, holds for the turn that was asked about.</span>
           <button type="button" class="second" onClick={again} data-testid="surface-again">
             Work it out here
           </button>
