@@ -85,6 +85,8 @@ def test_what_to_use_with_other_freedoms(name: str, freedoms: str) -> None:
 def test_what_is_refused() -> None:
     with pytest.raises(InputError, match="over x, y and z, not over x, y and rz"):
         surface_view(example(), [*OVER[:2], "rz -10:10:5 deg"], HOME)
+    with pytest.raises(InputError, match="a place of 2 numbers in a map over 3 coordinates"):
+        place_view(example(), OVER, HOME, [0.0, 0.0])
     with pytest.raises(LimitReached, match="1,030,301 poses"):
         surface_view(example(), [f"{n} -1:1:101" for n in "xyz"], HOME)
 

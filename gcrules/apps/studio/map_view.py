@@ -20,7 +20,7 @@ from gcrules.apps.studio.subject import Subject
 from gcrules.apps.studio.thresholds import threshold_of
 from gcrules.apps.studio.whereabouts import at_coordinates, coordinates_at, pose_json
 from gcrules.core.english import as_sentence
-from gcrules.core.errors import LimitReached
+from gcrules.core.errors import InputError, LimitReached
 from gcrules.mechanisms.kinematics.amplification import INDICES
 from gcrules.mechanisms.kinematics.leading import leading
 from gcrules.mechanisms.kinematics.solve import free_coordinates
@@ -71,6 +71,8 @@ def map_view(
 
 def place_view(subject: Subject, over: Sequence[str], pose: PoseJson, place: Sequence[float]) -> PlacedPose:
     """The pose at a place of that map. Raises InputError where the sliders do not lead there."""
+    if len(place) != len(over):
+        raise InputError(f"a place of {len(place)} numbers in a map over {len(over)} coordinates")
     plan = planned_map(subject, over, pose, DEFAULT, "margin")
     return {"pose": method(_PLACED, subject.mechanism, "a map")(plan.task.grid, place)}
 

@@ -1,4 +1,4 @@
-// Every singular pose between two poses, and over two coordinates, of any robot.
+// Every singular pose between two poses, over two coordinates and over x, y and z, of any robot.
 import type { PanelProps } from "./index";
 import { LocusSection } from "./motion/locus";
 import { MapSection } from "./motion/map";

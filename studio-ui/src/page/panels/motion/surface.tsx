@@ -50,12 +50,13 @@ export function SurfaceSection({ study }: { study: Study }) {
               <span class="label">poses</span>
               <select
                 value={nodes}
+                aria-label="Poses of the surface, along each coordinate"
                 data-testid="surface-nodes"
                 onChange={(event) => (surface.nodes.value = Number(event.currentTarget.value))}
               >
                 {FINENESS.map((n) => (
                   <option key={n} value={n}>
-                    {n} × {n} × {n}
+                    {n}³
                   </option>
                 ))}
               </select>
