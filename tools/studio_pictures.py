@@ -55,7 +55,9 @@ PICTURES: dict[str, dict[str, Any]] = {
         "certify": {"yaw": {"name": "yaw", "low": 0, "high": 95}},
     },
 }
-"""Name: colours of the page, what is opened, the step, map, surface, assembly mode or certificate, how the platform is moved."""
+"""Name: colours of the page, what is opened, the step, map, surface, assembly mode or certificate, how the platform is
+moved.
+"""
 
 
 def take(desk: Desk, wanted: dict[str, Any]) -> bytes:

@@ -119,7 +119,7 @@ def _marching_cubes() -> Any:
 
 def _among(known: NDArray[np.bool_], vertex: Floats, faces: Integers) -> tuple[Floats, Integers]:
     """The triangles in cells all of whose corners are known, with their vertices."""
-    whole = sliding_window_view(known, (2, 2, 2)).all(axis=(3, 4, 5))
+    whole = np.asarray(sliding_window_view(known, (2, 2, 2)).all(axis=(3, 4, 5)))
     cell = np.clip(np.floor(vertex[faces].mean(axis=1)).astype(np.int64), 0, np.array(whole.shape) - 1)
     used, back = np.unique(faces[whole[tuple(cell.T)]], return_inverse=True)
     return vertex[used], back.reshape(-1, 3)

@@ -118,7 +118,11 @@ def _message(rng: Random, number: int) -> str:
             for name in rng.sample(("start", "to"), rng.randint(0, 2)):
                 del args[name]
         case "map" | "place" | "surface":
-            args = {"source": cheap, "over": [_range(rng) for _ in range(3 if do == "surface" else 2)], "pose": _pose(rng)}
+            args = {
+                "source": cheap,
+                "over": [_range(rng) for _ in range(3 if do == "surface" else 2)],
+                "pose": _pose(rng),
+            }
             if do == "place":
                 args["place"] = [rng.choice((0, 0.5, -1, 1e9)) for _ in range(2)]
         case "manual":

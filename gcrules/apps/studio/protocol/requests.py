@@ -308,7 +308,9 @@ class RepeatArgs(TypedDict):
     """A method with its arguments, which are checked as if it were asked for."""
 
     source: NotRequired[SourceJson]
-    what: Literal["open", "pose", "path", "map", "surface", "assemblies", "aspects", "free", "boxes", "certify", "manual", "bench"]
+    what: Literal[
+        "open", "pose", "path", "map", "surface", "assemblies", "aspects", "free", "boxes", "certify", "manual", "bench"
+    ]
     args: Annotated[dict[str, Any], _object]
 
 
