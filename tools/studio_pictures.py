@@ -42,6 +42,12 @@ PICTURES: dict[str, dict[str, Any]] = {
         "map": [{"name": "z", "low": -0.7, "high": 0.7}, {"name": "roll", "low": -70, "high": 70}],
         "place": (0.62, 0.22),
     },
+    "studio-surface.png": {
+        "scheme": "light",
+        "open": ("example", "octahedral"),
+        "sliders": {"rx": 20},
+        "surface": 25,
+    },
     "studio-where.png": {"scheme": "light", "open": ("example", "octahedral"), "mode": 2},
     "studio-certificate.png": {
         "scheme": "dark",
@@ -49,7 +55,9 @@ PICTURES: dict[str, dict[str, Any]] = {
         "certify": {"yaw": {"name": "yaw", "low": 0, "high": 95}},
     },
 }
-"""Name: colours of the page, what is opened, the step, map, assembly mode or certificate, how the platform is moved."""
+"""Name: colours of the page, what is opened, the step, map, surface, assembly mode or certificate, how the platform is
+moved.
+"""
 
 
 def take(desk: Desk, wanted: dict[str, Any]) -> bytes:
@@ -72,6 +80,14 @@ def take(desk: Desk, wanted: dict[str, Any]) -> bytes:
         x, y = wanted["place"]
         desk.one("map-plot").click(position={"x": x * box["width"], "y": y * box["height"]})
         desk.page.wait_for_timeout(3000)
+    if "surface" in wanted:
+        desk.one("panel-motion").click()
+        desk.one("surface-go").click()
+        levels = "n => gcrules.touring.surface.shown.value?.result.nodes[0] === n"
+        desk.page.wait_for_function(levels, arg=wanted["surface"])
+        desk.one("surface-nearest").click()
+        desk.verdict("singular", timeout=30_000)
+        desk.page.locator(".motion .surface").evaluate("section => section.scrollIntoView()")
     if "mode" in wanted:
         desk.one("panel-where").click()
         for name, last in (("aspects", "aspect"), ("assemblies", "assembly")):

@@ -414,12 +414,19 @@ export interface LocusArgs {
   over?: string[];
 }
 
-/** The pose at a place of that map, in the units of its axes. */
+/** Over x, y and z with their ranges ("x -1:1:21"), the other coordinates as they are at the pose. */
+export interface SurfaceArgs {
+  source: Source;
+  over: [string, string, string];
+  pose: Pose;
+}
+
+/** The pose at a place of that map or of that surface, in the units of its axes. */
 export interface PlaceArgs {
   source: Source;
-  over: [string, string];
+  over: string[];
   pose: Pose;
-  place: [number, number];
+  place: number[];
 }
 
 export interface ManualArgs {
@@ -446,7 +453,7 @@ export interface SaveArgs extends PoseArgs {
 /** A method with its arguments, which are checked as if it were asked for. */
 export interface RepeatArgs {
   source?: Source;
-  what: "open" | "pose" | "path" | "map" | "assemblies" | "aspects" | "free" | "boxes" | "certify" | "manual" | "bench";
+  what: "open" | "pose" | "path" | "map" | "surface" | "assemblies" | "aspects" | "free" | "boxes" | "certify" | "manual" | "bench";
   args: Record<string, unknown>;
 }
 
@@ -979,6 +986,26 @@ export interface MapAnswer {
   facts: FactItem[];
 }
 
+/** The singular surface over x, y and z: how far the platform is from home where it is singular. */
+export interface SurfaceAnswer {
+  /** x, y, z of each corner in turn, in the unit of lengths. */
+  vertices: number[];
+  /** Three corners each, by number. */
+  faces: number[];
+  /** Which corners keep to the limits. */
+  reached: boolean[];
+  /** How many poses there are along each coordinate. */
+  nodes: number[];
+  /** Cells that are proved free of singular poses, of so many `cells`. */
+  free: number;
+  cells: number;
+  guarantee: string;
+  resolution: string;
+  facts: FactItem[];
+  /** Other freedoms of a robot with limbs, at which this holds: in radians or in its unit. Of a platform on six legs it holds at the turn of its pose. */
+  held: Record<string, number>;
+}
+
 export interface PlacedPose {
   pose: Pose;
 }
@@ -1136,6 +1163,7 @@ export interface Methods {
   path: { args: PathArgs; result: PathAnswer };
   waypoints: { args: WaypointsArgs; result: WaypointsAnswer };
   map: { args: MapArgs; result: MapAnswer };
+  surface: { args: SurfaceArgs; result: SurfaceAnswer };
   place: { args: PlaceArgs; result: PlacedPose };
   locus: { args: LocusArgs; result: LocusAnswer };
   assemblies: { args: PoseArgs; result: AssembliesAnswer };

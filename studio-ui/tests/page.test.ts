@@ -18,6 +18,7 @@ import { isProject, readProject, writeProject, NO_PROJECT, type Project } from "
 import { readHistory, writeHistory } from "../src/page/state/undo-memory";
 import { isPressed, namesOf } from "../src/page/actions/keys";
 import { changed, inWords, rangeOf, rangesOf } from "../src/page/state/touring";
+import { boxOf, isStale, meshOf, nearestCorner } from "../src/page/state/surfacing";
 import { nearest } from "../src/page/panels/motion/samples";
 import { stepped, valueOf, within } from "../src/page/panels/motion/spots";
 import { latest } from "../src/page/net/latest";
@@ -27,7 +28,7 @@ import { isDrawn } from "../src/viewer/model";
 import { contrast, legible, ROLES } from "../src/viewer/palette";
 import { sideBySide } from "../src/viewer/names";
 import { rotationVector } from "../src/viewer/pose";
-import type { Axis, Entity, GalleryItem, Pose, Study, Vec3 } from "../src/protocol";
+import type { Axis, Entity, GalleryItem, Numbers, Pose, Study, SurfaceAnswer, Vec3 } from "../src/protocol";
 
 const GRID = [-180, -135, -90, -37, 0, 12.5, 90, 179, 180];
 const TURNED: Pose = { translation: [1, -2, 3.5], quaternion: [0.5, 0.5, -0.5, 0.5], coordinates: [0.25] };
@@ -355,4 +356,37 @@ test("keys are pressed as the table writes them", () => {
   assert.ok(isPressed("?", press("?", { shiftKey: true })) && isPressed("?", press("?")));
   assert.ok(!isPressed("f", press("f", { ctrlKey: true })) && !isPressed("f", press("f", { altKey: true })));
   assert.deepEqual(namesOf("Mod Shift z").slice(1), ["Shift", "Z"]);
+});
+
+const SURFACE: SurfaceAnswer = {
+  vertices: [0, 0, 1, 0, 0, -4, 2, 0, 0],
+  faces: [0, 1, 2],
+  reached: [false, true, true],
+  nodes: [7, 7, 7],
+  free: 200,
+  cells: 216,
+  guarantee: "",
+  resolution: "",
+  facts: [],
+  held: { yaw: Math.PI / 6 },
+};
+
+test("a surface lies around the platform's centre, its nearest corner is one within the limits", () => {
+  assert.deepEqual(meshOf(SURFACE, [1, 2, 3], false).vertices, [1, 2, 4, 1, 2, -1, 3, 2, 3]);
+  assert.deepEqual(nearestCorner(SURFACE, [0, 0, 0]), [2, 0, 0]);
+  assert.deepEqual(nearestCorner({ ...SURFACE, reached: [false, false, false] }, [0, 0, 0]), [0, 0, 1]);
+  assert.equal(nearestCorner({ ...SURFACE, vertices: [], reached: [] }, [0, 0, 0]), null);
+});
+
+test("a surface holds for one turn, and for the other freedoms of a robot", () => {
+  const over: [string, string, string] = ["x -1:1:7", "y -1:1:7", "z -1:1:7"];
+  const shown = { asked: { source: { kind: "example", name: "octahedral" } as const, over, pose: HOME }, result: SURFACE };
+  const platform = { kind: "platform", freedoms: [] } as unknown as Study;
+  assert.ok(!isStale(shown, { ...HOME, translation: [1, 2, 3], quaternion: [-1, 0, 0, 0] }, null, platform));
+  assert.ok(isStale(shown, { ...HOME, quaternion: [0.999, 0.0447, 0, 0] }, null, platform));
+  const robot = { kind: "robot", freedoms: [{ name: "x", unit: "" }, { name: "yaw", unit: "deg" }] } as unknown as Study;
+  const at = (...freedoms: number[]) => ({ freedoms }) as unknown as Numbers;
+  assert.ok(!isStale(shown, HOME, at(5, 30), robot));
+  assert.ok(isStale(shown, HOME, at(5, 31), robot));
+  assert.equal(boxOf({ ranges: [{ name: "x" }, { name: "yaw" }] } as unknown as Study), null);
 });

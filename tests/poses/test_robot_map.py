@@ -218,6 +218,19 @@ def test_a_surface(tmp_path: Path) -> None:
     assert json.loads((tmp_path / "a.json").read_text())["robot"] == "3-rpr"
 
 
+def test_a_surface_ends_where_the_robot_does_not_get() -> None:
+    """Its corners lie between nodes that are reached, of opposite signs."""
+    pytest.importorskip("skimage")
+    m = gc.singular_map("orthoglide", ["x -3:3:7", "y -3:3:7", "z -3:3:7"])
+    level = m.level
+    assert np.isnan(level).any()
+    assert len(m.mesh.faces) > 20
+    assert np.isfinite(m.mesh.vertices).all()
+    places = m.mesh.vertices + 3
+    low, high = (np.clip(f(places), 0, 6).astype(int) for f in (np.floor, np.ceil))
+    assert (level[tuple(low.T)] * level[tuple(high.T)] <= 0).all()
+
+
 def test_results_are_values(tmp_path: Path) -> None:
     m = gc.singular_map("3-rpr", CASES["3-rpr"])
     for other in (pickle.loads(pickle.dumps(m)), copy.deepcopy(m)):

@@ -21,6 +21,7 @@ from gcrules.apps.studio.path_view import path_view
 from gcrules.apps.studio.repeating import repeated
 from gcrules.apps.studio.study import study
 from gcrules.apps.studio.subject import Subject
+from gcrules.apps.studio.surface_view import surface_view
 from gcrules.apps.studio.waypoints_view import waypoints_view
 from gcrules.apps.studio.where_view import aspects_view, assemblies_view, free_view
 from gcrules.apps.studio.whereabouts import moved_view
@@ -50,6 +51,7 @@ ANSWERS: Mapping[str, Callable[[Any, Args], Any]] = {
     "map": lambda subject, args: map_view(
         subject, args["over"], args["pose"], args.get("threshold"), args.get("measure")
     ),
+    "surface": lambda subject, args: surface_view(subject, args["over"], args["pose"]),
     "place": lambda subject, args: place_view(subject, args["over"], args["pose"], args["place"]),
     "locus": lambda subject, args: locus_view(subject, args["pose"], args.get("over")),
     "assemblies": lambda subject, args: assemblies_view(subject, args["pose"], args.get("threshold")),

@@ -20,7 +20,7 @@ from gcrules.apps.studio.subject import Subject
 from gcrules.apps.studio.thresholds import threshold_of
 from gcrules.apps.studio.whereabouts import at_coordinates, coordinates_at, pose_json
 from gcrules.core.english import as_sentence
-from gcrules.core.errors import LimitReached
+from gcrules.core.errors import InputError, LimitReached
 from gcrules.mechanisms.kinematics.amplification import INDICES
 from gcrules.mechanisms.kinematics.leading import leading
 from gcrules.mechanisms.kinematics.solve import free_coordinates
@@ -38,7 +38,7 @@ from gcrules.poses.methods import Methods, method
 from gcrules.screws.threshold import DEFAULT, Threshold
 from gcrules.views.results.map import account
 
-__all__ = ["map_view", "place_view", "rest_of_map"]
+__all__ = ["map_view", "place_view", "planned_map", "rest_of_map"]
 
 MAX_NODES = 20_000
 """Poses of a map in the page."""
@@ -50,7 +50,7 @@ def map_view(
     """The map over two coordinates, the others as they are at the pose. Raises InputError where there is none,
     LimitReached for more than `MAX_NODES` poses.
     """
-    plan = _planned(subject, over, pose, threshold_of(threshold, subject.unit), measure or "margin")
+    plan = planned_map(subject, over, pose, threshold_of(threshold, subject.unit), measure or "margin")
     if plan.task.grid.size > MAX_NODES:
         raise LimitReached(
             f"{plan.task.grid.size:,} poses: more than {MAX_NODES:,} in a map of the page",
@@ -71,11 +71,14 @@ def map_view(
 
 def place_view(subject: Subject, over: Sequence[str], pose: PoseJson, place: Sequence[float]) -> PlacedPose:
     """The pose at a place of that map. Raises InputError where the sliders do not lead there."""
-    plan = _planned(subject, over, pose, DEFAULT, "margin")
+    if len(place) != len(over):
+        raise InputError(f"a place of {len(place)} numbers in a map over {len(over)} coordinates")
+    plan = planned_map(subject, over, pose, DEFAULT, "margin")
     return {"pose": method(_PLACED, subject.mechanism, "a map")(plan.task.grid, place)}
 
 
-def _planned(subject: Subject, over: Sequence[str], pose: PoseJson, limit: Threshold, measure: str) -> Plan:
+def planned_map(subject: Subject, over: Sequence[str], pose: PoseJson, limit: Threshold, measure: str) -> Plan:
+    """The map that is to be computed, the other coordinates as they are at the pose. Raises InputError for none."""
     m = subject.mechanism
     return planned(m, over, rest_of_map(m, over, pose), None, limit, measure)
 

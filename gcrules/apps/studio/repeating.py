@@ -188,6 +188,7 @@ _CALLS: Mapping[str, Callable[[Subject, Args], Call]] = {
     "pose": _pose,
     "path": _path,
     "map": _map,
+    "surface": _map,
     "assemblies": _assemblies,
     "aspects": lambda subject, args: Call("aspects", "aspects"),
     "free": _free,

@@ -11,6 +11,7 @@ from collections.abc import Callable, Iterator
 from typing import Any
 
 import numpy as np
+from numpy.lib.stride_tricks import sliding_window_view
 from numpy.typing import NDArray
 
 from gcrules.core.budget import checkpoint
@@ -79,8 +80,9 @@ def sheet(value: Value, layers: Layers, shape: tuple[int, ...], before: int = 0)
             continue
         small = (values / largest).astype(np.float32)
         small = np.where(values >= 0, np.maximum(small, _TINY), np.minimum(small, -_TINY))
-        mask = None if known.all() else known
-        found, corners, _, _ = march(small, level=0.0, allow_degenerate=False, mask=mask)
+        found, corners, _, _ = march(np.where(known, small, _TINY), level=0.0, allow_degenerate=False)
+        if not known.all():
+            found, corners = _among(known, found, corners)
         vertex = np.asarray(found, dtype=np.float64) + np.array([first, 0, 0])
         triangles += len(corners)
         if triangles > MAX_TRIANGLES:
@@ -113,6 +115,14 @@ def _marching_cubes() -> Any:
     except ImportError:
         raise InputError("surfaces need scikit-image", hint='pip install "gcrules[maps]"') from None
     return marching_cubes
+
+
+def _among(known: NDArray[np.bool_], vertex: Floats, faces: Integers) -> tuple[Floats, Integers]:
+    """The triangles in cells all of whose corners are known, with their vertices."""
+    whole = np.asarray(sliding_window_view(known, (2, 2, 2)).all(axis=(3, 4, 5)))
+    cell = np.clip(np.floor(vertex[faces].mean(axis=1)).astype(np.int64), 0, np.array(whole.shape) - 1)
+    used, back = np.unique(faces[whole[tuple(cell.T)]], return_inverse=True)
+    return vertex[used], back.reshape(-1, 3)
 
 
 def _in_parts(value: Value) -> Value:

@@ -1,4 +1,5 @@
 // What is drawn: faces, rods, balls, cones and labels in space with their colours, whoever draws them.
+import type { Veil } from "./mesh";
 import { blend, colourOf, entityRole, legible, type Role } from "./palette";
 import type { Outline } from "./solids";
 import type { Highlight, Layer, Scene, Theme, Vec3 } from "./types";
@@ -51,6 +52,8 @@ export interface Model {
   balls: Ball[];
   cones: Cone[];
   tags: Tag[];
+  /** A curved surface, translucent. */
+  veil: Veil | null;
   /** Thin lines of the ground. */
   grid: [Vec3, Vec3][];
   /** The width of a square of the grid, in words. */
@@ -68,6 +71,8 @@ export interface State {
   hidden: ReadonlySet<Layer>;
   /** Place in the swing of the gained motion, from −1 to 1; null while it rests. */
   swing: number | null;
+  /** Where the platform's centre is. */
+  centre: Vec3;
 }
 
 /** Lengths as shares of the scene's size. */
@@ -84,13 +89,16 @@ export class Drawing implements Model {
   readonly cones: Cone[] = [];
   readonly tags: Tag[] = [];
   readonly grid: [Vec3, Vec3][] = [];
+  veil: Veil | null = null;
   gauge = "";
   readonly middle: Vec3;
   readonly radius: number;
 
   get reach(): number {
     const corners = [...this.faces.flatMap((f) => f.corners), ...this.rods.flatMap((r) => [r.a, r.b])];
-    return Math.min(1.45 * this.radius, Math.max(this.radius, ...corners.map((c) => distance(c, this.middle))));
+    const robot = Math.min(1.45 * this.radius, Math.max(this.radius, ...corners.map((c) => distance(c, this.middle))));
+    const farthest = this.veil?.corners.reduce((far, c) => Math.max(far, distance(c, this.middle)), 0) ?? 0;
+    return Math.max(robot, Math.min(0.85 * farthest, SIZES.far * this.radius));
   }
 
   constructor(readonly scene: Scene, readonly state: State) {

@@ -1,6 +1,7 @@
 // The robot, its surroundings and the entities of its condition, as a drawing.
 import { Drawing, SIZES, jointsOf, type Model, type State } from "./drawing";
 import { drawnLimbs } from "./limbs";
+import { drawnMesh } from "./mesh";
 import { drawnMotion, swung } from "./motion";
 import { body, disc, patch, stretched, throughBall, volume, type Outline } from "./solids";
 import type { Scene, SceneEntity, Vec3 } from "./types";
@@ -19,6 +20,12 @@ export function modelOf(scene: Scene, state: State): Model {
     constructions(d);
   }
   if (d.shows("wrenches")) drawnLimbs(d);
+  if (d.shows("surface") && scene.surface?.faces.length) {
+    drawnMesh(d, scene.surface);
+    const radius = 0.8 * SIZES.joint * scene.size;
+    d.ball(state.centre, radius, d.colour("paper"), d.colour("mark"), 1.5);
+    d.tag("centre", state.centre, d.colour("mark"), "entity", { clear: 1.5 * radius, upright: true });
+  }
   if (scene.ghost) bodies(d, { ...scene.points, ...scene.ghost }, 0.6, true);
   if (d.shows("motion") && scene.motion) {
     drawnMotion(d, scene.motion);

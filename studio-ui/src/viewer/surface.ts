@@ -66,4 +66,5 @@ export class Surface {
   }
 }
 
-export const titleOf = (scene: Scene): string => `Robot with legs ${scene.legs.map((leg) => spoken(sideBySide(leg))).join(", ")}`;
+export const titleOf = ({ legs, surface }: Scene): string =>
+  `Robot with legs ${legs.map((leg) => spoken(sideBySide(leg))).join(", ")}${surface?.faces.length ? ", and its singular surface" : ""}`;

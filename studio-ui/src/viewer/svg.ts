@@ -1,9 +1,10 @@
 // The drawing as SVG: for machines without WebGL, and for pictures that are to be printed.
 import { painted, tree, type Piece, type Tree } from "./bsp";
 import type { Ball, Cone, Face, Model, Rod } from "./drawing";
+import { farthestFirst, shaded } from "./mesh";
 import { inFront, type Sight } from "./sight";
 import type { Vec3 } from "./types";
-import { along, distance, sub, unit } from "./vectors";
+import { along, centre, distance, mix, sub, unit } from "./vectors";
 
 const NS = "http://www.w3.org/2000/svg";
 
@@ -13,9 +14,15 @@ type Drawn = { face: Face } | { rod: Rod };
 export function splitDrawing(model: Model): Tree<Drawn> | null {
   const pieces: Piece<Drawn>[] = [
     ...model.faces.map((face) => ({ corners: face.corners, edges: face.edges, tag: { face } })),
-    ...model.rods.map((rod) => ({ corners: [rod.a, rod.b], edges: [], tag: { rod } })),
+    ...model.rods.flatMap((rod) => stretches(rod, model).map((corners) => ({ corners, edges: [], tag: { rod } }))),
   ];
   return tree(pieces, 1e-6 * model.radius);
+}
+
+/** A rod in one, or in short parts where a curved surface may hide some of it. */
+function stretches({ a, b }: Rod, { veil, radius }: Model): Vec3[][] {
+  const count = veil ? Math.max(1, Math.round(distance(a, b) / (0.08 * radius))) : 1;
+  return Array.from({ length: count }, (_, k) => [mix(a, b, k / count), mix(a, b, (k + 1) / count)]);
 }
 
 export function element(name: string, attributes: Record<string, string | number>, text?: string): SVGElement {
@@ -36,15 +43,32 @@ export function paintSvg(root: SVGElement, model: Model, split: Tree<Drawn> | nu
     nodes.push(element("line", { x1: p[0], y1: p[1], x2: q[0], y2: q[1], stroke: colour, "stroke-width": width, ...more }));
   };
   for (const [a, b] of model.grid) stroke(a, b, ink.muted, 0.8, { "stroke-opacity": 0.28 });
+  const { veil } = model;
+  const waiting = veil ? farthestFirst(veil, sight.eye) : [];
+  let next = 0;
   for (const piece of painted(split, sight.eye)) {
+    veiled(distance(centre(piece.corners), sight.eye));
     if ("face" in piece.tag) facePiece(piece, piece.tag.face);
     else rodPiece(piece, piece.tag.rod);
   }
+  veiled(0);
   for (const cone of model.cones) head(cone);
   const nearestLast = [...model.balls].sort((a, b) => distance(b.at, sight.eye) - distance(a.at, sight.eye));
   for (const one of nearestLast) disc(one);
   root.replaceChildren(...nodes);
 
+  /** What of the curved surface is farther than that and not there yet. */
+  function veiled(depth: number): void {
+    if (!veil) return;
+    for (; next < waiting.length && distance(veil.middles[waiting[next]!]!, sight.eye) > depth; next++) {
+      const i = waiting[next]!;
+      const at = flat(veil.triangles[i]!.map((k) => veil.corners[k]!));
+      if (at.length < 3) continue;
+      const points = at.map(([x, y]) => `${x.toFixed(2)},${y.toFixed(2)}`).join(" ");
+      // neighbours meet without a seam where edges are not smoothed
+      nodes.push(element("polygon", { points, fill: shaded(veil, i, sight.eye), "fill-opacity": veil.fill, "shape-rendering": "crispEdges" }));
+    }
+  }
   function facePiece(piece: Piece<Drawn>, face: Face): void {
     const at = flat(piece.corners);
     if (at.length < 3) return;

@@ -6,6 +6,16 @@ export type { Constructed, Construction, Limb, Pose, Quaternion, Recipe, Thresho
 export type Leg = LegEnds;
 export type SceneEntity = Entity;
 
+/** A curved surface: x, y, z of its corners in turn, and three corners a triangle, by number. */
+export interface TriangleMesh {
+  vertices: readonly number[];
+  faces: readonly number[];
+  /** Which corners are within the robot's limits; the others are pale. */
+  reached: readonly boolean[];
+  /** It is that of another pose: all of it is pale. */
+  stale: boolean;
+}
+
 /** What the engine tells of a robot in a pose, and what the host adds. */
 export interface Scene extends SceneData {
   /** The pose at which `points` are given; the identity if missing (in `update`: the viewer's own pose). */
@@ -17,12 +27,14 @@ export interface Scene extends SceneData {
   plate?: Vec3[];
   /** Another pose of the platform, drawn pale. */
   ghost?: Record<string, Vec3>;
+  /** Places of the platform's centre where the robot is singular. */
+  surface?: TriangleMesh | null;
 }
 
 export type Mode = "orbit" | "translate" | "rotate" | "pick";
 export type View = "iso" | "front" | "side" | "top" | "fit";
 export type Theme = "light" | "dark";
-export type Layer = "entities" | "labels" | "legs" | "wrenches" | "grid" | "motion";
+export type Layer = "entities" | "labels" | "legs" | "wrenches" | "grid" | "motion" | "surface";
 
 export interface Highlight {
   points?: string[];

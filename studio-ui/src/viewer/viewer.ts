@@ -13,6 +13,7 @@ import { calm, Rig } from "./rig";
 import { Surface, titleOf } from "./surface";
 import { splitDrawing } from "./svg";
 import type { Highlight, Layer, Mode, Options, Pose, Scene, Theme, Vec3, View, Viewer } from "./types";
+import { add } from "./vectors";
 
 const SWING = 2400; // milliseconds for a swing to and fro
 const EMPTY: Scene = { points: {}, base: [], platform: [], legs: [], about: [0, 0, 0], size: 1, unit: "", entities: [] };
@@ -97,6 +98,7 @@ class Stage implements Viewer, Reach {
 
   update(part: Partial<Scene>): void {
     this.scene = { ...this.scene, ...part };
+    if (part.surface !== undefined) this.surface.describe(this.scene);
     if (part.pose) this.given = part.pose;
     else if (part.points) this.given = this.current;
     this.changed();
@@ -250,7 +252,8 @@ class Stage implements Viewer, Reach {
     const entities = [...(this.wish?.entities ?? []), ...(this.pointed?.entity ? [this.pointed.entity] : [])];
     const swing = this.filmed ?? (this.animated ? (calm() ? 1 : Math.sin((2 * Math.PI * now) / SWING)) : null);
     const highlight = { points, entities, legs: this.wish?.legs ?? [] };
-    this.model = modelOf(this.posed(), { theme: this.theme, highlight, hidden: this.hidden, swing });
+    const centre = add(this.scene.about, this.platform.translation as Vec3);
+    this.model = modelOf(this.posed(), { theme: this.theme, highlight, hidden: this.hidden, swing, centre });
     this.split = splitDrawing(this.model);
     this.easel.load(this.model, this.split, this.theme);
     if (this.fitting && this.scene !== EMPTY) {

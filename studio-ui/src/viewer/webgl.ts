@@ -28,6 +28,7 @@ import {
 import { painted, tree, type Piece, type Tree } from "./bsp";
 import type { Face, Model } from "./drawing";
 import type { Vec3 } from "./types";
+import { VeilPainter } from "./veil-webgl";
 import { distance, sub, unit } from "./vectors";
 
 const UP = new Vector3(0, 1, 0);
@@ -82,6 +83,7 @@ export class WebGLPainter {
   private readonly heads: Copies;
   private readonly faces: Mesh<BufferGeometry, MeshBasicMaterial>;
   private readonly grid: LineSegments<BufferGeometry, LineBasicMaterial>;
+  private readonly veil: VeilPainter;
   private readonly lamp = new DirectionalLight(0xffffff, 1.7);
   private split: Tree<Face> | null = null;
   private first = new Map<Piece<Face>, number>();
@@ -105,6 +107,7 @@ export class WebGLPainter {
     this.grid = new LineSegments(new BufferGeometry(), new LineBasicMaterial({ transparent: true, opacity: 0.3, depthWrite: false }));
     this.faces.frustumCulled = this.grid.frustumCulled = false;
     this.faces.renderOrder = 2;
+    this.veil = new VeilPainter(this.world);
     this.world.add(this.faces, this.grid, new AmbientLight(0xffffff, 1.9), this.lamp, this.lamp.target);
   }
 
@@ -134,6 +137,7 @@ export class WebGLPainter {
     for (const cone of model.cones) this.heads.put(between(cone.base, cone.tip, cone.radius), cone.colour);
     this.heads.finish();
     this.loadFaces(model);
+    this.veil.load(model.veil);
     this.grid.geometry.dispose();
     this.grid.geometry = new BufferGeometry();
     this.grid.geometry.setAttribute("position", new BufferAttribute(new Float32Array(model.grid.flat(2)), 3));
@@ -179,6 +183,7 @@ export class WebGLPainter {
       }
       index.needsUpdate = true;
     }
+    this.veil.sort(camera.position.toArray() as Vec3);
     // the light comes from over the viewer's left shoulder
     this.lamp.position.set(-0.5, 0.8, 1).applyQuaternion(camera.quaternion).add(this.lamp.target.position);
     this.renderer.render(this.world, camera);
@@ -186,6 +191,7 @@ export class WebGLPainter {
 
   dispose(): void {
     for (const copies of [this.legs, this.lines, this.balls, this.rims, this.heads]) copies.dispose();
+    this.veil.dispose();
     this.faces.geometry.dispose();
     this.faces.material.dispose();
     this.grid.geometry.dispose();

@@ -94,6 +94,7 @@ def _message(rng: Random, number: int) -> str:
             "path",
             "map",
             "place",
+            "surface",
             "manual",
             "bench",
             "compose",
@@ -101,7 +102,7 @@ def _message(rng: Random, number: int) -> str:
             "cancel",
             "x",
         ),
-        (1, 0.02, 1.5, 5, 2, 0.5, 0.5, 0.5, 2, 5, 2, 1.5, 1, 0.5),
+        (1, 0.02, 1.5, 5, 2, 0.5, 0.5, 0.5, 0.3, 2, 5, 2, 1.5, 1, 0.5),
     )[0]
     args: dict[str, Any] = {}
     match do:
@@ -116,8 +117,12 @@ def _message(rng: Random, number: int) -> str:
             args = {"source": cheap, "goal": _pose(rng), "start": _pose(rng), "to": to}
             for name in rng.sample(("start", "to"), rng.randint(0, 2)):
                 del args[name]
-        case "map" | "place":
-            args = {"source": cheap, "over": [_range(rng), _range(rng)], "pose": _pose(rng)}
+        case "map" | "place" | "surface":
+            args = {
+                "source": cheap,
+                "over": [_range(rng) for _ in range(3 if do == "surface" else 2)],
+                "pose": _pose(rng),
+            }
             if do == "place":
                 args["place"] = [rng.choice((0, 0.5, -1, 1e9)) for _ in range(2)]
         case "manual":

@@ -13,7 +13,7 @@ from gcrules.apps.studio.protocol import answer_views as answers
 from gcrules.apps.studio.protocol import requests
 from gcrules.apps.studio.protocol.checking import Check
 from gcrules.apps.studio.protocol.locus_views import LocusAnswer
-from gcrules.apps.studio.protocol.motion_views import MapAnswer, PathAnswer, PlacedPose, WaypointsAnswer
+from gcrules.apps.studio.protocol.motion_views import MapAnswer, PathAnswer, PlacedPose, SurfaceAnswer, WaypointsAnswer
 from gcrules.apps.studio.protocol.shape_checks import check_of
 from gcrules.apps.studio.protocol.study_views import Gallery, Hello, Study
 from gcrules.apps.studio.protocol.where_views import (
@@ -60,6 +60,7 @@ METHODS: Mapping[str, Method] = {
     "path": Method(requests.PathArgs, PathAnswer, seconds=300),
     "waypoints": Method(requests.WaypointsArgs, WaypointsAnswer),
     "map": Method(requests.MapArgs, MapAnswer, seconds=600),
+    "surface": Method(requests.SurfaceArgs, SurfaceAnswer, seconds=600),
     "place": Method(requests.PlaceArgs, PlacedPose),
     "locus": Method(requests.LocusArgs, LocusAnswer, seconds=300),
     "assemblies": Method(requests.PoseArgs, AssembliesAnswer, seconds=300),

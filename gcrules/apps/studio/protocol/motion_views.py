@@ -21,6 +21,7 @@ __all__ = [
     "PathStretchView",
     "PlacedPose",
     "PlanOutcome",
+    "SurfaceAnswer",
     "WaypointsAnswer",
 ]
 
@@ -121,6 +122,29 @@ class MapAnswer(TypedDict):
     guarantee: str
     statement: str
     facts: list[FactItem]
+
+
+class SurfaceAnswer(TypedDict):
+    """The singular surface over x, y and z: how far the platform is from home where it is singular."""
+
+    vertices: list[float]
+    """x, y, z of each corner in turn, in the unit of lengths."""
+    faces: list[int]
+    """Three corners each, by number."""
+    reached: list[bool]
+    """Which corners keep to the limits."""
+    nodes: list[int]
+    """How many poses there are along each coordinate."""
+    free: int
+    """Cells that are proved free of singular poses, of so many `cells`."""
+    cells: int
+    guarantee: str
+    resolution: str
+    facts: list[FactItem]
+    held: dict[str, float]
+    """Other freedoms of a robot with limbs, at which this holds: in radians or in its unit. Of a platform on six legs
+    it holds at the turn of its pose.
+    """
 
 
 class PlacedPose(TypedDict):

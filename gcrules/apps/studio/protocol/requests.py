@@ -49,6 +49,7 @@ __all__ = [
     "SaveArgs",
     "Sketch",
     "SourceJson",
+    "SurfaceArgs",
     "WaypointsArgs",
 ]
 
@@ -68,7 +69,8 @@ _Point = Annotated[str, text(40)]
 _Coordinate = Annotated[float, number(-FARTHEST, FARTHEST)]
 _Vector = Annotated[list[_Coordinate], EntryCount(3, 3)]
 _Threshold = Annotated[str, text(40)]
-_Ranges = Annotated[list[Annotated[str, text(100)]], EntryCount(2, 2)]
+_Range = Annotated[str, text(100)]
+_Ranges = Annotated[list[_Range], EntryCount(2, 2)]
 
 
 # --- what is studied -----------------------------------------------------------------------------------------------
@@ -257,13 +259,21 @@ class LocusArgs(TypedDict):
     over: NotRequired[Annotated[list[_Point], EntryCount(1, 3)]]
 
 
-class PlaceArgs(TypedDict):
-    """The pose at a place of that map, in the units of its axes."""
+class SurfaceArgs(TypedDict):
+    """Over x, y and z with their ranges ("x -1:1:21"), the other coordinates as they are at the pose."""
 
     source: SourceJson
-    over: _Ranges
+    over: Annotated[list[_Range], EntryCount(3, 3)]
     pose: PoseJson
-    place: Annotated[list[_Coordinate], EntryCount(2, 2)]
+
+
+class PlaceArgs(TypedDict):
+    """The pose at a place of that map or of that surface, in the units of its axes."""
+
+    source: SourceJson
+    over: Annotated[list[_Range], EntryCount(2, 3)]
+    pose: PoseJson
+    place: Annotated[list[_Coordinate], EntryCount(2, 3)]
 
 
 class ManualArgs(TypedDict):
@@ -298,7 +308,9 @@ class RepeatArgs(TypedDict):
     """A method with its arguments, which are checked as if it were asked for."""
 
     source: NotRequired[SourceJson]
-    what: Literal["open", "pose", "path", "map", "assemblies", "aspects", "free", "boxes", "certify", "manual", "bench"]
+    what: Literal[
+        "open", "pose", "path", "map", "surface", "assemblies", "aspects", "free", "boxes", "certify", "manual", "bench"
+    ]
     args: Annotated[dict[str, Any], _object]
 
 

@@ -25,6 +25,7 @@ export const LAYERS: readonly (readonly [Layer, string])[] = [
   ["wrenches", "Joints and wrenches"],
   ["grid", "Ground grid"],
   ["motion", "Gained motion"],
+  ["surface", "Singular surface"],
 ];
 
 /** Platforms are moved by the mouse in space: on six legs, and on limbs as far as their freedoms go. */

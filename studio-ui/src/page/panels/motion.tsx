@@ -1,8 +1,9 @@
-// Every singular pose between two poses, and over two coordinates, of any robot.
+// Every singular pose between two poses, over two coordinates and over x, y and z, of any robot.
 import type { PanelProps } from "./index";
 import { LocusSection } from "./motion/locus";
 import { MapSection } from "./motion/map";
 import { PathSection } from "./motion/path";
+import { SurfaceSection } from "./motion/surface";
 import "./motion/motion.css";
 
 export function Motion({ store }: PanelProps) {
@@ -13,7 +14,7 @@ export function Motion({ store }: PanelProps) {
     <div class="motion">
       <header>
         <h2>Path and map</h2>
-        <p class="why">Every singular pose between two poses, and over two coordinates: proved free, crossed, or said to be undecided.</p>
+        <p class="why">Every singular pose between two poses, over two coordinates, and over x, y and z: proved free, crossed, or said to be undecided.</p>
       </header>
       {still ? (
         <p class="none">This structure has no numbers in other poses.</p>
@@ -21,6 +22,7 @@ export function Motion({ store }: PanelProps) {
         <>
           <PathSection />
           <MapSection study={study} />
+          <SurfaceSection study={study} />
           <LocusSection study={study} />
         </>
       )}

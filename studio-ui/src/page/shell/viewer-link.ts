@@ -1,11 +1,12 @@
 // The viewer and the store, each told of the other's changes.
-import { effect, untracked } from "@preact/signals";
+import { computed, effect, untracked } from "@preact/signals";
 import type { Numbers, Study } from "../../protocol";
 import { createViewer, type Layer, type Viewer } from "../../viewer";
 import { entityTarget, pointTarget, type Target } from "../state/lit";
 import { samePose } from "../state/doc";
 import { foundBy, posedPart, sceneOf, withOverlay } from "../state/scene";
 import type { Store } from "../state/store";
+import { isStale, meshOf } from "../state/surfacing";
 import { createPace } from "./pace";
 
 export function connect(element: HTMLElement, store: Store): () => void {
@@ -38,6 +39,7 @@ export function connect(element: HTMLElement, store: Store): () => void {
     }),
     effect(() => viewer.update({ entities: entitiesNow(store), ...extrasNow(store) })),
     followPose(store, viewer),
+    drawSurface(store, viewer),
     keepInSight(store, viewer, element, () => held),
     effect(() => viewer.highlight(highlightOf(lit.current.value))),
     effect(() => viewer.setMode(space.mode.value)),
@@ -111,6 +113,23 @@ function followPose(store: Store, viewer: Viewer): () => void {
     pace.stop,
   ];
   return () => stops.forEach((stop) => stop());
+}
+
+/** The surface that was asked for, pale once it is that of another orientation. */
+function drawSurface({ touring, study, pose$, posing }: Store, viewer: Viewer): () => void {
+  const stale = computed(() => {
+    const [shown, robot] = [touring.surface.shown.value, study.value];
+    return shown !== null && robot !== null && isStale(shown, pose$.value, posing.numbers.value, robot);
+  });
+  let there = false;
+  return effect(() => {
+    const [shown, robot] = [touring.surface.shown.value, study.value];
+    const surface = shown && robot ? meshOf(shown.result, robot.about, stale.value) : null;
+    viewer.update({ surface });
+    const drawn = surface !== null && surface.faces.length > 0;
+    if (drawn && !there) viewer.setView("fit"); // it is seen whole when it comes, then the user's view is kept
+    there = drawn;
+  });
 }
 
 /** The entities that the guided steps have come to; null for all. */

@@ -21,6 +21,7 @@ export function repeatables({ source$, pose$, threshold$, commands$, bench$, stu
     ["By hand", "manual", shown !== null && commands.length > 0 && { source, commands }],
     ["The path", "path", askedOf(touring.path.now.value)],
     ["The map", "map", askedOf(touring.map.now.value)],
+    ["The singular surface", "surface", askedOf(touring.surface.now.value)],
     ["Assembly modes", "assemblies", askedOf(roaming.assemblies.now.value)],
     ["Aspects", "aspects", askedOf(roaming.aspects.now.value)],
     ["The free region", "free", askedOf(roaming.free.now.value)],

@@ -24,7 +24,7 @@ export function createSpace(): Space {
   return {
     viewer: signal(null),
     mode: signal<Mode>("orbit"),
-    layers: signal({ entities: true, labels: true, legs: true, wrenches: true, grid: true, motion: true }),
+    layers: signal({ entities: true, labels: true, legs: true, wrenches: true, grid: true, motion: true, surface: true }),
     large: signal(false),
     playing: signal(false),
     overlay: signal(null),

@@ -3,12 +3,14 @@ import type { Axis, Study } from "../../protocol";
 import type { Client } from "../net/client";
 import { MARGIN, type Range, type Tour } from "./doc";
 import type { Editing } from "./editing";
-import { createMapping, type Mapping } from "./mapping";
+import { createRefining, type Refining } from "./refining";
 import { createRunner, type Runner } from "./running";
+import { createSurfacing, type Surfacing } from "./surfacing";
 
 export interface Touring {
   path: Runner<"path">;
-  map: Mapping;
+  map: Refining<"map">;
+  surface: Surfacing;
   place: Runner<"place">;
   locus: Runner<"locus">;
   /** Changes what is asked; changes of the same field in a row are undone as one. */
@@ -19,7 +21,8 @@ export function createTouring(client: Client, editing: Editing): Touring {
   const { doc, edit } = editing;
   return {
     path: createRunner(client, editing, "path", "Going along the path"),
-    map: createMapping(client, editing),
+    map: createRefining(client, editing, "map", "Mapping"),
+    surface: createSurfacing(client, editing),
     place: createRunner(client, editing, "place", "Going there"),
     locus: createRunner(client, editing, "locus", "Working out the polynomial"),
     change: (part) => edit({ tour: { ...doc.peek().tour, ...part } }, `tour ${Object.keys(part).join(" ")}`),

@@ -1,22 +1,25 @@
-// A map, coarse at first and refined level by level while one looks; what is there stays when the rest is stopped.
+// A map or a surface, coarse at first and refined level by level while one looks; what is there stays when the rest is
+// stopped.
 import { effect, signal, type ReadonlySignal } from "@preact/signals";
-import type { MapAnswer, MapArgs } from "../../protocol";
+import type { Methods } from "../../protocol";
 import type { Client } from "../net/client";
 import type { Editing } from "./editing";
 import { createRunner, type Running } from "./running";
 
-export interface Mapped {
-  asked: MapArgs;
-  result: MapAnswer;
+type Refinable = "map" | "surface";
+
+export interface Refined<M extends Refinable> {
+  asked: Methods[M]["args"];
+  result: Methods[M]["result"];
 }
 
-export interface Mapping {
+export interface Refining<M extends Refinable> {
   /** The level under way. */
-  now: ReadonlySignal<Running<"map">>;
+  now: ReadonlySignal<Running<M>>;
   /** The finest level that is there. */
-  shown: ReadonlySignal<Mapped | null>;
+  shown: ReadonlySignal<Refined<M> | null>;
   /** Asks for the levels up to so many poses along each axis. */
-  start(args: (nodes: number) => MapArgs, nodes: number): Promise<void>;
+  start(args: (nodes: number) => Methods[M]["args"], nodes: number): Promise<void>;
   stop(): void;
 }
 
@@ -26,9 +29,9 @@ const COARSE = 7;
 export const levels = (nodes: number): number[] =>
   [COARSE, Math.ceil(nodes / 2)].filter((n, i, all) => n < nodes && n > (all[i - 1] ?? 0)).concat(nodes);
 
-export function createMapping(client: Client, editing: Editing): Mapping {
-  const runner = createRunner(client, editing, "map", "Mapping");
-  const shown = signal<Mapped | null>(null);
+export function createRefining<M extends Refinable>(client: Client, editing: Editing, method: M, begin: string): Refining<M> {
+  const runner = createRunner(client, editing, method, begin);
+  const shown = signal<Refined<M> | null>(null);
   let turn = 0;
 
   effect(() => {
@@ -37,7 +40,7 @@ export function createMapping(client: Client, editing: Editing): Mapping {
     shown.value = null;
   });
 
-  async function start(args: (nodes: number) => MapArgs, nodes: number): Promise<void> {
+  async function start(args: (nodes: number) => Methods[M]["args"], nodes: number): Promise<void> {
     const mine = (turn += 1);
     for (const level of levels(nodes)) {
       const asked = args(level);

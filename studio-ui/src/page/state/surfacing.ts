@@ -1,0 +1,71 @@
+// The singular surface over x, y and z: what it is asked with, where it lies in the scene, and whether it still holds.
+import { effect, signal, type Signal } from "@preact/signals";
+import type { Numbers, Pose, Study, SurfaceAnswer, Vec3 } from "../../protocol";
+import type { TriangleMesh } from "../../viewer";
+import type { Client } from "../net/client";
+import type { Range } from "./doc";
+import type { Editing } from "./editing";
+import { createRefining, type Refined, type Refining } from "./refining";
+
+export type Box = [Range, Range, Range];
+
+export interface Surfacing extends Refining<"surface"> {
+  /** The ranges that were chosen; null for those to begin with. */
+  box: Signal<Box | null>;
+  /** Poses along each of them; null for so many as are soon there. */
+  nodes: Signal<number | null>;
+}
+
+export const FINENESS: readonly number[] = [13, 25, 41];
+
+export function createSurfacing(client: Client, editing: Editing): Surfacing {
+  const box = signal<Box | null>(null);
+  const nodes = signal<number | null>(null);
+  effect(() => {
+    void editing.source$.value;
+    box.value = nodes.value = null;
+  });
+  return { ...createRefining(client, editing, "surface", "Looking for singular poses"), box, nodes };
+}
+
+/** Where joints are solved for, each pose takes longer. */
+export const finenessOf = ({ kind }: Study): number => (kind === "robot" ? 13 : 25);
+
+const rounded = (value: number): number => Number(value.toPrecision(2));
+
+/** Ranges of x, y and z to begin with, which leave the robot in sight; null where the platform is not told by them. */
+export function boxOf({ ranges }: Study): Box | null {
+  const found = (["x", "y", "z"] as const).map((name) => ranges.find((range) => range.name === name));
+  if (!found.every((range) => range !== undefined)) return null;
+  return found.map(({ name, low, high }) => ({ name, low: rounded(low), high: rounded(high) })) as Box;
+}
+
+const TURNED = 1e-9;
+
+/** Whether the coordinates that are no axes of it are others now. */
+export function isStale({ asked, result }: Refined<"surface">, pose: Pose, numbers: Numbers | null, { kind, freedoms }: Study): boolean {
+  if (kind !== "robot") {
+    const [a, b] = [asked.pose.quaternion, pose.quaternion];
+    const size = Math.hypot(...a) * Math.hypot(...b);
+    return 1 - Math.abs(a.reduce((sum, c, i) => sum + c * b[i]!, 0)) / size > TURNED; // q and −q are one turn
+  }
+  return freedoms.some(({ name, unit }, i) => {
+    const held = result.held[name];
+    const now = numbers?.freedoms[i];
+    if (held === undefined || now === undefined) return false;
+    return Math.abs((unit === "deg" ? (now * Math.PI) / 180 : now) - held) > 1e-4;
+  });
+}
+
+/** In the scene: the platform's centre is there where the robot is singular. */
+export function meshOf({ vertices, faces, reached }: SurfaceAnswer, about: Vec3, stale: boolean): TriangleMesh {
+  return { vertices: vertices.map((c, i) => c + about[(i % 3) as 0 | 1 | 2]), faces, reached, stale };
+}
+
+/** The corner nearest to a place from home, one within the limits if there are some; null where there is none. */
+export function nearestCorner({ vertices, reached }: SurfaceAnswer, at: Vec3): Vec3 | null {
+  const among = reached.flatMap((within, i) => (within || !reached.includes(true) ? [i] : []));
+  const away = (i: number) => Math.hypot(...at.map((c, k) => vertices[3 * i + k]! - c));
+  const best = among.reduce<number | null>((a, b) => (a === null || away(b) < away(a) ? b : a), null);
+  return best === null ? null : (vertices.slice(3 * best, 3 * best + 3) as Vec3);
+}
