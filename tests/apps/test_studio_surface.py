@@ -42,7 +42,7 @@ def test_a_surface_is_drawn_refined_switched_off_and_left_behind(desk: Desk) -> 
     assert desk.run(DRAWN) == 0
     desk.run(LEVELS)
     triangles = asked(desk, 13)
-    assert desk.run("gcrules.levels") == [7, 13]
+    assert desk.run("gcrules.levels") == [5, 7, 13]
     assert triangles == desk.run("gcrules.touring.surface.shown.value.result.faces.length") / 3 > 100
     assert desk.page.locator(NAMED).count() == 1
     assert "cells are proved free" in desk.text("surface-guarantee")
@@ -65,7 +65,7 @@ def test_a_surface_is_drawn_refined_switched_off_and_left_behind(desk: Desk) -> 
     assert desk.one("surface-nearest").is_disabled()
     desk.one("surface-again").click()
     desk.one("surface-stale").wait_for(state="detached")
-    desk.page.wait_for_function("() => gcrules.levels.length === 4")
+    desk.page.wait_for_function("() => gcrules.levels.length === 6")
     desk.one("surface-nearest").press("Enter")
     desk.page.wait_for_function("() => gcrules.posing.numbers.value?.margin < 1e-6")
     assert desk.pose["quaternion"][0] < 0.99
@@ -83,7 +83,7 @@ def test_the_surface_of_a_robot_of_joints(desk: Desk) -> None:
         for end, value in (("low", "-3"), ("high", "3")):
             desk.one(f"surface-{end}-{name}").fill(value)
             desk.one(f"surface-{end}-{name}").press("Enter")
-    assert asked(desk, 7) > 20
+    assert asked(desk, 5) > 0
     assert "drawn between the nodes" in desk.text("surface-share")
     assert desk.faults == []
 

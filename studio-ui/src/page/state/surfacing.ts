@@ -16,7 +16,7 @@ export interface Surfacing extends Refining<"surface"> {
   nodes: Signal<number | null>;
 }
 
-export const FINENESS: readonly number[] = [13, 25, 41];
+export const FINENESS: readonly number[] = [9, 13, 25, 41];
 
 export function createSurfacing(client: Client, editing: Editing): Surfacing {
   const box = signal<Box | null>(null);
@@ -25,11 +25,11 @@ export function createSurfacing(client: Client, editing: Editing): Surfacing {
     void editing.source$.value;
     box.value = nodes.value = null;
   });
-  return { ...createRefining(client, editing, "surface", "Looking for singular poses"), box, nodes };
+  return { ...createRefining(client, editing, "surface", "Looking for singular poses", 5), box, nodes };
 }
 
 /** Where joints are solved for, each pose takes longer. */
-export const finenessOf = ({ kind }: Study): number => (kind === "robot" ? 13 : 25);
+export const finenessOf = ({ kind }: Study): number => (kind === "robot" ? 9 : 25);
 
 const rounded = (value: number): number => Number(value.toPrecision(2));
 
