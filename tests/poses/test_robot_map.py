@@ -27,6 +27,7 @@ from gcrules.poses.limbs.factors import factors
 from gcrules.poses.maps.cells import CROSSED, FREE, OUTSIDE, UNDECIDED
 from gcrules.poses.maps.limb_task import LimbsTask, limbs_task
 from gcrules.poses.maps.maps import singular_map
+from gcrules.poses.maps.surface import sheet
 from gcrules.screws.threshold import margin_of
 
 CASES = {
@@ -219,16 +220,23 @@ def test_a_surface(tmp_path: Path) -> None:
 
 
 def test_a_surface_ends_where_the_robot_does_not_get() -> None:
-    """Its corners lie between nodes that are reached, of opposite signs."""
+    """A ball's, of which some nodes are not known: no triangle has one at its cell's corners."""
     pytest.importorskip("skimage")
-    m = gc.singular_map("orthoglide", ["x -3:3:7", "y -3:3:7", "z -3:3:7"])
-    level = m.level
-    assert np.isnan(level).any()
-    assert len(m.mesh.faces) > 20
-    assert np.isfinite(m.mesh.vertices).all()
-    places = m.mesh.vertices + 3
-    low, high = (np.clip(f(places), 0, 6).astype(int) for f in (np.floor, np.ceil))
-    assert (level[tuple(low.T)] * level[tuple(high.T)] <= 0).all()
+    nodes = np.stack(np.meshgrid(*(np.arange(9.0),) * 3, indexing="ij"), axis=-1)
+    unknown = np.abs(nodes.sum(axis=-1) - 12) > 4
+
+    def value(places: Any) -> Any:
+        return np.linalg.norm(places - 4.1, axis=-1) - 3.3
+
+    whole, part = (
+        sheet(value, lambda first, last, lost=lost: np.where(lost, np.nan, value(nodes))[first:last], (9, 9, 9))
+        for lost in (np.zeros_like(unknown), unknown)
+    )
+    assert 200 < len(part[2]) < len(whole[2])
+    assert np.abs(value(part[0])).max() < 1e-6
+    assert part[2].max() == len(part[0]) - 1
+    low = np.floor(part[0][part[2]].mean(axis=1)).astype(int)
+    assert not any(unknown[tuple((low + corner).T)].any() for corner in np.ndindex(2, 2, 2))
 
 
 def test_results_are_values(tmp_path: Path) -> None:
