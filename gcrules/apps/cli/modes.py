@@ -70,7 +70,7 @@ def modes(
     Each pose comes with what is proved of it (that there is exactly one solution in a box around it), its margin and
     verdict, and the signs of the condition's factors. Six legs have at most 40 complex solutions, and all are followed
     from a system that is solved; so are those of most robots of joints. Where no count is known configurations are
-    sought from random joints, and the answer says so. Curves of solutions (self-motions) are told as such. "-" reads
+    sought from random joints, and the answer says so. Curves of solutions (self-motions) are listed as such. "-" reads
     the file from standard input.
 
     \b

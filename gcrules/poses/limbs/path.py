@@ -3,7 +3,7 @@ r"""A robot of joints along a path: the loops are closed step by step, and what 
 Each step follows one branch of solutions, proved by Krawczyk's operator; that nothing between two steps is singular is
 proved likewise (`gcrules.mechanisms.kinematics.branch`), for many steps at once (`gcrules.poses.limbs.drive`). Segments
 in which that is not proved are gone over again, one by one (`gcrules.poses.limbs.way`). So a singular configuration can
-lie only where the determinant of all wrenches changes its sign, which is located, or in short stretches that are told
+lie only where the determinant of all wrenches changes its sign, which is located, or in short stretches that are listed
 as undecided: as a rule where the path touches a singular configuration, or where a limb is singular by itself. Of a
 path without either a bound of the margin is proved (`gcrules.poses.limbs.way_bounds`).
 

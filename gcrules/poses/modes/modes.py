@@ -46,7 +46,7 @@ def assembly_modes(
     Six legs, and limbs whose conditions on the pose are linear in the coordinates of the group of motions (a distance,
     a point in a plane, directions at an angle: most that are known), have at most 40 isolated solutions, complex ones
     and those at infinity counted; all are followed from a system that is solved. For other robots configurations are
-    sought from random joints, and `completeness` says so. Curves of solutions are told as `curves`.
+    sought from random joints, and `completeness` says so. Curves of solutions are listed as `curves`.
 
     Raises InputError for what is no pose and no value, for degenerate robots, and where a robot does not assemble at
     the pose.
