@@ -1,4 +1,4 @@
-r"""Code that is not gcrules' own: every call of it goes through here, and what it does wrong is reported as its own fault.
+r"""Code that is not gcrules' own: every call of it goes through here, and what it does wrong is its own fault.
 
 It may not end the program, nor write to standard output, which belongs to the answer, nor leave threads behind, nor
 take longer than `SECONDS`, or wait longer than `WAITING`; what it gives is checked. This keeps mistakes apart from
