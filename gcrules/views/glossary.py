@@ -23,7 +23,7 @@ GLOSSARY = (
             "A part of the poses of a robot within which it gets from each pose to each other without a singular "
             "pose between."
         ),
-        "guide": "Which poses hang together",
+        "guide": "Which poses are connected",
         "page": "aspects.md",
     },
     {

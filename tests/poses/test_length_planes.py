@@ -1,4 +1,4 @@
-"""Planes cut by curves that everyone knows: the cells, and what hangs together."""
+"""Planes cut by curves that everyone knows: the cells, and what is connected."""
 
 from __future__ import annotations
 

@@ -21,7 +21,7 @@ COMMANDS = {
     "pose": ("gcrules.apps.cli.pose:pose", "Tell how close a robot is to a singularity in a pose."),
     "path": ("gcrules.apps.cli.path:path", "Find every singular pose on a path of a robot."),
     "plan": ("gcrules.apps.cli.plan:plan", "Find a way without a singularity, or prove that there is none."),
-    "aspects": ("gcrules.apps.cli.aspects:aspects", "Find which poses hang together without a singularity."),
+    "aspects": ("gcrules.apps.cli.aspects:aspects", "Find which poses are connected without a singularity."),
     "certify": ("gcrules.apps.cli.certify:certify", "Prove that a whole range has no singular pose, or find one."),
     "free": ("gcrules.apps.cli.free:free", "Find the largest region around a pose that is free, proved."),
     "regions": ("gcrules.apps.cli.regions:regions", "Find how singular lengths part the lengths of a robot's legs."),

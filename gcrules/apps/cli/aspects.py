@@ -1,4 +1,4 @@
-"""The command aspects: which poses of a robot hang together without a singularity."""
+"""The command aspects: which poses of a robot are connected without a singularity."""
 
 from __future__ import annotations
 

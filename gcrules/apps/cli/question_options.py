@@ -63,7 +63,7 @@ def question_options(command: Callable[..., Any]) -> Callable[..., Any]:
             help='Add a certificate over one to six ranges, "roll -40..40 deg".',
         ),
         click.option("--modes", is_flag=True, help="Add the assembly modes, of joints working and operation modes."),
-        click.option("--aspects", is_flag=True, help="Add how the poses hang together without a singularity."),
+        click.option("--aspects", is_flag=True, help="Add how the poses are connected without a singularity."),
         click.option(
             "--plan", multiple=True, metavar="POSE", help="Add a way from one pose to another; of one the way out."
         ),

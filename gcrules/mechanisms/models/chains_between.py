@@ -70,7 +70,7 @@ def placed(poses: Poses, body: str, point: Floats) -> Floats:
 
 
 def limbs_between(motions: Sequence[Motion], base: str, platform: str, poses: Poses) -> list[list[Chain]]:
-    """Each limb as its chains, a limb being what hangs together without base and platform; in the sequence of the
+    """Each limb as its chains, a limb being what is connected without base and platform; in the sequence of the
     motions. Each chain begins at a body that those before it reach, the first ones at the base.
     """
     found = []

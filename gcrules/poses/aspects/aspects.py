@@ -1,9 +1,9 @@
-r"""How the poses of a robot hang together: which can be reached from which without a singularity.
+r"""How the poses of a robot are connected: which can be reached from which without a singularity.
 
 Poses are drawn, and the assembly modes for the actuators' values at home are solved for. Poses in which the condition's
 factors have different signs are in different aspects. Those of equal signs are joined by a search for ways between them
 (`gcrules.poses.plans.roadmap`), and each way is proved by the exact path check. Sets that are left with equal signs may
-or may not hang together.
+or may not be connected.
 
 >>> found = aspects("3-rpr", within="x -1..1, y -1..1, yaw -180..180 deg", poses=8)
 >>> found.least, found.most, [s.pattern for s in found.sets]

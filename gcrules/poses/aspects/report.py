@@ -1,4 +1,4 @@
-r"""The answer to how the poses of a robot hang together: sets that are joined without a singularity."""
+r"""The answer to how the poses of a robot are connected: sets that are joined without a singularity."""
 
 from __future__ import annotations
 
@@ -78,7 +78,7 @@ class LeftOut:
 
 @dataclass(frozen=True)
 class Aspects(Shown):
-    """How the poses of a robot hang together without singularities.
+    """How the poses of a robot are connected without singularities.
 
     Of all `poses` that were looked at (home, assembly modes, others at random) those of one of the `sets` are in one
     aspect, proved: the `joins` lead from each to each. Poses with other signs are in different aspects, proved; there

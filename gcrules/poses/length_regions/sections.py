@@ -22,7 +22,7 @@ _SHARES = (Fraction(1, 2), Fraction(1, 3), Fraction(3, 5), Fraction(2, 7), Fract
 
 @dataclass(frozen=True)
 class Part:
-    """Cells that hang together, the squares of the lengths of all legs at a witness, and the number of modes there."""
+    """Cells that are connected, the squares of the lengths of all legs at a witness, and the number of modes there."""
 
     cells: tuple[Cell, ...]
     squares: tuple[Fraction, Fraction, Fraction]

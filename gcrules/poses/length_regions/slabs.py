@@ -2,7 +2,7 @@ r"""The plane of two lengths cut into cells by the singular curve, and the cells
 
 Between two critical lines x = const the curve consists of the same number of branches, one above the other, and the
 cells between them are numbered from below; the edges of the box count as branches. Across a critical line two cells
-hang together where an open part of the line lies in both. Gates show these parts: heights y at which the curve is not
+are connected where an open part of the line lies in both. Gates show these parts: heights y at which the curve is not
 met from one side of the line to the other. Between two gates in a row some branches end on the left and some on the
 right:
 
@@ -11,7 +11,7 @@ right:
 * two and two: they meet in one point if the only double point of the line lies between these gates, or if one of them
   is an edge, the line is one on which the curve meets this edge, and no double point lies on it.
 
-Gates are sought ever nearer to the line until all between them is of this kind. If that fails, what may hang together
+Gates are sought ever nearer to the line until all between them is of this kind. If that fails, what may be connected
 there is kept apart from what does: the number of regions is then an interval. Derived here.
 """
 
@@ -70,7 +70,7 @@ class Double:
 class Plane:
     """The box of squares of lengths, its critical `lines`, and the cells between them that are in the box.
 
-    `joined` are pairs of cells that hang together, proved; `unsure` those that may. No other two cells of different
+    `joined` are pairs of cells that are connected, proved; `unsure` those that may. No other two cells of different
     strips that are next to each other do. `double` are the double points in the box.
     """
 
@@ -101,7 +101,7 @@ class Plane:
         return k, sum(other < y for _, other in found)
 
     def parts(self, *, unsure: bool) -> list[list[Cell]]:
-        """The cells that hang together, in order; with those that may as one."""
+        """The cells that are connected, in order; with those that may as one."""
         graph: nx.Graph[Cell] = nx.Graph()
         graph.add_nodes_from(self.cells)
         graph.add_edges_from(self.joined)
@@ -165,7 +165,7 @@ def _across(found: Plane, k: int, line: CriticalLine) -> tuple[list[Gate], bool]
 
 
 def _unsure(line: CriticalLine, edges: Interval, gates: Sequence[Gate]) -> list[Numbers]:
-    """The cells that may hang together between gates where all is not clear."""
+    """The cells that may be connected between gates where all is not clear."""
     found: list[Numbers] = []
     for lower, upper in pairwise(gates):
         if not _clear(line, edges, lower, upper):

@@ -2,8 +2,8 @@ r"""Which cells of a sweep are proved free of singular configurations: box by bo
 
 Around the configuration in the middle of a box `Cells` shows that for all values of the coordinates in the box there is
 one configuration near by, a continuous one, and that none is singular. A box in which that fails is halved along its
-longest sides, also below the size of a cell. What a proved box holds hangs together: nodes and middles of other boxes
-whose configurations lie in it. Only what hangs together with a node counts: nodes are on home's branch.
+longest sides, also below the size of a cell. What a proved box holds is connected: nodes and middles of other boxes
+whose configurations lie in it. Only what is connected with a node counts: nodes are on home's branch.
 """
 
 from __future__ import annotations
@@ -193,7 +193,7 @@ class _Boxes:
         known: Floats,
         parent: Integers,
     ) -> None:
-        """Note what hangs together: the middle of each box with one branch, the nodes in it, and the middle of the box
+        """Note what is connected: the middle of each box with one branch, the nodes in it, and the middle of the box
         that it is a part of, where their configurations lie in it.
         """
         sweep, lattice = self.sweep, self.lattice

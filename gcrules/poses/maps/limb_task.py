@@ -259,7 +259,7 @@ class LimbsTask(InLayers, HoldsArrays):
         if not others:
             return proved
         left = f"{crossed:,} crossed, {undecided:,} undecided, {summary.outside:,} with a corner that is not reached"
-        return f"{proved}; singular poses that hang together with home lie in the {others:,} other cells ({left})"
+        return f"{proved}; singular poses that are connected with home lie in the {others:,} other cells ({left})"
 
     @property
     def manifest(self) -> dict[str, Any]:

@@ -22,7 +22,7 @@ _ARRAYS = ("owner", "places", "amounts", "reach", "turned")
 
 @dataclass(frozen=True, eq=False)
 class Patches:
-    """P configurations that are proved to hang together with the first one, and around each either a block of nodes, in
+    """P configurations that are proved to be connected with the first one, and around each either a block of nodes, in
     which the branch has one configuration nearer than `reach` (P, all) for all values of the coordinates, or itself as
     the one of a node.
 

@@ -2,7 +2,7 @@ r"""Whether all of a box, or of a ball in it, is free of singular configurations
 
 Of a box that is not proved both halves along its longest side are tried. Where it is cut, a point of the region is
 chosen, with a state there: every proved box that holds the point has to hold this state. So the proved boxes on both
-sides of the cut hang together, and by induction all do, with the one that holds the middle of the region.
+sides of the cut are connected, and by induction all are, with the one that holds the middle of the region.
 """
 
 from __future__ import annotations

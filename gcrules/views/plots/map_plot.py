@@ -204,7 +204,7 @@ def _undecided(m: SingularMap, axes: Any, handles: list[Any]) -> None:
     status = m.values("cell_status")
     undecided = status == UNDECIDED
     cells = undecided & ~_grown(status == CROSSED)
-    for _ in range(sum(status.shape)):  # with all cells that hang together with these
+    for _ in range(sum(status.shape)):  # with all cells that are connected with these
         cells, before = undecided & _grown(cells), cells
         if (cells == before).all():
             break

@@ -56,10 +56,10 @@ def _verdict(r: Aspects) -> str:
 
 
 def _open(r: Aspects) -> str:
-    """Which sets may hang together."""
+    """Which sets may be connected."""
     patterns = dict.fromkeys(s.pattern for s in r.sets)
     same = [[s.name for s in r.sets if s.pattern == p] for p in patterns]
-    return "; ".join(f"{listed(names)} may hang together" for names in same if len(names) > 1)
+    return "; ".join(f"{listed(names)} may be connected" for names in same if len(names) > 1)
 
 
 def _signs(s: AspectSet) -> str:

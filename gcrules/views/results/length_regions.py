@@ -40,7 +40,7 @@ def _verdict(r: LengthRegions) -> str:
         return (
             f"The regions that {len(r.slices)} slices meet are {r.most} at most, proved by drives between slices, and"
             f" {r.least} at least, for they have {r.least} numbers of modes: {counts}. Not decided: those with equal"
-            " numbers may hang together, and others may lie between the slices."
+            " numbers may be connected, and others may lie between the slices."
         )
     return f"{r.least} regions at least and {r.most} at most, proved; of the most {counts}."
 

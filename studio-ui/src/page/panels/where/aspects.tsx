@@ -1,4 +1,4 @@
-// The aspects: sets of poses that hang together without a singularity, and a button to a pose of each.
+// The aspects: sets of poses that are connected without a singularity, and a button to a pose of each.
 import { short } from "../../lib/format";
 import { useStore } from "../../parts/context";
 import { Icon } from "../../parts/icon";
