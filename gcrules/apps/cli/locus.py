@@ -36,6 +36,12 @@ __all__ = ["locus"]
 )
 @about_option
 @click.option("--export", metavar="|".join(FORMATS), help="Print the polynomial alone, for that program.")
+@click.option(
+    "--digits",
+    type=click.IntRange(1, 15),
+    metavar="N",
+    help="Print decimals of N digits, up to a factor; without it of 6 where coefficients have more than 20 digits.",
+)
 @limit_option(MAX_TERMS, "Search for factors of polynomials of so many terms, where no proof decides.")
 @time_limit()
 @output_options()
@@ -49,6 +55,7 @@ def locus(
     product: bool | None,
     about: str,
     export: str | None,
+    digits: int | None,
     limit: int,
     out: Output,
 ) -> None:
@@ -69,8 +76,10 @@ def locus(
     """
     if export is not None and (out.json or out.latex):
         raise click.UsageError("--export excludes --json and --latex.")
+    if digits is not None and (export is not None or out.json or out.latex):
+        raise click.UsageError("--digits is for the summary; --export, --json and --latex are exact.")
     loaded = warn(read_source(file, mode=mode))
     with working("computing"):
         found = computed(loaded, over, fix=fix, at=at, rotation=rotation, about=about, limit=limit, product=product)
-        text = found.text(unicode=out.unicode) if export is None else found.written(export)
+        text = found.text(unicode=out.unicode, digits=digits) if export is None else found.written(export)
     out.show(found, text)

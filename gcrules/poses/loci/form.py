@@ -11,7 +11,7 @@ poly P = 3*x^2*e0 - 1;
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from fractions import Fraction
 from functools import cached_property
 from math import lcm
@@ -114,6 +114,15 @@ class PolynomialForm:
     def __str__(self) -> str:
         return self._sum("^")
 
+    def rounded(self, digits: int) -> str:
+        """The polynomial over its largest coefficient in size, with decimals of so many significant digits, 15 at most.
+
+        >>> print(PolynomialForm(("x",), (((2,), 400), ((0,), -3))).rounded(2))
+        x^2 - 0.0075
+        """
+        largest = max((abs(c) for _, c in self.terms), default=1)
+        return self._sum("^", lambda c: f"{c / largest:.{digits}g}")
+
     def written(self, style: str, roots: Sequence[tuple[str, PolynomialForm]] = ()) -> str:
         """Text for another program: sympy (`sympify`), maple or singular; after the polynomial those that are 0 by the
         `roots` among its variables, each with its square. Raises InputError for other programs.
@@ -126,21 +135,26 @@ class PolynomialForm:
         zeros = ", ".join(f"{name}{power}2 - ({square._sum(power)})" for name, square in roots)
         return (_WITH_ROOTS if roots else _WRITTEN)[style].format(self._sum(power), ", ".join(self.variables), zeros)
 
-    def _sum(self, power: str) -> str:
+    def _sum(self, power: str, number: Callable[[int], str] = str) -> str:
         def factor(name: str, n: int) -> str:
             return name if n == 1 else f"{name}{power}{n}"
 
         return joined(
-            (c, "*".join(factor(v, n) for v, n in zip(self.variables, e, strict=True) if n), "*") for e, c in self.terms
+            (
+                (c, "*".join(factor(v, n) for v, n in zip(self.variables, e, strict=True) if n), "*")
+                for e, c in self.terms
+            ),
+            number=number,
         )
 
 
-def joined(terms: Iterable[tuple[int, str, str]], *, first: bool = True) -> str:
-    """A sum of coefficients, what they are multiplied by, and the sign of that product."""
+def joined(terms: Iterable[tuple[int, str, str]], *, first: bool = True, number: Callable[[int], str] = str) -> str:
+    """A sum of coefficients, what they are multiplied by, and the sign of that product; `number` writes the first."""
     found: list[str] = []
     for c, monomial, times in terms:
         checkpoint()
         sign = ("- " if c < 0 else "+ ") if found or not first else ("-" if c < 0 else "")
-        size = str(abs(c)) if abs(c) != 1 or not monomial else ""
+        size = number(abs(c))
+        size = "" if size == "1" and monomial else size
         found.append(f"{sign}{size}{times if size and monomial else ''}{monomial}")
     return " ".join(found) or "0"

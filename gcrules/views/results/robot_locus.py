@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from fractions import Fraction
 from textwrap import fill
 
 from gcrules.poses.loci.form import PolynomialForm
 from gcrules.poses.loci.limb_report import LocusPart, RobotLocus, RobotLocusFactor
 from gcrules.poses.loci.variables import TRANSLATION
 from gcrules.poses.loci.working_modes import Sightings
-from gcrules.views.results.locus import SHOWN, counted, degrees_text, form_latex, size_text
+from gcrules.views.results.locus import form_latex
+from gcrules.views.results.polynomials import SHOWN, brief, counted, degrees_text, formula, number, size_text
 from gcrules.views.text_tables import WIDTH, table
 
 __all__ = ["account", "as_latex", "as_text", "headline"]
@@ -32,17 +32,15 @@ _EXCEPT = ", but where other signs are told"
 _CHOSEN = ", or lines that were chosen for a limb depend on each other"
 
 
-def as_text(found: RobotLocus, *, unicode: bool = False) -> str:
-    """The summary, and polynomials that are short."""
+def as_text(found: RobotLocus, *, unicode: bool = False, digits: int | None = None) -> str:
+    """The summary, and polynomials that are short; with decimals of so many `digits`."""
     lines = [fill(headline(found), WIDTH), "", *table(account(found, unicode=unicode))]
-    for number, part in enumerate(found.parts, 1):
-        name = _name(found, number)
-        lines += ["", *table(list(_part(part, name, found, unicode)))]
+    for k, part in enumerate(found.parts, 1):
+        name = _name(found, k)
+        lines += ["", *table(list(_part(part, name, found, unicode, digits)))]
         lines += [""] if part.form.terms else []
-        if len(part.form.terms) > SHOWN:
-            lines.append(f"{name} is long: --export sympy (or maple, singular), --json or --latex prints it.")
-        elif part.form.terms:
-            lines.append(fill(f"{name} = {part.form}", WIDTH, subsequent_indent="    ", break_long_words=False))
+        if part.form.terms:
+            lines.append(formula(name, part.form, digits))
     return "\n".join(lines)
 
 
@@ -57,8 +55,8 @@ def account(found: RobotLocus, *, unicode: bool = False) -> list[tuple[str, str]
     return list(_rows(found, unicode))
 
 
-def _name(found: RobotLocus, number: int) -> str:
-    return "P" if len(found.parts) == 1 else f"P{number}"
+def _name(found: RobotLocus, k: int) -> str:
+    return "P" if len(found.parts) == 1 else f"P{k}"
 
 
 def _rows(found: RobotLocus, unicode: bool) -> Iterator[tuple[str, str]]:
@@ -97,12 +95,9 @@ def _short(form: PolynomialForm) -> str:
     return f"one of degree {form.degree} with {len(form.terms)} terms"
 
 
-def _number(c: Fraction) -> str:
-    """A number; of long ones the size."""
-    return str(c) if len(str(c)) <= SHOWN else f"a fraction, about {float(c):.3g}" if float(c) else "a tiny fraction"
-
-
-def _part(part: LocusPart, name: str, found: RobotLocus, unicode: bool) -> Iterator[tuple[str, str]]:
+def _part(
+    part: LocusPart, name: str, found: RobotLocus, unicode: bool, digits: int | None
+) -> Iterator[tuple[str, str]]:
     times = "·" if unicode else "*"
     yield "factor", f"{part.expression} ({part.kind}): {part.statement}"
     if part.vanishes:
@@ -110,7 +105,7 @@ def _part(part: LocusPart, name: str, found: RobotLocus, unicode: bool) -> Itera
         return
     multiplied = found.multiplied and part.roots
     product = f"product over {2 ** len(part.roots)} working modes of the factor" if multiplied else "factor"
-    coefficient = f"({_number(part.coefficient)}) {times} {name}" if part.coefficient != 1 else name
+    coefficient = f"({number(part.coefficient)}) {times} {name}" if part.coefficient != 1 else name
     below = f" {times} ".join(f"({_short(p)})^{n}" if n > 1 else f"({_short(p)})" for p, n in part.below)
     yield "identity", f"{product} = {coefficient}{f' / ({below})' if below else ''}"
     if found.roots:
@@ -124,15 +119,15 @@ def _part(part: LocusPart, name: str, found: RobotLocus, unicode: bool) -> Itera
     else:
         single = len(part.found) == 1 and part.found[0].multiplicity == 1
         for f in part.found:
-            yield "factors" if f is part.found[0] else "", _factor(f, single, bool(part.roots))
+            yield "factors" if f is part.found[0] else "", _factor(f, single, bool(part.roots), digits)
 
 
-def _factor(f: RobotLocusFactor, single: bool, roots: bool) -> str:
+def _factor(f: RobotLocusFactor, single: bool, roots: bool, digits: int | None) -> str:
     power = f", to the power {f.multiplicity}" if f.multiplicity > 1 else ""
     if f.kind == "norm":
         return f"{f.form} (never 0){power}"
     kept = " in these variables" * (f.seen is None and roots)
-    what = f"none: it is irreducible over the rationals{kept}" if single else f"{_short(f.form)}{power}"
+    what = f"none: it is irreducible over the rationals{kept}" if single else f"{brief(f.form, digits)}{power}"
     return f"{what}; {_modes(f.seen)}" if roots and f.seen is not None else what
 
 
