@@ -81,6 +81,7 @@ __all__ = [
     "factor",
     "load",
     "load_rules",
+    "paper",
     "parse",
     "prove",
     "report",
@@ -95,6 +96,7 @@ __all__ = [
 ]
 
 _in_mode = deferred("gcrules.poses.modes.choose:in_mode")
+_paper = deferred("gcrules.views.paper.paper:save")
 _report = deferred("gcrules.views.report.report:report")
 decided = deferred("gcrules.algebra.factoring.factorize:factor")
 shortened = deferred("gcrules.algebra.shortening.shorten:shorten")
@@ -292,6 +294,19 @@ def load(
         return found
     chosen: Structure | Platform | Robot | Analysis | RobotAnalysis = _in_mode(found, mode)
     return chosen
+
+
+@public
+def paper(source: Source, folder: str | PathLike[str], *, full: bool = False, plugins: Folders = ()) -> tuple[str, ...]:
+    """Write a source's analysis as a section of a paper in LaTeX, with its figures and references, into a folder.
+
+    `source` is what `load` takes, or its analysis. The files are section.tex, figure.tex (of a robot of joints
+    figure-2.tex too), references.bib, with `full` an appendix.tex of every single step, and main.tex, which sets them
+    all; all of them appear, or none. Returns their names. Raises FileError where that is not possible, and where a file
+    of one of these names was not written by gcrules.
+    """
+    paths: tuple[str, ...] = _paper(_analyze(source, plugins=plugins), folder, full=full)
+    return paths
 
 
 @public

@@ -130,6 +130,7 @@ RIGHT: dict[str, dict[str, Any]] = {
     "load_rules": {"identities": False},
     "locus": {"source": PLATFORM, "over": "z"},
     "operation_modes": {"source": "delta"},
+    "paper": {"source": ANALYSIS, "folder": "paper"},
     "parse": {"text": "[abcd]"},
     "path": {"source": PLATFORM, "poses": ["0 0 0", "0 0 1"], "samples": 2},
     "aspects": {"source": PLATFORM, "poses": 1, "modes": False},

@@ -11,6 +11,7 @@ from commands import invoke
 from places import EXAMPLES, ROOT
 
 import gcrules as gc
+from gcrules.core.errors import FileError
 from gcrules.core.version import __version__
 from gcrules.views.drawing.drawing import Circle, Drawing, Polygon, Run, Stroke, Text
 from gcrules.views.paper.bibliography import cited_in, own_entry, references
@@ -151,3 +152,14 @@ def test_the_files_set_themselves(source: str, tmp_path: Path) -> None:
     log = (tmp_path / "main.log").read_text(encoding="latin-1")
     assert "undefined" not in log
     assert "Warning--" not in (tmp_path / "main.blg").read_text(encoding="latin-1")
+
+
+def test_from_python(tmp_path: Path) -> None:
+    """The files of `gcrules paper`, word for word; wrong folders are refused before anything is written."""
+    written = gc.paper("3-rps", tmp_path / "python", full=True)
+    assert invoke("paper", "3-rps", "-o", str(tmp_path / "shell"), "--full").exit_code == 0
+    for path in map(Path, written):
+        assert path.read_text("utf-8") == (tmp_path / "shell" / path.name).read_text("utf-8")
+    (tmp_path / "file").write_text("mine", "utf-8")
+    with pytest.raises(FileError, match="expected a directory"):
+        gc.paper("3-rps", tmp_path / "file")
