@@ -242,6 +242,7 @@ def test_what_the_public_functions_return_is_in_the_tables() -> None:
         "str",
         "None",  # no singular pose on the way
         "tuple[RobotPose, ...]",
+        "tuple[str, ...]",  # names of files
     }  # a sum of one class of expressions, and no values
 
 
