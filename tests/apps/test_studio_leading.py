@@ -187,9 +187,10 @@ def test_handles_and_keys_move_a_robot_with_limbs(desk: Any) -> None:
     wait_for(desk, 0, step)
     desk.page.keyboard.press("PageDown")
     wait_for(desk, 2, -step)
-    desk.page.wait_for_timeout(400)
-    desk.run("gcrules.undo()")
+    desk.run("gcrules.undo()")  # before the key counts as at rest, too
     wait_for(desk, 2, 0)
+    desk.page.wait_for_timeout(400)
+    assert desk.numbers["freedoms"][2] == pytest.approx(0, abs=1e-6)
     desk.one("mode-orbit").click()
     assert desk.faults == []
 

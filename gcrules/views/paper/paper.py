@@ -77,7 +77,8 @@ def save(a: Analysis | RobotAnalysis, folder: str | PathLike[str], *, full: bool
     for name in made:
         _check_own(os.path.join(where, name))
     try:
-        os.makedirs(where, exist_ok=True)
+        if not os.path.isdir(where):
+            os.mkdir(where)
     except OSError as fault:
         raise FileError(f"cannot be made: {fault.strerror}", filename=where) from None
     paths = tuple(os.path.join(where, name) for name in made)

@@ -313,6 +313,7 @@ class Stage implements Viewer, Reach {
   }
 
   done(): void {
+    if (this.pending) this.tell(false);
     this.tell(true);
     this.surface.say(poseInWords(this.platform, this.scene.unit));
     this.asked = null;

@@ -17,10 +17,11 @@ export function connect(element: HTMLElement, store: Store): () => void {
     onPose(pose, done) {
       moving.stop();
       held = !done;
+      // where the hand lets go it has been before: what came since, undo for one, stays
       const robot = study.peek()?.kind === "robot";
-      if (robot) store.leading.to(pose);
-      else store.edit({ pose }, "hand");
       if (done) (robot ? store.leading.done : store.settle)();
+      else if (robot) store.leading.to(pose);
+      else store.edit({ pose }, "hand");
     },
     covered: () => coveredBy(element.parentElement?.querySelector(".warning"), element),
     onPick: (name) => void (space.pick(name) || lit.pin(pointTarget(name))),
