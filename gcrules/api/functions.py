@@ -290,23 +290,18 @@ def load(
     `operation_modes`. Raises InputError for what is none of these, FileError with all faults of a file.
     """
     found = _load(source, plugins=plugins, points=points, ideal=ideal)
-    if mode is None:
-        return found
-    chosen: Structure | Platform | Robot | Analysis | RobotAnalysis = _in_mode(found, mode)
+    chosen: Structure | Platform | Robot | Analysis | RobotAnalysis = found if mode is None else _in_mode(found, mode)
     return chosen
 
 
 @public
 def paper(source: Source, folder: str | PathLike[str], *, full: bool = False, plugins: Folders = ()) -> tuple[str, ...]:
-    """Write a source's analysis as a section of a paper in LaTeX, with its figures and references, into a folder.
+    """Write a source's analysis as a section of a paper in LaTeX, with figures and references, into a folder.
 
-    `source` is what `load` takes, or its analysis. The files are section.tex, figure.tex (of a robot of joints
-    figure-2.tex too), references.bib, with `full` an appendix.tex of every single step, and main.tex, which sets them
-    all; all of them appear, or none. Returns their names. Raises FileError where that is not possible, and where a file
-    of one of these names was not written by gcrules.
+    `full` adds an appendix of every step. Returns the names of the files, of which all appear or none. Raises FileError
+    where that is not possible, or would replace a file that gcrules did not write.
     """
-    paths: tuple[str, ...] = _paper(_analyze(source, plugins=plugins), folder, full=full)
-    return paths
+    return tuple(_paper(_analyze(source, plugins=plugins), folder, full=full))
 
 
 @public
@@ -367,8 +362,7 @@ def report(
     )
     asked.check()
     found = _analyze(source, plugins=plugins)
-    page: str = _report(found, interactive=interactive, answers=asked.answers(found), about=about)
-    return page
+    return str(_report(found, interactive=interactive, answers=asked.answers(found), about=about))
 
 
 @public
