@@ -87,6 +87,7 @@ if TYPE_CHECKING:
         verify_map,
         working_modes,
     )
+    from gcrules.apps.notebook.studio import studio
     from gcrules.apps.notebook.view import view
 
 __all__ = [
@@ -147,6 +148,7 @@ __all__ = [
     "singular",
     "singular_map",
     "straighten",
+    "studio",
     "superbracket",
     "transversals",
     "verify_map",
@@ -183,7 +185,8 @@ _ELSEWHERE = {
         ),
         "gcrules.api.poses",
     ),
-    "view": "gcrules.apps.notebook.view",  # it shows a robot in an app, the notebook
+    "studio": "gcrules.apps.notebook.studio",
+    "view": "gcrules.apps.notebook.view",  # these two show a robot in an app
 }
 
 

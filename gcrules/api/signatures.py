@@ -313,6 +313,13 @@ SIGNATURES: dict[str, dict[str, ArgumentKind]] = {
         "scheduler": optional(TEXT),
     },
     "straighten": {"e": _SCALAR, **_LIMITED},
+    "studio": {
+        "source": _SOURCE,
+        "pose": ANYTHING,
+        "mode": optional(TEXT),
+        "browser": FLAG,
+        "plugins": _FOLDERS,
+    },
     "superbracket": {"legs": _LEGS, "order": optional(_ORDER), "form": WHOLE, "points": NAMES, "ideal": NAMES},
     "transversals": {"legs": _LINES, "every": FLAG, "points": NAMES, "ideal": NAMES, "given": TEXTS},
     "view": {"source": _SOURCE, "pose": ANYTHING, "plugins": _FOLDERS},

@@ -457,6 +457,19 @@ export interface RepeatArgs {
   args: Record<string, unknown>;
 }
 
+/** The pose that Python or another page brings after the one of this number; `page` is a name of the page's own. */
+export interface FollowArgs {
+  page: string;
+  after: number;
+}
+
+/** The pose that a page has moved the robot to. */
+export interface ShowArgs {
+  page: string;
+  source: Source;
+  pose: Pose;
+}
+
 export interface CancelArgs {
   target: number;
 }
@@ -485,6 +498,8 @@ export interface Hello {
   instance: string;
   /** What the command line named: opened by a page that holds nothing else. */
   opened: Source | null;
+  /** Whether Python shares the pose of what it has opened: the page follows it (`follow`), and tells it (`show`). */
+  shared: boolean;
 }
 
 export interface GalleryItem {
@@ -895,6 +910,16 @@ export interface Cancelled {
   cancelled: boolean;
 }
 
+export interface Followed {
+  after: number;
+  pose: Pose;
+}
+
+export interface Shown {
+  /** Whether it is a pose of the robot that is shared. */
+  shared: boolean;
+}
+
 /** Where the axes are in a picture, as parts of its width and of its height from above. */
 export interface Frame {
   left: number;
@@ -1176,6 +1201,8 @@ export interface Methods {
   compose: { args: ComposeArgs; result: Composed };
   save: { args: SaveArgs; result: Saved };
   repeat: { args: RepeatArgs; result: Repeated };
+  follow: { args: FollowArgs; result: Followed };
+  show: { args: ShowArgs; result: Shown };
   cancel: { args: CancelArgs; result: Cancelled };
 }
 export type Method = keyof Methods;

@@ -151,6 +151,7 @@ RIGHT: dict[str, dict[str, Any]] = {
     "working_modes": {"source": "5r"},
     "singular": {"source": ANALYZED, "towards": "z=0.1, roll=0deg, pitch=0deg"},
     "straighten": {"e": "[abcd]"},
+    "studio": {"source": PLATFORM, "browser": False},
     "superbracket": {"legs": LEGS},
     "transversals": {"legs": LEGS},
     "view": {"source": PLATFORM},
@@ -230,7 +231,8 @@ def test_a_wrong_argument(function: Callable[..., Any], right: dict[str, Any], a
         with warnings.catch_warnings():
             warnings.simplefilter("error")
             try:
-                function(make()) if argument == "rule_id" else function(**{**right, argument: make()})
+                answer = function(make()) if argument == "rule_id" else function(**{**right, argument: make()})
+                getattr(answer, "close", lambda: None)()  # a window of the studio
             except GcrulesError as fault:
                 if not 0 < len(fault.render()) < 4_000 or fault.exit_code not in (2, 3):
                     wrong[name] = f"{fault.render()[:80]}…"

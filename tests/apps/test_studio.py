@@ -42,8 +42,9 @@ from gcrules.apps.studio.faults import fault_view
 from gcrules.apps.studio.formulas import pieces
 from gcrules.apps.studio.numbers import exact_pose, numbers
 from gcrules.apps.studio.pages import STATIC
+from gcrules.apps.studio.sources import source_of
 from gcrules.apps.studio.study import study
-from gcrules.apps.studio.subject import read_subject, source_of
+from gcrules.apps.studio.subject import read_subject
 
 # --- both sides say the same ---------------------------------------------------------------------------------------
 
@@ -193,7 +194,7 @@ def test_pieces_are_the_formula(name: str) -> None:
 
 @pytest.mark.parametrize("name", ["3-3.3", "6-4.2", "6-6", "octahedral", "octahedral-singular"])
 def test_numbers_are_those_of_the_library(name: str) -> None:
-    subject = read_subject(source_of(name, str))
+    subject = read_subject(source_of(name))
     assert subject.analysis is not None
     assert subject.moving is not None
     rng = random.Random(name)

@@ -71,7 +71,7 @@ def test_token_becomes_a_cookie(client: TestClient) -> None:
 
 
 def test_ticket_is_good_once() -> None:
-    client = TestClient(make_app(PORT, TOKEN, tickets=["t" * 43]), base_url=OWN)
+    client = TestClient(make_app(PORT, TOKEN, tickets={"t" * 43}), base_url=OWN)
     assert [client.get(f"/?ticket={t}").status_code for t in ("", "x", "t" * 42, TOKEN)] == [403] * 4
     answer = client.get(f"/?ticket={'t' * 43}", follow_redirects=False)
     assert (answer.status_code, answer.headers["location"]) == (303, "/")

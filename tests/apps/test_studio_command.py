@@ -66,9 +66,9 @@ def test_browser_is_not_started_with_the_token(monkeypatch: pytest.MonkeyPatch, 
     """Other users of the machine see what a program was started with; a ticket is worth nothing once it was used."""
     asked: list[str] = []
     said: list[str] = []
-    tickets: list[str] = []
+    tickets: list[set[str]] = []
     monkeypatch.setattr(serving, "token", lambda: TOKEN)
-    monkeypatch.setattr(serving, "make_app", lambda *given: tickets.extend(given[3]) or make_app(*given))
+    monkeypatch.setattr(serving, "make_app", lambda *given: tickets.append(given[3]) or make_app(*given))
     monkeypatch.setattr("webbrowser.open", asked.append)
     monkeypatch.setattr("uvicorn.Server.run", lambda server, sockets: server.ready())
     serving.serve(port=0, say=said.append)
@@ -76,7 +76,7 @@ def test_browser_is_not_started_with_the_token(monkeypatch: pytest.MonkeyPatch, 
         time.sleep(0.01)
     assert TOKEN in said[0]
     assert TOKEN not in asked[0]
-    assert asked[0].endswith(f"/?ticket={tickets[0]}")
+    assert [asked[0].split("/?ticket=")[1]] == list(tickets[0])
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="needs the number of the process that started another")

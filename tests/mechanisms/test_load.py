@@ -13,7 +13,8 @@ from places import EXAMPLES, ROOT
 
 import gcrules as gc
 from gcrules.apps.cli import cli
-from gcrules.apps.studio.subject import read_subject, source_of
+from gcrules.apps.studio.sources import source_of_word
+from gcrules.apps.studio.subject import read_subject
 from gcrules.core.errors import FileError, InputError
 from gcrules.core.yaml_file import read_text as text_of
 from gcrules.mechanisms.load import kind_of
@@ -213,13 +214,13 @@ def test_every_command_takes_every_source(name: str, command: str) -> None:
 def test_standard_input_is_told_alike(text: str) -> None:
     done = CliRunner().invoke(cli, ["analyze", "-", "--json"], input=text)
     assert done.exit_code == 0, done.stderr
-    opened = source_of("-", lambda: text)
+    opened = source_of_word("-", stdin=lambda: text)
     assert read_subject(opened).title
 
 
 @pytest.mark.parametrize("name", SHELL)
 def test_the_studio_opens_every_source(name: str) -> None:
     word, kind = SHELL[name]
-    subject = read_subject(source_of(word, lambda: ""))
+    subject = read_subject(source_of_word(word))
     assert subject.invented == (kind == LEGS_ALONE)
     assert subject.moving is not None

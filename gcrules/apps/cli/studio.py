@@ -6,10 +6,11 @@ import click
 
 from gcrules.apps.cli.files import read_stdin
 from gcrules.apps.cli.sources import mode_option
-from gcrules.apps.studio.protocol.requests import LONGEST_FILE, SourceJson
-from gcrules.apps.studio.subject import read_subject, source_of
+from gcrules.apps.studio.protocol.requests import SourceJson
+from gcrules.apps.studio.sources import source_of_word
+from gcrules.apps.studio.subject import read_subject
 from gcrules.core.deferred import resolved
-from gcrules.core.errors import FileError, InputError
+from gcrules.core.errors import InputError
 
 __all__ = ["studio"]
 
@@ -50,16 +51,7 @@ def studio(source: str | None, mode: str | None, port: int | None, no_browser: b
 
 def _source(word: str, mode: str | None) -> SourceJson:
     """What the word means: a file, an id, or legs. Faults show here, before a page is opened."""
-    found = source_of(word, read_stdin)
-    if mode is not None:
-        if found["kind"] != "robot" and found["kind"] != "file":
-            raise InputError(
-                "--mode is for robots, and for platforms with coordinates",
-                hint="give the id of one, such as delta, or a robot file",
-            )
-        found["mode"] = mode
-    if found["kind"] == "file" and len(found["text"]) > LONGEST_FILE:
-        raise FileError(f"the file has more than {LONGEST_FILE:,} characters", filename=found["name"])
+    found = source_of_word(word, mode, read_stdin)
     if found["kind"] != "class":
         read_subject(found)
     return found

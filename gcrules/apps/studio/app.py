@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import AsyncIterator, Iterable
+from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
 
 from starlette.applications import Starlette
@@ -15,6 +15,7 @@ from gcrules.apps.studio.pages import Pages
 from gcrules.apps.studio.protocol.requests import SourceJson
 from gcrules.apps.studio.service import Service
 from gcrules.apps.studio.session import PageSession
+from gcrules.apps.studio.shared_pose import SharedPose
 
 __all__ = ["MOST_PAGES", "make_app"]
 
@@ -22,9 +23,15 @@ MOST_PAGES = 32
 """Connections at a time; one more is turned away."""
 
 
-def make_app(port: int, token: str, opened: SourceJson | None = None, tickets: Iterable[str] = ()) -> Starlette:
+def make_app(
+    port: int,
+    token: str,
+    opened: SourceJson | None = None,
+    tickets: set[str] | None = None,
+    shared: SharedPose | None = None,
+) -> Starlette:
     """The application that is served at http://127.0.0.1:port to whom the token, or one of the tickets, is known."""
-    service = Service(opened)
+    service = Service(opened, shared)
     pages = Pages()
 
     sessions: set[PageSession] = set()
@@ -48,6 +55,6 @@ def make_app(port: int, token: str, opened: SourceJson | None = None, tickets: I
 
     return Starlette(
         routes=[WebSocketRoute("/ws", talk), Route("/", pages.answer), Route("/{name:path}", pages.answer)],
-        middleware=[Middleware(Guard, port=port, token=token, tickets=tickets)],
+        middleware=[Middleware(Guard, port=port, token=token, tickets=set() if tickets is None else tickets)],
         lifespan=lifespan,
     )

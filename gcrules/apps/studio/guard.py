@@ -4,7 +4,8 @@ The server listens on 127.0.0.1 only. A page of another site can still make a br
 of its own that it lets point to 127.0.0.1 (DNS rebinding), so the names in Host and Origin are checked; and other users
 of the same machine can connect, so a token is asked for. It comes once, in the address that `gcrules studio` prints,
 and is then kept in a cookie that scripts cannot read and other sites cannot use. The browser that `gcrules studio`
-opens gets a ticket instead, which is good for one time: other users can see what a program was started with.
+opens, and a link in a notebook, get a ticket instead, which is good for one time: other users can see what a program
+was started with, and a notebook is kept.
 """
 
 from __future__ import annotations
@@ -30,12 +31,14 @@ _NO_TOKEN = (
 
 
 class Guard:
-    """Wraps the application; `port` is the one that is listened on, `tickets` stand for the token once each."""
+    """Wraps the application; `port` is the one that is listened on, `tickets` stand for the token once each: those
+    that are put into the set later as well.
+    """
 
-    def __init__(self, app: ASGIApp, port: int, token: str, tickets: Iterable[str] = ()) -> None:
+    def __init__(self, app: ASGIApp, port: int, token: str, tickets: set[str]) -> None:
         self.app = app
         self.token = token
-        self.tickets = set(tickets)
+        self.tickets = tickets
         self.hosts = {name if port == _UNSAID else f"{name}:{port}" for name in ("127.0.0.1", "localhost")}
         self.headers = headers(port)
 

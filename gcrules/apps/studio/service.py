@@ -8,14 +8,17 @@ import secrets
 from collections.abc import Mapping
 from concurrent.futures import ThreadPoolExecutor
 from importlib import import_module
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 from gcrules.apps.studio.pool import Pool
+from gcrules.apps.studio.protocol.answer_views import Followed, Shown
 from gcrules.apps.studio.protocol.methods import METHODS
-from gcrules.apps.studio.protocol.requests import SourceJson
+from gcrules.apps.studio.protocol.requests import FollowArgs, ShowArgs, SourceJson
 from gcrules.apps.studio.protocol.study_views import Hello
+from gcrules.apps.studio.shared_pose import SharedPose
 from gcrules.apps.studio.wire import Tell, key_of
 from gcrules.core.budget import Budget, within
+from gcrules.core.errors import InputError
 from gcrules.core.version import __version__
 
 if TYPE_CHECKING:
@@ -33,19 +36,23 @@ def _numbers(name: str, subject: Subject, args: Mapping[str, Any], running: list
         return import_module(_ENGINE).answer(name, subject, args)
 
 
-def _load() -> None:
-    """Load the engine. What it consists of stays: the garbage collector, which would stop sliders for 30 ms to look
-    through all of it, leaves it out.
+def _load(alone: bool) -> None:
+    """Load the engine. In a process that does nothing else what it consists of stays: the garbage collector, which
+    would stop sliders for 30 ms to look through all of it, leaves it out.
     """
     import_module(_ENGINE)
-    gc.freeze()
+    if alone:
+        gc.freeze()
 
 
 class Service:
-    """Answers for all pages; `opened` is the source that the command was given."""
+    """Answers for all pages; `opened` is the source that the command, or Python, was given, `shared` its pose where
+    Python follows it.
+    """
 
-    def __init__(self, opened: SourceJson | None = None) -> None:
+    def __init__(self, opened: SourceJson | None = None, shared: SharedPose | None = None) -> None:
         self.opened = opened
+        self.shared = shared
         self.instance = secrets.token_hex(8)
         self.pool = Pool()
         self.numbers = ThreadPoolExecutor(2, "numbers")
@@ -53,12 +60,33 @@ class Service:
         self.gallery: Any = None
 
     def hello(self) -> Hello:
-        return {"version": __version__, "instance": self.instance, "opened": self.opened}
+        return {
+            "version": __version__,
+            "instance": self.instance,
+            "opened": self.opened,
+            "shared": self.shared is not None,
+        }
+
+    async def follow(self, args: FollowArgs) -> Followed:
+        if self.shared is None:
+            raise InputError("nobody shares a pose with this studio", hint="gcrules.studio opens one that does")
+        found = await self.shared.follow(args["after"], args["page"])
+        return {"after": found.version, "pose": found.pose}
+
+    def show(self, args: ShowArgs) -> Shown:
+        ours = self.shared is not None and self.opened is not None and key_of(args["source"]) == key_of(self.opened)
+        if ours and self.shared is not None:
+            self.shared.show(args["pose"], args["page"])
+        return {"shared": ours}
 
     async def answer(self, name: str, args: Mapping[str, Any], tell: Tell) -> Any:
         """The result of a method whose arguments were checked. Raises GcrulesError; cancelling it ends its worker."""
         if name == "hello":
             return self.hello()
+        if name == "follow":
+            return await self.follow(cast("FollowArgs", args))
+        if name == "show":
+            return self.show(cast("ShowArgs", args))
         if name == "gallery" and self.gallery is not None:
             return self.gallery
         method = METHODS[name]
@@ -100,7 +128,7 @@ class Service:
     async def start(self) -> None:
         """Have a worker ready for the first page, and the engine loaded, while the browser opens."""
         self.pool.ready()
-        asyncio.get_running_loop().run_in_executor(self.numbers, _load)
+        asyncio.get_running_loop().run_in_executor(self.numbers, _load, self.shared is None)
 
     async def close(self) -> None:
         self.numbers.shutdown(wait=False, cancel_futures=True)

@@ -1,7 +1,8 @@
-"""Running the studio: a free port of 127.0.0.1, the token, the browser; until Ctrl-C."""
+"""Running the studio: a free port of 127.0.0.1, the token, the browser; until Ctrl-C, or beside what Python does."""
 
 from __future__ import annotations
 
+import atexit
 import errno
 import os
 import secrets
@@ -14,11 +15,12 @@ import uvicorn
 
 from gcrules.apps.studio.app import make_app
 from gcrules.apps.studio.protocol.requests import SourceJson
+from gcrules.apps.studio.shared_pose import SharedPose
 from gcrules.apps.studio.token_file import token
 from gcrules.core import interrupts
-from gcrules.core.errors import InputError
+from gcrules.core.errors import EngineFault, InputError
 
-__all__ = ["PORT", "free_socket", "serve"]
+__all__ = ["PORT", "Background", "free_socket", "serve"]
 
 PORT = 8747
 _TRIES = 20
@@ -61,37 +63,100 @@ class _Server(uvicorn.Server):
             self.ready()
 
 
+class _Place:
+    """Where a studio is served, and who is let in."""
+
+    def __init__(self, port: int) -> None:
+        self.token = token()
+        self.socket = free_socket(port)
+        self.port: int = self.socket.getsockname()[1]
+        self.address = f"http://127.0.0.1:{self.port}/"
+        self.tickets: set[str] = set()
+
+    def link(self) -> str:
+        """An address that lets one browser in, once."""
+        ticket = secrets.token_urlsafe(32)
+        self.tickets.add(ticket)
+        return f"{self.address}?ticket={ticket}"
+
+    def server(self, opened: SourceJson | None, shared: SharedPose | None, ready: Callable[[], None]) -> _Server:
+        config = uvicorn.Config(
+            make_app(self.port, self.token, opened, self.tickets, shared),
+            log_level="critical",  # what pages send wrong is told to them; the studio logs its own faults
+            lifespan="on",
+            ws="websockets-sansio",
+            ws_max_size=_MOST,
+            ws_per_message_deflate=False,
+            server_header=False,
+            timeout_graceful_shutdown=1,
+        )
+        return _Server(config, ready)
+
+
 def serve(
     opened: SourceJson | None = None, *, port: int = PORT, browser: bool = True, say: Callable[[str], None] = print
 ) -> None:
     """Serve until Ctrl-C; `say` hears the address."""
-    secret = token()
-    listening = free_socket(port)
-    own = listening.getsockname()[1]
-    address, ticket = f"http://127.0.0.1:{own}/", secrets.token_urlsafe(32)
-    config = uvicorn.Config(
-        make_app(own, secret, opened, [ticket] if browser else ()),
-        log_level="critical",  # what pages send wrong is told to them; the studio logs its own faults
-        lifespan="on",
-        ws="websockets-sansio",
-        ws_max_size=_MOST,
-        ws_per_message_deflate=False,
-        server_header=False,
-        timeout_graceful_shutdown=1,
-    )
+    place = _Place(port)
 
     def ready() -> None:
-        say(f"The studio is open at {address}?token={secret}")
-        if port and own != port:
+        say(f"The studio is open at {place.address}?token={place.token}")
+        if port and place.port != port:
             say(f"(port {port} is taken)")
         say("Ctrl-C closes it.")
         if browser:
-            threading.Thread(target=webbrowser.open, args=(f"{address}?ticket={ticket}",), daemon=True).start()
+            _open(place)
 
     try:
         with interrupts.deferred():  # the server hears them itself, once it has begun
-            _Server(config, ready).run(sockets=[listening])
+            place.server(opened, None, ready).run(sockets=[place.socket])
     except KeyboardInterrupt:
         interrupts.go_on()
     finally:
-        listening.close()
+        place.socket.close()
+
+
+class Background:
+    """A studio beside what Python does, in a thread of its own, until it is closed or Python ends."""
+
+    def __init__(self, opened: SourceJson, shared: SharedPose, *, browser: bool) -> None:
+        self._place = _Place(PORT)
+        begun = threading.Event()
+        self._server = self._place.server(opened, shared, begun.set)
+        self._thread = threading.Thread(target=self._run, args=(begun,), name="gcrules-studio", daemon=True)
+        self._thread.start()
+        begun.wait()
+        if not self.running:
+            raise EngineFault("the studio did not start")
+        atexit.register(self.close)
+        if browser:
+            _open(self._place)
+
+    def _run(self, begun: threading.Event) -> None:
+        try:
+            self._server.run(sockets=[self._place.socket])
+        finally:
+            self._place.socket.close()
+            begun.set()
+
+    @property
+    def running(self) -> bool:
+        return self._server.started and not self._server.should_exit
+
+    @property
+    def address(self) -> str:
+        return self._place.address
+
+    def link(self) -> str:
+        """An address that lets one browser in, once."""
+        return self._place.link()
+
+    def close(self) -> None:
+        """Pages are told that the line is lost."""
+        atexit.unregister(self.close)
+        self._server.should_exit = True
+        self._thread.join(10)
+
+
+def _open(place: _Place) -> None:
+    threading.Thread(target=webbrowser.open, args=(place.link(),), daemon=True).start()

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Callable, Mapping
 from contextlib import suppress
 from dataclasses import replace
@@ -24,13 +23,12 @@ from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import GcrulesError, InputError, Span
 from gcrules.core.frozen import FrozenMap
 from gcrules.core.hints import near
-from gcrules.core.yaml_file import read_text as read_file
 from gcrules.mechanisms.analyze import analyze_legs, analyze_robot
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.mechanisms.description.discovery import robots
 from gcrules.mechanisms.description.platform_file import Platform
 from gcrules.mechanisms.limbs import Limbs
-from gcrules.mechanisms.load import is_data, is_xml, kind_of, read_class, read_example, read_robot, read_text
+from gcrules.mechanisms.load import is_xml, read_class, read_example, read_robot, read_text
 from gcrules.mechanisms.models.imported import Imported
 from gcrules.mechanisms.models.importing import import_text
 from gcrules.mechanisms.moving_platform import MovingPlatform
@@ -41,7 +39,7 @@ from gcrules.screws import RATIONALS
 from gcrules.views.drawing.sample import sample_coordinates
 from gcrules.views.report.scene_json import Scenery
 
-__all__ = ["Subject", "read_subject", "robot_of", "source_of"]
+__all__ = ["Subject", "read_subject", "robot_of"]
 
 Vector = tuple[Fraction, Fraction, Fraction]
 
@@ -153,18 +151,6 @@ def read_subject(source: SourceJson) -> Subject:
     return _READERS[source["kind"]](source)
 
 
-def source_of(word: str, stdin: Callable[[], str]) -> SourceJson:
-    """The source that a word on the command line means, as a page names it. Raises GcrulesError."""
-    if word == "-":
-        text = stdin()
-        return {"kind": "file", "text": text, "name": "<stdin>"} if is_data(text) else {"kind": "legs", "legs": text}
-    kind = kind_of(word)
-    if kind in ("file", "text"):
-        text = word if kind == "text" else read_file(word)
-        return {"kind": "file", "text": text, "name": "<input>" if kind == "text" else os.path.basename(word)}
-    return _NAMED[kind](word)
-
-
 # --- kinds of sources ----------------------------------------------------------------------------------------------
 
 
@@ -224,14 +210,6 @@ _READERS: Mapping[str, Callable[[Any], Subject]] = {
     "robot": _of_robot,
     "file": _of_file,
 }
-_NAMED: Mapping[str, Callable[[str], SourceJson]] = {
-    "class": lambda word: {"kind": "class", "id": word},
-    "robot": lambda word: {"kind": "robot", "id": word},
-    "example": lambda word: {"kind": "example", "name": word},
-    "legs": lambda word: {"kind": "legs", "legs": word},
-}
-"""How a page names a source of each kind."""
-
 
 # --- reading -------------------------------------------------------------------------------------------------------
 

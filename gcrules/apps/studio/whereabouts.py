@@ -29,6 +29,7 @@ __all__ = [
     "at_coordinates",
     "at_home",
     "coordinates_at",
+    "led",
     "moved_view",
     "near_coordinates",
     "pose_json",
@@ -104,7 +105,7 @@ def at_coordinates(limbs: Limbs, names: Sequence[str], values: Any, driven: bool
     if driven:
         solve(m, actuators_target(m, list(values)))
         return posed(limbs, values)
-    return _led(limbs, solve(m, _target(names, values)).configuration, names, values)
+    return led(limbs, solve(m, _target(names, values)).configuration, names, values)
 
 
 def moved_view(subject: Subject, pose: PoseJson, at: Sequence[float] | None, to: PoseJson | None) -> PlacedPose:
@@ -126,7 +127,7 @@ def moved_view(subject: Subject, pose: PoseJson, at: Sequence[float] | None, to:
     else:
         raise InputError(f"the platform has {len(names)} freedoms: {', '.join(names)}")
     there = beside(m, _target(names, values), solved_at(limbs, pose))
-    return {"pose": _led(limbs, there, names, values)}
+    return {"pose": led(limbs, there, names, values)}
 
 
 def _target(names: Sequence[str], values: Any) -> Target:
@@ -134,7 +135,7 @@ def _target(names: Sequence[str], values: Any) -> Target:
     return Target(tuple(names), wanted, text=written(dict(zip(names, wanted.tolist(), strict=True))))
 
 
-def _led(limbs: Limbs, there: Configuration, names: Sequence[str], values: Any) -> PoseJson:
+def led(limbs: Limbs, there: Configuration, names: Sequence[str], values: Any) -> PoseJson:
     """The pose of the page in a configuration. Raises InputError where the sliders do not lead there."""
     found = reached(limbs, actuator_values(limbs.linkage, there), names, values)
     if found is None:

@@ -27,6 +27,7 @@ __all__ = [
     "Composed",
     "DrawnPlane",
     "ExactPoint",
+    "Followed",
     "FormView",
     "HintView",
     "Manual",
@@ -39,6 +40,7 @@ __all__ = [
     "Repeated",
     "RepeatedFile",
     "Saved",
+    "Shown",
     "SignView",
     "SingularPoseView",
 ]
@@ -244,3 +246,13 @@ class Repeated(TypedDict):
 
 class Cancelled(TypedDict):
     cancelled: bool
+
+
+class Followed(TypedDict):
+    after: int
+    pose: PoseJson
+
+
+class Shown(TypedDict):
+    shared: bool
+    """Whether it is a pose of the robot that is shared."""

@@ -73,5 +73,7 @@ METHODS: Mapping[str, Method] = {
     "compose": Method(requests.ComposeArgs, answers.Composed),
     "save": Method(requests.SaveArgs, answers.Saved),
     "repeat": Method(requests.RepeatArgs, answers.Repeated),
+    "follow": Method(requests.FollowArgs, answers.Followed, where="session"),
+    "show": Method(requests.ShowArgs, answers.Shown, where="session"),
     "cancel": Method(requests.CancelArgs, answers.Cancelled, where="session"),
 }

@@ -29,6 +29,7 @@ __all__ = [
     "ComposeArgs",
     "ExampleSource",
     "FileSource",
+    "FollowArgs",
     "Format",
     "FreeArgs",
     "LegsSource",
@@ -47,6 +48,7 @@ __all__ = [
     "RepeatArgs",
     "RobotSource",
     "SaveArgs",
+    "ShowArgs",
     "Sketch",
     "SourceJson",
     "SurfaceArgs",
@@ -312,6 +314,21 @@ class RepeatArgs(TypedDict):
         "open", "pose", "path", "map", "surface", "assemblies", "aspects", "free", "boxes", "certify", "manual", "bench"
     ]
     args: Annotated[dict[str, Any], _object]
+
+
+class FollowArgs(TypedDict):
+    """The pose that Python or another page brings after the one of this number; `page` is a name of the page's own."""
+
+    page: Annotated[str, text(40)]
+    after: Annotated[int, number(0, 2**53, whole=True)]
+
+
+class ShowArgs(TypedDict):
+    """The pose that a page has moved the robot to."""
+
+    page: Annotated[str, text(40)]
+    source: SourceJson
+    pose: PoseJson
 
 
 class CancelArgs(TypedDict):

@@ -73,6 +73,8 @@ class Hello(TypedDict):
     """Changes when the server is another process."""
     opened: SourceJson | None
     """What the command line named: opened by a page that holds nothing else."""
+    shared: bool
+    """Whether Python shares the pose of what it has opened: the page follows it (`follow`), and tells it (`show`)."""
 
 
 class GalleryItem(TypedDict):

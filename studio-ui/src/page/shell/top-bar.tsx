@@ -29,6 +29,11 @@ export function TopBar() {
                 sample shape
               </span>
             )}
+            {!drawn && store.sharing.active.value && (
+              <span class="tag" title="Python moves this robot too, and hears of its moves here" data-testid="shared">
+                shared with Python
+              </span>
+            )}
           </>
         )}
         {!title && Title === "h1" && <h1 class="sr-only">gcrules studio</h1>}

@@ -13,6 +13,7 @@ import { createPosing, type Posing } from "./posing";
 import { createProjecting, type Projecting } from "./projecting";
 import type { Runner } from "./running";
 import { createSeeker, type Seeker } from "./seeking";
+import { createSharing, type Sharing } from "./sharing";
 import { createSpace, type Space } from "./space";
 import { createStudying, type Studying } from "./studying";
 import { createTaste, type Taste } from "./taste";
@@ -28,6 +29,7 @@ export interface Store extends Editing, Studying {
   timeline: Timeline;
   moving: Moving;
   leading: Leading;
+  sharing: Sharing;
   seeker: Seeker;
   projecting: Projecting;
   touring: Touring;
@@ -44,8 +46,10 @@ export function createStore(client: Client, start: Doc | null): Store {
   const studying = createStudying(client, editing);
   const gallery = signal<Gallery | null>(null);
   void client.ask("gallery", {}).then((found) => (gallery.value = found));
-  void client.ask("hello", {}).then(({ opened }) => {
+  const sharing = createSharing(client, editing);
+  void client.ask("hello", {}).then(({ opened, shared }) => {
     if (opened && !editing.doc.peek().source) editing.open(opened);
+    if (opened && shared) sharing.begin(opened);
   });
   const posing = createPosing(client, editing, studying);
   const timeline = createTimeline(client, editing, studying, posing);
@@ -58,6 +62,7 @@ export function createStore(client: Client, start: Doc | null): Store {
     timeline,
     moving: createMoving(editing, posing),
     leading: createLeading(client, editing, posing),
+    sharing,
     seeker: createSeeker(client, editing),
     projecting: createProjecting(editing, studying, timeline),
     touring: createTouring(client, editing),
