@@ -470,6 +470,13 @@ export interface ShowArgs {
   pose: Pose;
 }
 
+/** Other coordinates of a platform's points, as they are written ("" keeps one), and other limits of its legs. */
+export interface ResizeArgs {
+  source: Source;
+  points: Record<string, [string, string, string]>;
+  limits?: string;
+}
+
 export interface CancelArgs {
   target: number;
 }
@@ -687,6 +694,8 @@ export interface Study {
   /** Coordinates at the file's own pose. */
   points: Record<string, Vec3>;
   unit: string;
+  /** What its file says that legs or actuators reach, as written. */
+  limits: string;
   /** The coordinates are a sample shape, none were given. */
   invented: boolean;
   /** Centre of the platform's turns. */
@@ -904,6 +913,10 @@ export interface Repeated {
   python: string;
   /** What has to be saved first, since the lines name it. */
   file: RepeatedFile | null;
+}
+
+export interface Resized {
+  source: FileSource;
 }
 
 export interface Cancelled {
@@ -1199,6 +1212,7 @@ export interface Methods {
   manual: { args: ManualArgs; result: Manual };
   bench: { args: BenchArgs; result: Bench };
   compose: { args: ComposeArgs; result: Composed };
+  resize: { args: ResizeArgs; result: Resized };
   save: { args: SaveArgs; result: Saved };
   repeat: { args: RepeatArgs; result: Repeated };
   follow: { args: FollowArgs; result: Followed };

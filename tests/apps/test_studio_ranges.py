@@ -166,7 +166,7 @@ def test_kinds_of_boxes_are_told_apart_in_the_dark_and_on_a_telephone(desk: Desk
     desk.one("boxes-decided").wait_for()
     assert desk.run("document.documentElement.scrollWidth") == 390
     rail = [b.bounding_box() for b in desk.page.locator(".rail button").all()]
-    assert len(rail) == 9
+    assert len(rail) == 10
     assert all(b["x"] >= 0 and b["x"] + b["width"] <= 390 for b in rail)
     colours = [s.evaluate("e => getComputedStyle(e).backgroundColor") for s in desk.page.locator(".volume span").all()]
     assert len(colours) == 5

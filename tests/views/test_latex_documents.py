@@ -20,13 +20,13 @@ from places import ROOT
 import gcrules as gc
 from gcrules.algebra.language.syntax import parse
 from gcrules.apps.cli import cli
-from gcrules.apps.studio.composing import platform_text
 from gcrules.apps.studio.export import saved
 from gcrules.apps.studio.protocol.requests import PoseJson
 from gcrules.apps.studio.subject import read_subject
 from gcrules.mechanisms.analyze import analyze_robot
 from gcrules.mechanisms.description.discovery import robots
 from gcrules.mechanisms.description.platform_file import load_platform
+from gcrules.mechanisms.editing.platform_text import platform_text
 from gcrules.mechanisms.load import read_robot
 from gcrules.rules.catalog.file import load
 from gcrules.screws.pose import UNITS

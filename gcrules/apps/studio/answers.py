@@ -19,6 +19,7 @@ from gcrules.apps.studio.nearest_view import nearest
 from gcrules.apps.studio.numbers import margins, numbers
 from gcrules.apps.studio.path_view import path_view
 from gcrules.apps.studio.repeating import repeated
+from gcrules.apps.studio.resizing import resized
 from gcrules.apps.studio.study import study
 from gcrules.apps.studio.subject import Subject
 from gcrules.apps.studio.surface_view import surface_view
@@ -74,6 +75,7 @@ ANSWERS: Mapping[str, Callable[[Any, Args], Any]] = {
     "bench": lambda subject, args: bench(args["text"], subject, args.get("pose")),
     "compose": lambda subject, args: composed(args["drawing"]),
     "repeat": lambda subject, args: repeated(subject, args["what"], args["args"]),
+    "resize": lambda subject, args: resized(subject, args["points"], args.get("limits")),
     "save": lambda subject, args: saved(subject, args["pose"], args["what"], args.get("threshold")),
 }
 

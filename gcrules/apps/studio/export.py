@@ -8,7 +8,6 @@ from collections.abc import Callable, Mapping
 from dataclasses import replace
 from fractions import Fraction
 
-from gcrules.apps.studio.composing import platform_text
 from gcrules.apps.studio.limbs import robot_drawing
 from gcrules.apps.studio.moving import values_at
 from gcrules.apps.studio.numbers import exact_pose, numbers
@@ -23,6 +22,7 @@ from gcrules.core.files import file_name
 from gcrules.core.yaml_file import read_text
 from gcrules.mechanisms.description.discovery import examples
 from gcrules.mechanisms.description.platform_file import Platform
+from gcrules.mechanisms.editing.platform_text import platform_text
 from gcrules.poses.compiling.controller import controller_of
 from gcrules.views.code.source_code import source_code
 from gcrules.views.drawing.drawing import Drawing

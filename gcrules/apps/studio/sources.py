@@ -6,13 +6,13 @@ import os
 from collections.abc import Callable, Mapping
 
 from gcrules.algebra.language.legs_text import Structure
-from gcrules.apps.studio.composing import platform_text
 from gcrules.apps.studio.protocol.requests import LONGEST_FILE, SourceJson
 from gcrules.conditions.analysis import Analysis
 from gcrules.core.errors import FileError, InputError
 from gcrules.core.yaml_file import read_text as read_file
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.mechanisms.description.platform_file import Platform
+from gcrules.mechanisms.editing.platform_text import platform_text
 from gcrules.mechanisms.load import LOADED, Folders, Loaded, Source, is_data, kind_of, load, read_text
 from gcrules.mechanisms.robot import Robot
 

@@ -50,6 +50,7 @@ def study(subject: Subject) -> Study:
         "platform": list(bodies["platform"]),
         "points": {n: [float(c) for c in p] for n, p in subject.points.items()},
         "unit": subject.unit,
+        "limits": subject.mechanism.limits,
         "invented": subject.invented,
         "about": subject.about,
         "size": subject.size,

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Annotated, Literal, NotRequired, TypedDict
 
-from gcrules.apps.studio.protocol.requests import PoseJson
+from gcrules.apps.studio.protocol.requests import FileSource, PoseJson
 from gcrules.apps.studio.protocol.study_views import ConditionView, FactItem, FaultView, Monomial, Piece
 from gcrules.core.shapes import OneOf
 from gcrules.views.scene_data import (
@@ -39,6 +39,7 @@ __all__ = [
     "ReadingView",
     "Repeated",
     "RepeatedFile",
+    "Resized",
     "Saved",
     "Shown",
     "SignView",
@@ -242,6 +243,10 @@ class Repeated(TypedDict):
     """Empty where no function of Python does it."""
     file: RepeatedFile | None
     """What has to be saved first, since the lines name it."""
+
+
+class Resized(TypedDict):
+    source: FileSource
 
 
 class Cancelled(TypedDict):

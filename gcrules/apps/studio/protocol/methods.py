@@ -71,6 +71,7 @@ METHODS: Mapping[str, Method] = {
     "manual": Method(requests.ManualArgs, answers.Manual),
     "bench": Method(requests.BenchArgs, answers.Bench, seconds=30),
     "compose": Method(requests.ComposeArgs, answers.Composed),
+    "resize": Method(requests.ResizeArgs, answers.Resized),
     "save": Method(requests.SaveArgs, answers.Saved),
     "repeat": Method(requests.RepeatArgs, answers.Repeated),
     "follow": Method(requests.FollowArgs, answers.Followed, where="session"),

@@ -46,6 +46,7 @@ __all__ = [
     "PoseJson",
     "Quaternion",
     "RepeatArgs",
+    "ResizeArgs",
     "RobotSource",
     "SaveArgs",
     "ShowArgs",
@@ -329,6 +330,17 @@ class ShowArgs(TypedDict):
     page: Annotated[str, text(40)]
     source: SourceJson
     pose: PoseJson
+
+
+class ResizeArgs(TypedDict):
+    """Other coordinates of a platform's points, as they are written ("" keeps one), and other limits of its legs."""
+
+    source: SourceJson
+    points: Annotated[
+        dict[_Point, Annotated[list[Annotated[str, text(40, empty=True)]], EntryCount(3, 3)]],
+        EntryCount(0, MOST_POINTS),
+    ]
+    limits: NotRequired[Annotated[str, text(400, empty=True)]]
 
 
 class CancelArgs(TypedDict):

@@ -270,6 +270,8 @@ class Study(TypedDict):
     points: dict[str, Vec3]
     """Coordinates at the file's own pose."""
     unit: str
+    limits: str
+    """What its file says that legs or actuators reach, as written."""
     invented: bool
     """The coordinates are a sample shape, none were given."""
     about: Vec3

@@ -16,6 +16,7 @@ import type { PanelId } from "../state/doc";
 import type { Store } from "../state/store";
 import type { IconName } from "../parts/icon";
 import { Bench } from "./bench";
+import { Dimensions } from "./dimensions";
 import { Draw } from "./draw";
 import { Guided } from "./guided";
 import { ManualPanel } from "./manual";
@@ -44,6 +45,7 @@ export const panels: readonly Panel[] = [
   { id: "manual", title: "By hand", icon: "manual", component: ManualPanel, layout: "beside", needs: "study" },
   { id: "motion", title: "Path, map", icon: "map", component: Motion, layout: "beside", needs: "study" },
   { id: "where", title: "Where to", icon: "where", component: Where, layout: "beside", needs: "study" },
+  { id: "dimensions", title: "Shape", icon: "dimensions", component: Dimensions, layout: "beside", needs: "study" },
   { id: "bench", title: "Bench", icon: "bench", component: Bench, layout: "beside", needs: "nothing" },
   { id: "draw", title: "Draw", icon: "draw", component: Draw, layout: "wide", needs: "nothing" },
   { id: "take-away", title: "Take away", icon: "take-away", component: TakeAway, layout: "beside", needs: "study" },

@@ -1,7 +1,7 @@
 // What the user has made: everything that undo brings back and that the link in the address bar restores.
 import { THRESHOLD, type Pose, type Sketch, type Source, type StageId, type Vec3 } from "../../protocol";
 
-export type PanelId = "start" | "guided" | "manual" | "motion" | "where" | "bench" | "draw" | "take-away" | "project";
+export type PanelId = "start" | "guided" | "manual" | "motion" | "where" | "dimensions" | "bench" | "draw" | "take-away" | "project";
 
 /** A coordinate of a map with its range, in the unit of that coordinate. */
 export interface Range {

@@ -6,7 +6,7 @@ import { EMPTY, HOME, NODES, TOUR, type Doc, type PanelId, type Range, type Tour
 
 type Loose = Record<string, unknown>;
 
-const PANELS: readonly PanelId[] = ["start", "guided", "manual", "motion", "where", "bench", "draw", "take-away", "project"];
+const PANELS: readonly PanelId[] = ["start", "guided", "manual", "motion", "where", "dimensions", "bench", "draw", "take-away", "project"];
 /** Panels that need nothing to be open. */
 const WITHOUT_SOURCE: readonly PanelId[] = ["bench", "draw", "project"];
 

@@ -4,6 +4,7 @@ import type { Gallery } from "../../protocol";
 import type { Client } from "../net/client";
 import type { Doc } from "./doc";
 import { createChoosing } from "./choosing";
+import { createComparing, type Comparing } from "./comparing";
 import { createEditing, type Editing } from "./editing";
 import { createFront, type Front } from "./front";
 import { createLeading, type Leading } from "./leading";
@@ -11,6 +12,7 @@ import { createLit, type Lit } from "./lit";
 import { createMoving, type Moving } from "./moving";
 import { createPosing, type Posing } from "./posing";
 import { createProjecting, type Projecting } from "./projecting";
+import { createResizing, type Resizing } from "./resizing";
 import type { Runner } from "./running";
 import { createSeeker, type Seeker } from "./seeking";
 import { createSharing, type Sharing } from "./sharing";
@@ -30,6 +32,8 @@ export interface Store extends Editing, Studying {
   moving: Moving;
   leading: Leading;
   sharing: Sharing;
+  resizing: Resizing;
+  comparing: Comparing;
   seeker: Seeker;
   projecting: Projecting;
   touring: Touring;
@@ -63,6 +67,8 @@ export function createStore(client: Client, start: Doc | null): Store {
     moving: createMoving(editing, posing),
     leading: createLeading(client, editing, posing),
     sharing,
+    resizing: createResizing(client, editing, studying),
+    comparing: createComparing(client, editing, studying),
     seeker: createSeeker(client, editing),
     projecting: createProjecting(editing, studying, timeline),
     touring: createTouring(client, editing),

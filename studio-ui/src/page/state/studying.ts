@@ -1,5 +1,5 @@
 // Opening what is to be studied: the answer to the document's source, with progress and a way to stop.
-import { effect, signal, type ReadonlySignal } from "@preact/signals";
+import { batch, effect, signal, type ReadonlySignal } from "@preact/signals";
 import type { Fault, Source, Study } from "../../protocol";
 import { Refused, type Client } from "../net/client";
 import { sameSource } from "./doc";
@@ -15,6 +15,8 @@ export interface Studying {
   loaded: ReadonlySignal<Loaded>;
   study: ReadonlySignal<Study | null>;
   again(): void;
+  /** Puts a robot in the place of the one on show that has been analysed already; `change` is that of the document. */
+  swap(source: Source, study: Study, change: () => void): void;
 }
 
 export function createStudying(client: Client, { source$ }: Editing): Studying {
@@ -53,7 +55,18 @@ export function createStudying(client: Client, { source$ }: Editing): Studying {
     else loaded.value = { state: "none" };
   });
 
-  return { loaded, study, again: () => wanted && void load(wanted) };
+  function swap(source: Source, found: Study, change: () => void): void {
+    stop?.abort();
+    stop = null;
+    wanted = source;
+    batch(() => {
+      study.value = found;
+      loaded.value = { state: "ready", source, study: found };
+      change();
+    });
+  }
+
+  return { loaded, study, again: () => wanted && void load(wanted), swap };
 }
 
 export function faultOf(error: unknown): Fault {

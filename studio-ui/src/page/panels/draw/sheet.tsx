@@ -2,6 +2,7 @@
 // legs are dragged from point to point. With the keyboard: arrows move a point, Delete takes it away, Enter joins.
 import { useRef, useState } from "preact/hooks";
 import type { Sketch, Vec3 } from "../../../protocol";
+import { hull } from "../../lib/hull";
 import { bodyOf, gridOf, legFault, merged, moved, placeOf, snapped, withLeg, without, withoutLeg, withPoint, type Body } from "./sketch";
 
 export type Tool = Body | "leg" | "erase";
@@ -218,18 +219,6 @@ function mergesWith(sketch: Sketch, name: string, reach: number): string | null 
 
 /** The bodies as the hull of their points. */
 function Outline({ sketch, body }: { sketch: Sketch; body: Body }) {
-  const corners = hull(sketch[body].map((name) => placeOf(sketch, name)));
+  const corners = hull(sketch[body].map((name): [number, number] => [placeOf(sketch, name)[0], placeOf(sketch, name)[1]]));
   return corners.length < 2 ? null : <polygon class={`body-outline ${body}`} points={corners.map(([x, y]) => `${x},${-y}`).join(" ")} />;
 }
-
-function hull(points: readonly Vec3[]): Vec3[] {
-  const sorted = [...points].sort((p, q) => p[0] - q[0] || p[1] - q[1]);
-  const half = (given: readonly Vec3[]) =>
-    given.reduce<Vec3[]>((chain, p) => {
-      while (chain.length > 1 && turn(chain.at(-2) ?? p, chain.at(-1) ?? p, p) <= 0) chain.pop();
-      return [...chain, p];
-    }, []);
-  return [...half(sorted).slice(0, -1), ...half([...sorted].reverse()).slice(0, -1)];
-}
-
-const turn = (a: Vec3, b: Vec3, c: Vec3): number => (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);

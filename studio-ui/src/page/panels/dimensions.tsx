@@ -1,0 +1,37 @@
+// The dimensions of the robot on show, and another robot beside it.
+import { useEffect, useState } from "preact/hooks";
+import { FaultBox } from "../parts/fault-box";
+import { Comparison } from "./dimensions/comparison";
+import { Coordinates } from "./dimensions/coordinates";
+import { Limits } from "./dimensions/limits";
+import { Plan } from "./dimensions/plan";
+import type { PanelProps } from "./index";
+import "./dimensions/dimensions.css";
+
+export function Dimensions({ store }: PanelProps) {
+  const { resizing } = store;
+  const [selected, select] = useState<string | null>(null);
+  const study = store.study.value;
+  useEffect(() => store.settle, [store]);
+  if (!study) return null;
+  return (
+    <div class="dimensions">
+      <header>
+        <h2>Dimensions</h2>
+        <p class="why">The condition depends on how the legs are joined, not on their places: it stays. The margin, the map and what is proved follow.</p>
+      </header>
+      {study.robot ? (
+        <p class="none">This robot is described by its joints: its points at home are in its file.</p>
+      ) : (
+        <section aria-label="Places of the joints">
+          {study.invented && <p class="tip">The shape was invented. What is changed here makes it yours.</p>}
+          <Plan study={study} selected={selected} select={select} />
+          <Coordinates study={study} selected={selected} select={select} />
+          <Limits />
+          {resizing.fault.value && <FaultBox fault={resizing.fault.value} />}
+        </section>
+      )}
+      <Comparison study={study} />
+    </div>
+  );
+}

@@ -1,0 +1,135 @@
+// Another robot beside the one on show: its picture in the same pose, and both robots' numbers side by side.
+import { useMemo } from "preact/hooks";
+import type { Numbers, Source, Study, Verdict } from "../../../protocol";
+import { short } from "../../lib/format";
+import { useStore } from "../../parts/context";
+import { FaultBox } from "../../parts/fault-box";
+import { Icon } from "../../parts/icon";
+import { posedPart, sceneOf } from "../../state/scene";
+import { MiniViewer } from "../mini-viewer";
+
+const WORDS: Record<Verdict, string> = { regular: "regular", close: "close to singular", singular: "singular" };
+
+export function Comparison({ study }: { study: Study }) {
+  const { comparing, posing } = useStore();
+  const [other, numbers] = [comparing.other.value, comparing.numbers.value];
+  const scene = useMemo(() => other && { ...sceneOf(other.study), ...(numbers && posedPart(numbers, true)) }, [other, numbers]);
+  const place = !comparing.together.value ? "at its home" : study.kind === "platform" ? "in the same pose" : "its actuators as far from home";
+  return (
+    <section class="comparison" aria-label="Side by side">
+      <header>
+        <h3>Side by side</h3>
+        {other && (
+          <span class="buttons">
+            <button type="button" onClick={comparing.swap} data-testid="beside-swap">
+              Change places
+            </button>
+            <button type="button" class="tool" aria-label="Put the other robot away" title="Put it away" onClick={comparing.close} data-testid="beside-close">
+              <Icon name="close" size={16} />
+            </button>
+          </span>
+        )}
+      </header>
+      <Choice />
+      {comparing.fault.value && <FaultBox fault={comparing.fault.value} />}
+      {other && scene && (
+        <>
+          <MiniViewer scene={scene} label={`${other.name}, ${place}`} testid="beside-picture" />
+          <p class="tip">
+            {other.name}, {place}
+            {comparing.together.value ? "." : ": its poses are others than those of this robot."}
+          </p>
+          <div class="scrolled">
+            <table class="readings beside" data-testid="beside">
+              <thead>
+                <tr>
+                  <td />
+                  <th scope="col">{study.title}</th>
+                  <th scope="col">{other.name}</th>
+                </tr>
+              </thead>
+              <tbody>
+                {rowsOf(posing.numbers.value, numbers).map(([key, a, b]) => (
+                  <tr key={key}>
+                    <th scope="row">{key}</th>
+                    <td>{a}</td>
+                    <td>{b}</td>
+                  </tr>
+                ))}
+              </tbody>
+            </table>
+          </div>
+        </>
+      )}
+    </section>
+  );
+}
+
+type Row = readonly [string, string, string];
+
+/** What both can say; a quantity that only one has stands alone. */
+function rowsOf(mine: Numbers | null, theirs: Numbers | null): Row[] {
+  const both = [mine, theirs];
+  const row = (key: string, of: (numbers: Numbers) => string): Row => [key, ...(both.map((n) => (n ? of(n) : "…")) as [string, string])];
+  const keys = [...new Set(both.flatMap((n) => n?.jacobian.map(({ key }) => key) ?? []))];
+  return [
+    row("verdict", ({ verdict }) => WORDS[verdict]),
+    row("margin σ", ({ margin }) => short(margin)),
+    row("lengths", lengths),
+    ...keys.map((key) => row(key, ({ jacobian }) => jacobian.find((fact) => fact.key === key)?.value ?? "–")),
+  ];
+}
+
+/** From the least to the greatest, and what is beyond its limits. */
+function lengths({ actuators }: Numbers): string {
+  const units = new Set(actuators.map(({ unit }) => unit));
+  const unit = units.size === 1 ? [...units][0] : null;
+  if (actuators.length === 0 || unit == null) return "–";
+  const values = actuators.map(({ value }) => value);
+  const beyond = actuators.filter(({ low, high, value }) => (low !== null && value < low) || (high !== null && value > high)).length;
+  const range = `${short(Math.min(...values))} to ${short(Math.max(...values))} ${unit === "deg" ? "°" : unit}`.trim();
+  return beyond > 0 ? `${range}, ${beyond} beyond limits` : range;
+}
+
+function Choice() {
+  const { comparing, projecting, gallery, source$ } = useStore();
+  const kept = projecting.project.value.robots.map(({ name, state }) => ({ name, source: state.source }));
+  const shown = gallery.value;
+  const groups: readonly (readonly [string, readonly { name: string; source: Source | null }[]])[] = [
+    ["The project", kept],
+    ["Examples", (shown?.examples ?? []).map(({ title, source }) => ({ name: title, source }))],
+    ["Robots", (shown?.robots ?? []).map(({ title, source }) => ({ name: title, source }))],
+  ];
+  const all = groups.flatMap(([, list]) => list);
+  return (
+    <div class="choice">
+      <button type="button" onClick={comparing.keep} disabled={!source$.value} data-testid="beside-keep">
+        This robot as it is now
+      </button>
+      <select
+        aria-label="Another robot beside it"
+        data-testid="beside-choose"
+        value=""
+        onChange={(event) => {
+          const robot = all[Number(event.currentTarget.value)];
+          event.currentTarget.value = "";
+          if (robot?.source) comparing.choose(robot.name, robot.source);
+        }}
+      >
+        <option value="">or another one …</option>
+        {groups.map(
+          ([label, list]) =>
+            list.length > 0 && (
+              <optgroup key={label} label={label}>
+                {list.map((one) => (
+                  <option key={all.indexOf(one)} value={all.indexOf(one)} disabled={!one.source}>
+                    {one.name}
+                  </option>
+                ))}
+              </optgroup>
+            ),
+        )}
+      </select>
+    </div>
+  );
+}
