@@ -16,7 +16,7 @@ import type { PanelId } from "../state/doc";
 import type { Store } from "../state/store";
 import type { IconName } from "../parts/icon";
 import { Bench } from "./bench";
-import { Draw } from "./draw";
+import { Drawing } from "./drawing";
 import { Guided } from "./guided";
 import { ManualPanel } from "./manual";
 import { Motion } from "./motion";
@@ -45,7 +45,7 @@ export const panels: readonly Panel[] = [
   { id: "motion", title: "Path, map", icon: "map", component: Motion, layout: "beside", needs: "study" },
   { id: "where", title: "Where to", icon: "where", component: Where, layout: "beside", needs: "study" },
   { id: "bench", title: "Bench", icon: "bench", component: Bench, layout: "beside", needs: "nothing" },
-  { id: "draw", title: "Draw", icon: "draw", component: Draw, layout: "wide", needs: "nothing" },
+  { id: "draw", title: "Draw", icon: "draw", component: Drawing, layout: "wide", needs: "nothing" },
   { id: "take-away", title: "Take away", icon: "take-away", component: TakeAway, layout: "beside", needs: "study" },
   { id: "project", title: "Project", icon: "project", component: ProjectPanel, layout: "wide", needs: "nothing" },
 ];
