@@ -15,7 +15,15 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any
 
-from gcrules.apps.studio.protocol import answer_views, locus_views, motion_views, requests, study_views, where_views
+from gcrules.apps.studio.protocol import (
+    answer_views,
+    limb_views,
+    locus_views,
+    motion_views,
+    requests,
+    study_views,
+    where_views,
+)
 from gcrules.apps.studio.protocol.methods import METHODS
 from gcrules.core.shapes import EntryCount, OneOf
 from gcrules.views import glossary, scene_data
@@ -32,6 +40,7 @@ MODULES = (
     motion_views,
     locus_views,
     where_views,
+    limb_views,
 )
 
 START = """\

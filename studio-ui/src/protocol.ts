@@ -444,6 +444,28 @@ export interface ComposeArgs {
   drawing: Sketch;
 }
 
+/** A change of a robot's sheet; which fields it needs `do` says. Places count from 0. */
+export interface SheetEdit {
+  do: "title" | "limb add" | "limb remove" | "limb move" | "limb name" | "limb duplicate" | "limb around" | "limb single" | "copies" | "joint add" | "joint remove" | "joint move" | "joint kind" | "joint drive" | "joint part" | "name add" | "name rename" | "name relation" | "home" | "mobility";
+  limb?: number;
+  chain?: number;
+  joint?: number;
+  part?: number;
+  to?: number;
+  name?: string;
+  text?: string;
+  texts?: [string, string, string];
+  degrees?: number;
+  follow?: boolean;
+}
+
+/** The text of a robot file, after a change if there is one; without a text that of the robot in `start`, or of one to begin with. */
+export interface LimbsArgs {
+  text?: string;
+  start?: Source;
+  edit?: SheetEdit;
+}
+
 export type Format = "html" | "latex" | "svg" | "png" | "pdf" | "json" | "yaml" | "c" | "cpp" | "py" | "rs";
 
 export interface SaveArgs extends PoseArgs {
@@ -660,6 +682,8 @@ export interface Part {
 /** A robot with limbs: what Fig. 1 of the paper shows side by side. */
 export interface Robot {
   mobility: number;
+  /** When it is singular, in its own words. */
+  statement: string;
   /** SVG: the robot with its wrenches, and beside it the lines that stand for them, at home. */
   figure?: string;
   limbs: Limb[];
@@ -1189,6 +1213,125 @@ export interface CertificateAnswer extends BoxesAnswer {
   check: string;
 }
 
+export interface PartKind {
+  name: string;
+  form: "point" | "direction" | "number";
+}
+
+/** A way to drive a joint: as it is written, and in words. */
+export interface DriveKind {
+  star: string;
+  words: string;
+}
+
+export interface JointKind {
+  symbol: string;
+  name: string;
+  parts: PartKind[];
+  drives: DriveKind[];
+}
+
+/** A name that nothing defines yet, and what it should be. */
+export interface Undefined {
+  name: string;
+  sort: "point" | "direction";
+}
+
+export interface JointRow {
+  kind: string;
+  /** As it is written: empty where it is not driven; with a number where one of two freedoms is. */
+  star: string;
+  /** For couplings. */
+  name: string;
+  parts: string[];
+  undefined: Undefined[];
+  faults: Fault[];
+}
+
+export interface ChainRow {
+  /** Between which bodies it leads, "base to hub"; empty in a plain limb. */
+  head: string;
+  joints: JointRow[];
+}
+
+export interface WrenchRow {
+  text: string;
+  couple: boolean;
+  role: "constraint" | "actuation" | "both";
+}
+
+export interface LimbRow {
+  name: string;
+  /** How many limbs it stands for. */
+  copies: number;
+  /** Whether it stands for the copies of the file. */
+  numbered: boolean;
+  /** Its joints in short. */
+  chain: string;
+  cable: string;
+  chains: ChainRow[];
+  couplings: string;
+  /** What it applies with its actuators locked, in words; empty as long as that is not known. */
+  system: string;
+  freedoms: number;
+  constraints: number;
+  /** Those of the first copy; none where no lines span them. */
+  wrenches: WrenchRow[];
+  colour: number;
+  faults: Fault[];
+}
+
+export interface NamedPlace {
+  name: string;
+  /** Three coordinates at home as they are written; none where the relations determine them. */
+  at: string[];
+}
+
+export interface NameRow {
+  name: string;
+  sort: "point" | "direction";
+  relation: string;
+  /** One for each copy. */
+  places: NamedPlace[];
+  faults: Fault[];
+}
+
+export interface LimbSheet {
+  title: string;
+  copies: number;
+  /** Whether all copies are turned about z from the first one, evenly. */
+  turned: boolean;
+  plane: boolean;
+  unit: string;
+  platform: string;
+  limbs: LimbRow[];
+  names: NameRow[];
+}
+
+/** The freedoms of the platform; null as long as they are not known. `written` is what the file says. */
+export interface Mobility {
+  number: number | null;
+  written: string;
+  drives: number;
+  sentence: string;
+  faults: Fault[];
+}
+
+export interface LimbsAnswer {
+  /** The file, after the change. */
+  text: string;
+  /** Null where the text is no table of limbs; `every` says why. */
+  sheet: LimbSheet | null;
+  /** Those that are in no row of the table. */
+  faults: Fault[];
+  /** All faults, at their places in the text. */
+  every: Fault | null;
+  mobility: Mobility;
+  /** The robot at home, as far as it can be drawn. */
+  scene: SceneData | null;
+  kinds: JointKind[];
+}
+
 export interface Methods {
   hello: { args: NoArgs; result: Hello };
   gallery: { args: NoArgs; result: Gallery };
@@ -1213,6 +1356,7 @@ export interface Methods {
   bench: { args: BenchArgs; result: Bench };
   compose: { args: ComposeArgs; result: Composed };
   resize: { args: ResizeArgs; result: Resized };
+  limbs: { args: LimbsArgs; result: LimbsAnswer };
   save: { args: SaveArgs; result: Saved };
   repeat: { args: RepeatArgs; result: Repeated };
   follow: { args: FollowArgs; result: Followed };

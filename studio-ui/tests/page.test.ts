@@ -70,6 +70,8 @@ const DOCS: Record<string, Doc> = {
     bench: "let p = a ∨ b",
     tour: { start: TURNED, to: "z=1", over: [{ name: "x", low: -1, high: 2 }, { name: "roll", low: 0, high: 30 }], nodes: 41, measure: "isotropy" },
     sketch: { title: "t", points: { a: [0, 0, 1], b: [0, 0, 2] }, base: ["a"], platform: ["b"], legs: [["a", "b"]] },
+    making: "limbs",
+    limbs: "title: T\nlimbs: []\n",
   },
 };
 for (const [name, doc] of Object.entries(DOCS)) {

@@ -11,6 +11,7 @@ from gcrules.apps.studio.certificate_view import certificate_view
 from gcrules.apps.studio.composing import composed
 from gcrules.apps.studio.export import saved
 from gcrules.apps.studio.gallery import gallery
+from gcrules.apps.studio.limb_editor import limbs_answer
 from gcrules.apps.studio.locus_view import locus_view
 from gcrules.apps.studio.manual_replay import replayed
 from gcrules.apps.studio.map_view import map_view, place_view
@@ -74,6 +75,7 @@ ANSWERS: Mapping[str, Callable[[Any, Args], Any]] = {
     "manual": lambda subject, args: replayed(subject, args["commands"]),
     "bench": lambda subject, args: bench(args["text"], subject, args.get("pose")),
     "compose": lambda subject, args: composed(args["drawing"]),
+    "limbs": lambda subject, args: limbs_answer(args.get("text"), args.get("start"), args.get("edit")),
     "repeat": lambda subject, args: repeated(subject, args["what"], args["args"]),
     "resize": lambda subject, args: resized(subject, args["points"], args.get("limits")),
     "save": lambda subject, args: saved(subject, args["pose"], args["what"], args.get("threshold")),

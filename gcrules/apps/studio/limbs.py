@@ -15,7 +15,7 @@ from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.mechanisms.lines.equivalent import FRAME
 from gcrules.views.drawing.drawing import Drawing
 from gcrules.views.formulas.latex import latex
-from gcrules.views.results.robot import factor_kind
+from gcrules.views.results.robot import factor_kind, leading_sentences
 from gcrules.views.robots.limb_views import Values, limb_views
 from gcrules.views.robots.robot_drawing import draw_robot
 
@@ -26,6 +26,7 @@ def robot_view(robot: RobotAnalysis, mobility: int, home: Values) -> RobotView:
     """What does not change with the configuration, with the limbs at home."""
     found: RobotView = {
         "mobility": mobility,
+        "statement": " ".join(leading_sentences(robot)),
         "limbs": limb_views(robot, home),
         "parts": [
             {"text": _words(p.expression, robot), "tex": latex(p.expression), "kind": p.kind, "statement": _told(p)}

@@ -15,7 +15,7 @@ from gcrules.mechanisms.description.relations import Values, combined
 from gcrules.mechanisms.robot import Consequence, Robot
 from gcrules.screws import RATIONALS, RESIDUES, Joint, Limb
 
-__all__ = ["check_family", "check_home", "check_limbs", "home_values", "notes"]
+__all__ = ["check_family", "check_home", "check_limbs", "home_values", "notes", "stays_in_plane"]
 
 _SEEDS = (11, 12)
 
@@ -141,8 +141,18 @@ def _check_limb(robot: Robot, text: LimbSpec, limb: Limb, node: Node) -> None:
             )
     if len(limb.locked(RESIDUES)) - len(limb.constraints(RESIDUES)) < text.actuators:
         node.fault(f"an actuator of {text.name} applies no wrench: its freedom depends on the passive ones")
-    if robot.family.plane and any(row[i] for row in limb.twists(RESIDUES) for i in (0, 1, 5)):
+    if robot.family.plane and _leaves_plane(limb):
         node.fault(f"{text.name} leaves the plane z = 0 of a planar robot", "its turns are about z")
+
+
+def stays_in_plane(robot: Robot) -> bool:
+    """Whether no limb of a planar robot leaves its plane; of other robots nothing is asked."""
+    member = robot.family.member(_SEEDS[0]) if robot.family.plane else {}
+    return not robot.family.plane or not any(_leaves_plane(text.at(member, RESIDUES)) for text in robot.limbs)
+
+
+def _leaves_plane(limb: Limb) -> bool:
+    return any(row[i] for row in limb.twists(RESIDUES) for i in (0, 1, 5))
 
 
 def _axis(joint: Joint) -> Any:

@@ -38,6 +38,8 @@ __all__ = [
     "LimbSpec",
     "Subchain",
     "cable_joints",
+    "chain_heads",
+    "joint_matches",
     "read_joints",
     "read_limb",
 ]
@@ -263,7 +265,7 @@ def read_joints(text: str) -> tuple[JointSpec, ...]:
 
 def read_limb(text: str) -> tuple[tuple[JointSpec, ...], tuple[Subchain, ...]]:
     """Read a limb: its joints and, where it has bodies of its own, its subchains. Raises InputError with its place."""
-    heads = list(_HEAD.finditer(text))
+    heads = chain_heads(text)
     if not heads:
         plain = read_joints(text)
         _named_once(text, plain)
@@ -306,12 +308,25 @@ def _named_once(text: str, joints: Sequence[JointSpec]) -> None:
 
 
 def _joints(text: str, at: int = 0, end: int | None = None) -> Iterator[JointSpec]:
+    for match in joint_matches(text, at, end):
+        yield _joint(text, match)
+
+
+def chain_heads(text: str) -> list[re.Match[str]]:
+    """Where chains between bodies begin, `base to hub:`; the groups are both bodies."""
+    return list(_HEAD.finditer(text))
+
+
+def joint_matches(text: str, at: int = 0, end: int | None = None) -> Iterator[re.Match[str]]:
+    """Joints as they are written, whatever their kind; the groups are kind, star, name and what the parentheses hold.
+    Raises InputError for what is no joint, and where there are none.
+    """
     first, end = at, len(text) if end is None else end
     while text[at:end].strip():
         match = _JOINT.match(text, at, end)
         if not match:
             raise _fault(text, at, end, f"{text[at:end][:30].strip()!r} is no joint", _EXAMPLE)
-        yield _joint(text, match)
+        yield match
         at = match.end()
     if at == first:
         raise _fault(text, max(0, first - 1), max(1, first), "there are no joints", _EXAMPLE)

@@ -25,7 +25,7 @@ condition: "…"                  # optional: a published condition in the langu
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from itertools import pairwise
@@ -33,7 +33,8 @@ from os import PathLike
 from pathlib import Path
 
 from gcrules.algebra.language.text import SHORT_NAME
-from gcrules.core.errors import InputError
+from gcrules.core.dataclass import dataclass
+from gcrules.core.errors import FileError, GcrulesError, InputError
 from gcrules.core.hints import near
 from gcrules.core.yaml_file import Document, Node
 from gcrules.mechanisms.conditions.checks import check_family, check_home, check_limbs
@@ -54,7 +55,7 @@ from gcrules.mechanisms.description.units import read_units
 from gcrules.mechanisms.robot import Robot
 from gcrules.screws import JOINTS
 
-__all__ = ["load_robot", "parse_robot"]
+__all__ = ["MAX_COPIES", "MAX_LIMBS", "Draft", "load_robot", "parse_draft", "parse_robot"]
 
 _REQUIRED = ("title", "points", "mobility")
 _OPTIONAL = (
@@ -81,6 +82,26 @@ def parse_robot(text: str, filename: str = "<input>", name: str = "robot") -> Ro
     return _Reader(Document.parse(text, filename), name, "").robot()
 
 
+@dataclass(frozen=True, eq=False)
+class Draft:
+    """What a file says that may be at fault still: the robot, where names and joints can be read, and all faults."""
+
+    robot: Robot | None
+    faults: tuple[GcrulesError, ...] = ()
+
+
+def parse_draft(text: str, filename: str = "<input>", name: str = "robot") -> Draft:
+    """Read the text of a robot file as far as it goes."""
+    robot = None
+    try:
+        reader = _Reader(Document.parse(text, filename), name, "")
+        robot, checked = reader.described()
+        checked()
+    except FileError as fault:
+        return Draft(robot, tuple(getattr(fault, "faults", ()) or (fault,)))
+    return Draft(robot)
+
+
 class _Reader:
     """Reads one file; faults are recorded at their nodes, those that make further checks pointless are raised first."""
 
@@ -93,6 +114,12 @@ class _Reader:
         self.faulty: list[Node] = []
 
     def robot(self) -> Robot:
+        robot, checked = self.described()
+        checked()
+        return robot
+
+    def described(self) -> tuple[Robot, Callable[[], None]]:
+        """The robot as its file has it, and what checks it. Both raise FileError."""
         top = self.document.root.mapping(_REQUIRED, _OPTIONAL)
         if "copies" in top:
             self.copies = top["copies"].integer() or 0
@@ -139,14 +166,17 @@ class _Reader:
             owner=self.owner,
             text=self.document.source,
         )
-        check_family(robot, self.places, facts)
-        self.document.check()
-        if limbs:
-            check_limbs(robot, [node for node, _ in limbs], top["mobility"])
-        if home is not None:
-            check_home(robot, top["home"])
-        self.document.check()
-        return robot
+
+        def checked() -> None:
+            check_family(robot, self.places, facts)
+            self.document.check()
+            if limbs:
+                check_limbs(robot, [node for node, _ in limbs], top["mobility"])
+            if home is not None:
+                check_home(robot, top["home"])
+            self.document.check()
+
+        return robot, checked
 
     # --- names ---
 

@@ -9,6 +9,7 @@ from fractions import Fraction
 import numpy as np
 
 from gcrules.core.dataclass import dataclass
+from gcrules.core.yaml_text import quoted
 from gcrules.mechanisms.kinematics.rigid_motions import Floats
 from gcrules.mechanisms.models.chains_between import Chain
 from gcrules.mechanisms.models.family_found import Known, Named, Naming
@@ -143,8 +144,8 @@ class _Writing:
         platform: Sequence[Known],
         limits: Mapping[str, tuple[float, float]],
     ) -> Iterator[str]:
-        yield f"title: {_quoted(title)}"
-        yield f"note: {_quoted(note)}"
+        yield f"title: {quoted(title)}"
+        yield f"note: {quoted(note)}"
         if self.naming.plane:
             yield "space: plane"
         if self.copies:
@@ -210,17 +211,6 @@ def _near(ratio: float) -> bool:
 def _word(name: str) -> str:
     found = re.sub(r"\W+", "_", name, flags=re.ASCII).strip("_")
     return found if found[:1].isalpha() else f"j{found}"
-
-
-def _quoted(text: str) -> str:
-    """A text as YAML has it: plain where it can be."""
-    plain = re.fullmatch(r"[A-Za-z][^:#\"'{}\[\]&*!|>%@`\n]*", text) and text == text.strip()
-    return text if plain and text.lower() not in ("true", "false", "null", "yes", "no") else _double(text)
-
-
-def _double(text: str) -> str:
-    inner = re.sub(r"[\x00-\x1f\x7f-\x9f\u2028\u2029\ufeff]+", " ", text).replace("\\", "\\\\").replace('"', '\\"')
-    return f'"{inner}"'
 
 
 def _point(values: Floats, size: float) -> tuple[str, ...]:

@@ -98,11 +98,12 @@ def _message(rng: Random, number: int) -> str:
             "manual",
             "bench",
             "compose",
+            "limbs",
             "save",
             "cancel",
             "x",
         ),
-        (1, 0.02, 1.5, 5, 2, 0.5, 0.5, 0.5, 0.3, 2, 5, 2, 1.5, 1, 0.5),
+        (1, 0.02, 1.5, 5, 2, 0.5, 0.5, 0.5, 0.3, 2, 5, 2, 2, 1.5, 1, 0.5),
     )[0]
     args: dict[str, Any] = {}
     match do:
@@ -140,6 +141,8 @@ def _message(rng: Random, number: int) -> str:
             args = {
                 "drawing": {"title": "", "points": points, "base": list("ace"), "platform": list("bdf"), "legs": drawn}
             }
+        case "limbs":
+            args = _limbs(rng)
         case "save":
             args = {
                 "source": cheap,
@@ -160,6 +163,26 @@ def _message(rng: Random, number: int) -> str:
     except ValueError:  # spoilt so that it holds itself: no page can send it
         text = "{}"
     return mutated(rng, text, ("null", "{", "[", '"id"', "NaN", "1e999"), most=1) if rng.random() < 0.1 else text
+
+
+def _limbs(rng: Random) -> dict[str, Any]:
+    """A robot file, sound or not, and a change of it."""
+    from gcrules.mechanisms.editing.edits import EDITS
+    from gcrules.mechanisms.editing.sheet import FIRST
+
+    text = rng.choice((FIRST, FIRST, *corpus("robots")))
+    edit = {
+        "do": rng.choice(tuple(EDITS)),
+        "name": rng.choice(("A1", "A%", "S1", "r1", "x", "q")),
+        "text": rng.choice(
+            ("R", "P", "UP*S", "R*4S", "Pa", "*", "*1", "A1", "free", "q9", "B1 A1", "direction", "a b", "")
+        ),
+        "texts": [rng.choice(("0", "1", "-1.5", "1/3", "1/0", "")) for _ in range(3)],
+        "degrees": rng.choice((0, 60, 120, -45)),
+        "follow": rng.random() < 0.5,
+        **{place: rng.choice((0, 0, 1, 2, 6)) for place in ("limb", "chain", "joint", "part", "to")},
+    }
+    return {"text": mutated(rng, text) if rng.random() < 0.3 else text, "edit": edit}
 
 
 def _spoilt(rng: Random, message: Any) -> Any:

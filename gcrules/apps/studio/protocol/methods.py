@@ -12,6 +12,7 @@ from typing import Any, Literal
 from gcrules.apps.studio.protocol import answer_views as answers
 from gcrules.apps.studio.protocol import requests
 from gcrules.apps.studio.protocol.checking import Check
+from gcrules.apps.studio.protocol.limb_views import LimbsAnswer
 from gcrules.apps.studio.protocol.locus_views import LocusAnswer
 from gcrules.apps.studio.protocol.motion_views import MapAnswer, PathAnswer, PlacedPose, SurfaceAnswer, WaypointsAnswer
 from gcrules.apps.studio.protocol.shape_checks import check_of
@@ -72,6 +73,7 @@ METHODS: Mapping[str, Method] = {
     "bench": Method(requests.BenchArgs, answers.Bench, seconds=30),
     "compose": Method(requests.ComposeArgs, answers.Composed),
     "resize": Method(requests.ResizeArgs, answers.Resized),
+    "limbs": Method(requests.LimbsArgs, LimbsAnswer),
     "save": Method(requests.SaveArgs, answers.Saved),
     "repeat": Method(requests.RepeatArgs, answers.Repeated),
     "follow": Method(requests.FollowArgs, answers.Followed, where="session"),

@@ -233,6 +233,8 @@ class RobotView(TypedDict):
     """A robot with limbs: what Fig. 1 of the paper shows side by side."""
 
     mobility: int
+    statement: str
+    """When it is singular, in its own words."""
     figure: NotRequired[str]
     """SVG: the robot with its wrenches, and beside it the lines that stand for them, at home."""
     limbs: list[LimbView]

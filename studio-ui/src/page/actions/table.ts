@@ -5,6 +5,7 @@ import { atHome, isHome } from "../state/doc";
 import { writeFragment } from "../state/fragment";
 import { panels } from "../panels";
 import { namesOf } from "./keys";
+import { limbActions } from "./limbs";
 import { pictureActions } from "./picture";
 
 export const GROUPS = ["Go to", "Edit", "Pose and way", "Picture", "Page", "Open"] as const;
@@ -33,7 +34,7 @@ export const canBeDone = ({ fits }: Action): boolean => fits?.() ?? true;
 
 /** All actions but those that open a structure of the gallery. Of two with the same keys the first that fits is done. */
 export function actionsOf(store: Store): Action[] {
-  return [...panelActions(store), ...editActions(store), ...poseActions(store), ...pictureActions(store), ...pageActions(store)];
+  return [...panelActions(store), ...limbActions(store), ...editActions(store), ...poseActions(store), ...pictureActions(store), ...pageActions(store)];
 }
 
 export function actionOf(store: Store, id: string): Action {

@@ -1,5 +1,6 @@
 // The dimensions of the robot on show, and another robot beside it.
 import { useEffect, useState } from "preact/hooks";
+import { editLimbs, limbsAtHand } from "../actions/limbs";
 import { FaultBox } from "../parts/fault-box";
 import { Comparison } from "./dimensions/comparison";
 import { Coordinates } from "./dimensions/coordinates";
@@ -18,10 +19,17 @@ export function Dimensions({ store }: PanelProps) {
     <div class="dimensions">
       <header>
         <h2>Dimensions</h2>
-        <p class="why">The condition depends on how the legs are joined, not on their places: it stays. The margin, the map and what is proved follow.</p>
+        <p class="why">{study.robot ? "What is changed is seen beside what was." : "The condition depends on how the legs are joined, not on their places: it stays. The margin, the map and what is proved follow."}</p>
       </header>
       {study.robot ? (
-        <p class="none">This robot is described by its joints: its points at home are in its file.</p>
+        <section aria-label="Joints">
+          <p class="why">This robot is described by its joints: their kinds, directions and places at home are a table of its own.</p>
+          {limbsAtHand(store) && (
+            <button type="button" data-testid="shape-limbs" onClick={() => void editLimbs(store)}>
+              Change its limbs and their places
+            </button>
+          )}
+        </section>
       ) : (
         <section aria-label="Places of the joints">
           {study.invented && <p class="tip">The shape was invented. What is changed here makes it yours.</p>}

@@ -17,7 +17,7 @@ import type { Store } from "../state/store";
 import type { IconName } from "../parts/icon";
 import { Bench } from "./bench";
 import { Dimensions } from "./dimensions";
-import { Draw } from "./draw";
+import { Drawing } from "./drawing";
 import { Guided } from "./guided";
 import { ManualPanel } from "./manual";
 import { Motion } from "./motion";
@@ -47,7 +47,7 @@ export const panels: readonly Panel[] = [
   { id: "where", title: "Where to", icon: "where", component: Where, layout: "beside", needs: "study" },
   { id: "dimensions", title: "Shape", icon: "dimensions", component: Dimensions, layout: "beside", needs: "study" },
   { id: "bench", title: "Bench", icon: "bench", component: Bench, layout: "beside", needs: "nothing" },
-  { id: "draw", title: "Draw", icon: "draw", component: Draw, layout: "wide", needs: "nothing" },
+  { id: "draw", title: "Draw", icon: "draw", component: Drawing, layout: "wide", needs: "nothing" },
   { id: "take-away", title: "Take away", icon: "take-away", component: TakeAway, layout: "beside", needs: "study" },
   { id: "project", title: "Project", icon: "project", component: ProjectPanel, layout: "wide", needs: "nothing" },
 ];

@@ -18,13 +18,16 @@ export function Start({ store }: PanelProps) {
         <div class="words">
           <h1>When is this robot singular, and why?</h1>
           <p>
-            Type its six legs, choose a structure or draw one. You get the condition as algebra, as a sentence and in 3D, with the
+            Type its six legs, choose a structure, draw one or build it joint by joint. You get the condition as algebra, as a sentence and in 3D, with the
             proof.
           </p>
           <div class="ways">
             <FileButton />
-            <button type="button" onClick={() => store.go({ panel: "draw" })} data-testid="start-draw">
-              <Icon name="draw" size={16} /> Draw a robot
+            <button type="button" onClick={() => store.go({ panel: "draw", making: "legs" })} data-testid="start-draw">
+              <Icon name="draw" size={16} /> Draw six legs
+            </button>
+            <button type="button" onClick={() => store.go({ panel: "draw", making: "limbs" })} data-testid="start-build">
+              <Icon name="build" size={16} /> Build limbs
             </button>
             <button type="button" onClick={() => store.go({ panel: "bench" })} data-testid="start-bench">
               <Icon name="bench" size={16} /> Expression bench

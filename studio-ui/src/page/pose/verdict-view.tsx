@@ -9,7 +9,7 @@ import { Icon, type IconName } from "../parts/icon";
 import { Term } from "../parts/term";
 import { Gauge } from "./gauge";
 
-const WORDS: Record<Verdict, [string, IconName]> = {
+export const VERDICTS: Record<Verdict, [string, IconName]> = {
   regular: ["Regular", "ok"],
   close: ["Close to singular", "warn"],
   singular: ["Singular", "stop"],
@@ -36,7 +36,7 @@ export function VerdictView() {
     [posing],
   );
   const verdict = texts.verdict.value;
-  const [word, icon] = verdict ? WORDS[verdict] : ["…", "ok" as const];
+  const [word, icon] = verdict ? VERDICTS[verdict] : ["…", "ok" as const];
   return (
     <section class={`verdict ${verdict ?? "waiting"}${stale}`} aria-label="At this pose">
       <div class="headline">

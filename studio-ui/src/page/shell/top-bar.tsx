@@ -10,7 +10,7 @@ export function TopBar() {
   const study = store.study.value;
   const dark = store.taste.theme.value === "dark";
   const drawn = store.panel$.value === "draw";
-  const title = drawn ? titleOf(store.sketch$.value) : study?.title;
+  const title = drawn ? (store.built.value ?? titleOf(store.sketch$.value)) : study?.title;
   const Title = store.panel$.value === "start" ? "strong" : "h1"; // the start has a heading of its own
   useEffect(() => {
     document.title = title ? `${title} · gcrules studio` : "gcrules studio";

@@ -3,6 +3,9 @@ import { THRESHOLD, type Pose, type Sketch, type Source, type StageId, type Vec3
 
 export type PanelId = "start" | "guided" | "manual" | "motion" | "where" | "dimensions" | "bench" | "draw" | "take-away" | "project";
 
+/** What is made in the panel "Draw": a platform on six legs, or a robot of limbs and joints. */
+export type Making = "legs" | "limbs";
+
 /** A coordinate of a map with its range, in the unit of that coordinate. */
 export interface Range {
   name: string;
@@ -37,8 +40,11 @@ export interface Doc {
   /** Text of the expression bench. */
   bench: string;
   tour: Tour;
+  making: Making;
   /** What is being drawn, if anything. */
   sketch: Sketch | null;
+  /** The file of the robot that is being built limb by limb, if there is one. */
+  limbs: string | null;
 }
 
 export const HOME: Pose = { translation: [0, 0, 0], quaternion: [1, 0, 0, 0] };
@@ -59,11 +65,13 @@ export const EMPTY: Doc = {
   commands: [],
   bench: "",
   tour: TOUR,
+  making: "legs",
   sketch: null,
+  limbs: null,
 };
 
 /** The fields that say where the user is rather than what was made: changing them is no step to undo. */
-export const NAVIGATION = ["panel", "stage"] as const satisfies readonly (keyof Doc)[];
+export const NAVIGATION = ["panel", "stage", "making"] as const satisfies readonly (keyof Doc)[];
 
 export function sameSource(a: Source | null, b: Source | null): boolean {
   return JSON.stringify(a) === JSON.stringify(b);

@@ -1,6 +1,6 @@
 // The document as a signal, its changes, undo and redo, and its copy in the address bar.
 import { batch, computed, effect, signal, type ReadonlySignal, type Signal } from "@preact/signals";
-import { EMPTY, HOME, TOUR, sameSource, type Doc, type PanelId } from "./doc";
+import { EMPTY, HOME, TOUR, sameSource, type Doc, type Making, type PanelId } from "./doc";
 import { leave, plainFragment, readFragment, writeFragment } from "./fragment";
 import { closed, moved, record, redone, undone, type History } from "./history";
 import { isReload, recalled, remember } from "./tab-memory";
@@ -17,7 +17,7 @@ export interface Editing extends Fields {
   edit(change: Partial<Doc>, key?: string): void;
   /** Ends a row of changes: the next one is a step of its own. */
   settle(): void;
-  go(where: { panel?: PanelId; stage?: StageId }): void;
+  go(where: { panel?: PanelId; stage?: StageId; making?: Making }): void;
   /** Opens a structure at its home pose and shows it. */
   open(source: Source, panel?: PanelId): void;
   undo(): void;
@@ -37,7 +37,9 @@ function fieldsOf(doc: ReadonlySignal<Doc>): Fields {
     commands$: computed(() => doc.value.commands),
     bench$: computed(() => doc.value.bench),
     tour$: computed(() => doc.value.tour),
+    making$: computed(() => doc.value.making),
     sketch$: computed(() => doc.value.sketch),
+    limbs$: computed(() => doc.value.limbs),
   };
 }
 
@@ -79,7 +81,7 @@ export function createEditing(start: Doc | null): Editing {
 const OWN = "gcrules-studio";
 
 /** Keeps the document in the address; another panel or structure is a place of its own, to which the browser's "back" leads. */
-function keepInAddress({ doc, edit, go, panel$, source$, unread }: Editing): void {
+function keepInAddress({ doc, edit, go, panel$, making$, source$, unread }: Editing): void {
   let timer = 0;
   let written = location.hash;
   let kept: Doc | null = null; // what stands in the address
@@ -90,14 +92,14 @@ function keepInAddress({ doc, edit, go, panel$, source$, unread }: Editing): voi
   };
 
   history.replaceState(OWN, "", location.href);
-  let place = { panel: panel$.peek(), source: source$.peek() };
+  let place = { panel: panel$.peek(), making: making$.peek(), source: source$.peek() };
   const moved = (now: typeof place): boolean => {
-    const other = now.panel !== place.panel || !sameSource(now.source, place.source);
+    const other = now.panel !== place.panel || now.making !== place.making || !sameSource(now.source, place.source);
     place = now;
     return other;
   };
   effect(() => {
-    if (moved({ panel: panel$.value, source: source$.value })) write(plainFragment(doc.peek()), "pushState");
+    if (moved({ panel: panel$.value, making: making$.value, source: source$.value })) write(plainFragment(doc.peek()), "pushState");
   });
   let visits = 0;
   window.addEventListener("popstate", async ({ state }) => {
@@ -107,7 +109,7 @@ function keepInAddress({ doc, edit, go, panel$, source$, unread }: Editing): voi
     const found = await readFragment(written);
     if (!found || visit !== visits) return; // the browser is elsewhere by now
     place = found; // where the browser is already
-    if (sameSource(found.source, doc.peek().source)) go({ panel: found.panel, ...(found.stage && { stage: found.stage }) });
+    if (sameSource(found.source, doc.peek().source)) go({ panel: found.panel, making: found.making, ...(found.stage && { stage: found.stage }) });
     else edit(found);
   });
   effect(() => {

@@ -43,7 +43,7 @@ export function redone(history: History): History {
   return { past: [...history.past, history.present], present: arrived(history.present, target), future, open: null };
 }
 
-/** Stays on the user's panel and stage, unless another structure comes back. */
+/** Stays where the user is, unless another structure comes back. */
 function arrived(from: Doc, to: Doc): Doc {
-  return sameSource(from.source, to.source) ? { ...to, panel: from.panel, stage: from.stage } : to;
+  return sameSource(from.source, to.source) ? { ...to, panel: from.panel, stage: from.stage, making: from.making } : to;
 }

@@ -1,12 +1,13 @@
 // Reads a document that comes from outside (a link): every field is checked, what is not understood is left out.
 import {
-  FARTHEST, MOST_COMMANDS, MOST_COORDINATES, MOST_LEGS, MOST_POINTS, STAGE_IDS, type Pose, type Sketch, type Source, type Vec3,
+  FARTHEST, LONGEST_FILE, MOST_COMMANDS, MOST_COORDINATES, MOST_LEGS, MOST_POINTS, STAGE_IDS, type Pose, type Sketch, type Source, type Vec3,
 } from "../../protocol";
-import { EMPTY, HOME, NODES, TOUR, type Doc, type PanelId, type Range, type Tour } from "./doc";
+import { EMPTY, HOME, NODES, TOUR, type Doc, type Making, type PanelId, type Range, type Tour } from "./doc";
 
 type Loose = Record<string, unknown>;
 
 const PANELS: readonly PanelId[] = ["start", "guided", "manual", "motion", "where", "dimensions", "bench", "draw", "take-away", "project"];
+const MADE: readonly Making[] = ["legs", "limbs"];
 /** Panels that need nothing to be open. */
 const WITHOUT_SOURCE: readonly PanelId[] = ["bench", "draw", "project"];
 
@@ -87,6 +88,8 @@ export function readDoc(x: unknown): Doc {
     commands: listOf(isText)(x.commands) ? x.commands.slice(0, MOST_COMMANDS) : [],
     bench: isText(x.bench) ? x.bench : "",
     tour: readTour(x.tour),
+    making: among(MADE)(x.making) ? x.making : EMPTY.making,
     sketch: readSketch(x.sketch),
+    limbs: isText(x.limbs) && x.limbs.length <= LONGEST_FILE ? x.limbs : null,
   };
 }

@@ -1,5 +1,5 @@
 // All that the page knows, in one object that every panel is given.
-import { signal, type ReadonlySignal } from "@preact/signals";
+import { signal, type ReadonlySignal, type Signal } from "@preact/signals";
 import type { Gallery } from "../../protocol";
 import type { Client } from "../net/client";
 import type { Doc } from "./doc";
@@ -27,6 +27,8 @@ export interface Store extends Editing, Studying {
   /** Asks the server; see protocol.ts. */
   client: Client;
   gallery: ReadonlySignal<Gallery | null>;
+  /** The title of the robot that is being built limb by limb, while that is on show. */
+  built: Signal<string | null>;
   posing: Posing;
   timeline: Timeline;
   moving: Moving;
@@ -62,6 +64,7 @@ export function createStore(client: Client, start: Doc | null): Store {
     ...studying,
     client,
     gallery,
+    built: signal<string | null>(null),
     posing,
     timeline,
     moving: createMoving(editing, posing),

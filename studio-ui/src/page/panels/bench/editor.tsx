@@ -98,7 +98,7 @@ export function Editor({ text$, below, fault, onText, onRun }: Props) {
 }
 
 /** A fault without extent marks the character before it. */
-function marksOf(fault: Fault, length: number) {
+export function marksOf(fault: Fault, length: number) {
   return [fault, ...(fault.more ?? [])].flatMap(({ place, message, hint }) => {
     if (!place) return [];
     const to = Math.min(Math.max(place.end, place.start + 1), length);
