@@ -17,6 +17,7 @@ from typing import Any
 
 from gcrules.apps.studio.protocol import (
     answer_views,
+    bench_words,
     limb_views,
     locus_views,
     motion_views,
@@ -41,6 +42,7 @@ MODULES = (
     locus_views,
     where_views,
     limb_views,
+    bench_words,
 )
 
 START = """\

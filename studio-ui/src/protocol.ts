@@ -440,6 +440,18 @@ export interface BenchArgs {
   pose?: Pose;
 }
 
+/** The text of the bench, to be saved as a script. */
+export interface ScriptArgs {
+  text: string;
+  source?: Source;
+}
+
+/** The text of the bench up to the cursor. */
+export interface CompleteArgs {
+  text: string;
+  source?: Source;
+}
+
 export interface ComposeArgs {
   drawing: Sketch;
 }
@@ -547,10 +559,17 @@ export interface GalleryItem {
   source: Source;
 }
 
+/** A script for the bench. */
+export interface Theorem {
+  title: string;
+  text: string;
+}
+
 export interface Gallery {
   classes: GalleryItem[];
   robots: GalleryItem[];
   examples: GalleryItem[];
+  theorems: Theorem[];
 }
 
 /** A piece of a formula that stays on one line, with the points and entities in it. */
@@ -901,6 +920,8 @@ export interface BenchResult {
   start: number;
   end: number;
   name: string | null;
+  /** The command of the prompt that was asked, if it is one. */
+  command: string | null;
   verdict: "value" | "proved" | "refuted" | "undecided" | "done";
   text: string;
   pieces: Piece[];
@@ -912,6 +933,21 @@ export interface BenchResult {
 export interface Bench {
   results: BenchResult[];
   fault: Fault | null;
+}
+
+export interface Scripted {
+  text: string;
+}
+
+/** What may stand at a place, in the place of the last `length` characters before it. */
+export interface Completed {
+  options: Completion[];
+}
+
+export interface Completion {
+  text: string;
+  length: number;
+  help: string;
 }
 
 export interface Composed {
@@ -1332,6 +1368,15 @@ export interface LimbsAnswer {
   kinds: JointKind[];
 }
 
+/** The commands of the prompt that work on the bench: none of them opens a file. */
+export const BENCH_COMMANDS = ["expand", "straighten", "steps", "factor", "shorten", "transversals", "prove", "latex"] as const;
+
+/** Each with how it is written and what it is. */
+export const BENCH_WORDS = [["rank", "rank N", "the rank, before everything else; 4 if left out"], ["points", "points NAMES", "long names, and the tableau order"], ["ideal", "ideal NAMES", "points at infinity"], ["given", "given collinear(a, b, c), …", "what is assumed: coplanar, concurrent, incident, LHS == RHS too"], ["let", "let NAME = EXPR", "a name for an expression"], ["claim", "claim [\"label\":] LHS == RHS", "an equation to prove, and to save"], ["show", "show EXPR", "an expression to expand, and to save"], ["rule", "rule ID [\"sentence\"]: LHS => RHS [if …]", "a rule to prove and to rewrite by"], ["rewrite", "rewrite EXPR", "an expression rewritten by the rules so far"], [":expand", ":expand [EXPR]", "expand into brackets, as an expression alone does"], [":straighten", ":straighten [EXPR]", "the normal form of standard tableaux"], [":steps", ":steps [EXPR]", "straighten a scalar, every single syzygy shown"], [":factor", ":factor [EXPR]", "one expression of joins and meets that equals a scalar"], [":shorten", ":shorten [EXPR]", "the bracket polynomial of a scalar with the fewest terms"], [":transversals", ":transversals LEGS", "compare the turns about two lines that meet four legs"], [":prove", ":prove LHS == RHS", "decide an equation, as an equation alone does"], [":latex", ":latex [EXPR|on|off]", "LaTeX of an expression, or of all answers"]] as const;
+
+/** How an operation is written, and what it is; from the tightest to the loosest. */
+export const BENCH_OPERATIONS = [["abc", "points side by side: their join"], ["a \\/ bc", "join: ∨ \\vee"], ["ab /\\ cde", "meet: ∧ ^ \\wedge"], ["2 [abcd] * (ab /\\ cd)", "product; a space or nothing between scalars"], ["[abcd]**2", "power"], ["[abcd], [(ab /\\ cde), f, gh]", "bracket: the determinant of points, or of extensors"], ["[[ab, cd, ef, gh, ij, kl]]", "superbracket of six lines"], ["[.a d e f][.b g h i]", "dotted points: the signed sum over all ways to share them out"], ["LHS == RHS", "an equation, proved or refuted"], ["%, %%, …", "the last result, the one before it, …"]] as const;
+
 export interface Methods {
   hello: { args: NoArgs; result: Hello };
   gallery: { args: NoArgs; result: Gallery };
@@ -1354,6 +1399,8 @@ export interface Methods {
   certify: { args: CertifyArgs; result: CertificateAnswer };
   manual: { args: ManualArgs; result: Manual };
   bench: { args: BenchArgs; result: Bench };
+  complete: { args: CompleteArgs; result: Completed };
+  script: { args: ScriptArgs; result: Scripted };
   compose: { args: ComposeArgs; result: Composed };
   resize: { args: ResizeArgs; result: Resized };
   limbs: { args: LimbsArgs; result: LimbsAnswer };

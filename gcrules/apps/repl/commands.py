@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
 from dataclasses import replace
 from math import inf, nan
 from os.path import expanduser
@@ -10,9 +11,12 @@ from os.path import expanduser
 from gcrules.algebra.bracket import BracketPolynomial
 from gcrules.algebra.expand import expand
 from gcrules.algebra.expr import Expr, points_of
-from gcrules.algebra.language.legs_text import Structure
+from gcrules.algebra.factoring.limits import SECONDS as SECONDS_TO_FACTOR
+from gcrules.algebra.language.legs_text import Structure, read_legs
 from gcrules.algebra.language.statements import parse_script
+from gcrules.algebra.language.text import Names
 from gcrules.algebra.names import step_name
+from gcrules.algebra.shortening.limits import SECONDS as SECONDS_TO_SHORTEN
 from gcrules.algebra.straightening.straighten import straighten, straighten_steps
 from gcrules.apps.repl.answers import Answer, bound_text, polynomial_text, value_text
 from gcrules.apps.repl.help import help_text
@@ -20,18 +24,22 @@ from gcrules.apps.repl.reading import Source, is_blank
 from gcrules.apps.repl.session import PromptSession
 from gcrules.apps.repl.state import PromptState
 from gcrules.apps.repl.tables import Command
-from gcrules.conditions.analysis import Analysis
 from gcrules.core.dataclass import dataclass
+from gcrules.core.deferred import deferred
 from gcrules.core.errors import GcrulesError, InputError, Span
 from gcrules.core.files import write_file
 from gcrules.core.hints import near
+from gcrules.core.shown import Shown
 from gcrules.mechanisms.analyze import analyze
-from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
-from gcrules.mechanisms.load import load
+from gcrules.mechanisms.load import Loaded, load
 from gcrules.rules.identity import Identity
 from gcrules.views.formulas.latex import latex
 
 __all__ = ["HANDLERS", "Request"]
+
+factor = deferred("gcrules.algebra.factoring.factorize:factor")
+shorten = deferred("gcrules.algebra.shortening.shorten:shorten")
+transversals = deferred("gcrules.conditions.transversals:transversals")
 
 
 @dataclass(frozen=True, slots=True)
@@ -47,6 +55,14 @@ class Request:
         """Where the argument stands, or the command where there is none."""
         begin = self.source.text.rindex(self.argument or ":")
         return Span(begin, begin + len(self.argument) if self.argument else len(self.source.text.rstrip()))
+
+    @contextmanager
+    def placed(self) -> Iterator[None]:
+        """Faults without a place are those of the argument."""
+        try:
+            yield
+        except InputError as fault:
+            raise (fault if fault.source is not None else self.fault(fault.message, fault.hint)) from None
 
     def fault(self, message: str, hint: str | None = None) -> GcrulesError:
         return InputError(message, hint=hint).located(self.source.text, self.source.filename, self.span)
@@ -89,6 +105,41 @@ def _steps(repl: PromptSession, request: Request) -> Iterator[Answer]:
     yield Answer("\n".join([*(f"{line}{end}" for line in lines), polynomial_text(normal, settings, at)]), "shown")
 
 
+def _factor(repl: PromptSession, request: Request) -> Iterator[Answer]:
+    at, e, seconds = repl.state.context, _asked(repl, request), min(SECONDS_TO_FACTOR, repl.settings.seconds)
+    with request.placed():
+        found = factor(e, points=at.points, ideal=at.ideal, rank=at.rank, seconds=seconds)
+    if found.exists:
+        repl.remember(found.whole())
+    yield _whole(repl, found, "shown" if found.proved or not found.exists else "undecided")
+
+
+def _shorten(repl: PromptSession, request: Request) -> Iterator[Answer]:
+    at, e, seconds = repl.state.context, _asked(repl, request), min(SECONDS_TO_SHORTEN, repl.settings.seconds)
+    with request.placed():
+        found = shorten(e, points=at.points, ideal=at.ideal, rank=at.rank, seconds=seconds)
+    repl.remember(found.polynomial.to_expr())
+    yield _whole(repl, found, "shown")
+
+
+def _transversals(repl: PromptSession, request: Request) -> Iterator[Answer]:
+    if is_blank(request.argument):
+        raise request.fault("no legs", "six legs, each its two joints:  :transversals Aa Ab Bc Cd De Ef")
+    structure = _legs(repl, request, read_legs)
+    assert isinstance(structure, Structure)
+    found = transversals(structure)
+    if found.exists:
+        repl.remember(found.condition.expression)
+    yield _whole(repl, found, "shown" if found.definite or found.exists else "undecided")
+
+
+def _whole(repl: PromptSession, found: Shown, verdict: str) -> Answer:
+    """A result with all that it says; options of the command line are none here."""
+    settings = repl.settings
+    text = found.latex() if settings.latex else found.text(unicode=settings.unicode)
+    return Answer(text.rstrip("\n").replace(" (shown with --all)", ""), verdict, wraps=False)
+
+
 def _prove(repl: PromptSession, request: Request) -> Iterator[Answer]:
     if is_blank(request.argument):
         raise request.fault("no equation to prove", request.command.usage)
@@ -101,34 +152,35 @@ def _analyze(repl: PromptSession, request: Request) -> Iterator[Answer]:
         raise request.fault(f"platforms with six legs are in rank 4, and this is rank {at.rank}", ":reset begins anew")
     if is_blank(request.argument):
         raise request.fault("no legs", "six legs, each its two joints:  :analyze ab af cb cd ed ef")
-    found = _analysis(repl, request)
+    found = analyze(_legs(repl, request, _loaded))
     if found.condition is not None:
         repl.remember(found.condition.expression)
-    settings = repl.settings
-    text = found.latex() if settings.latex else found.text(unicode=settings.unicode)
-    yield Answer(text.rstrip("\n"), "shown", wraps=False)
+    yield _whole(repl, found, "shown")
 
 
-def _analysis(repl: PromptSession, request: Request) -> Analysis | RobotAnalysis:
-    """The analysis of legs, whose points may be declared here, or of anything else that `load` reads."""
+def _loaded(word: str, points: Names) -> Loaded:
+    return load(expanduser(word), points=points)
+
+
+def _legs(repl: PromptSession, request: Request, reading: Callable[..., Loaded]) -> Loaded:
+    """Legs, whose points may be declared here, or what else is read."""
     at = repl.state.context
     word = request.argument.partition("#")[0].strip()
     text = request.source.text
     place = request.span
     try:
-        legs = load(expanduser(word), points=(*at.points, *at.ideal))
+        legs = reading(word, points=(*at.points, *at.ideal))
         if not isinstance(legs, Structure):
-            return analyze(legs)
+            return legs
         known = {*legs.names, *at.points}
         given = tuple(a for a in at.given if known.issuperset(points_of(*a.args)))
-        structure = replace(legs, points=at.points, ideal=tuple(n for n in at.ideal if n in legs.names), given=given)
+        return replace(legs, points=at.points, ideal=tuple(n for n in at.ideal if n in legs.names), given=given)
     except GcrulesError as fault:
         if fault.source == word and fault.span is not None:
             fault.source = text
             fault.span = Span(fault.span.start + place.start, fault.span.end + place.start)
             fault.filename = request.source.filename
         raise fault.located(text, request.source.filename, place) from None
-    return analyze(structure)
 
 
 # --- how answers are shown -----------------------------------------------------------------------------------------
@@ -282,6 +334,9 @@ HANDLERS: Mapping[str, Callable[[PromptSession, Request], Iterator[Answer]]] = {
     "expand": _expand,
     "straighten": _straighten,
     "steps": _steps,
+    "factor": _factor,
+    "shorten": _shorten,
+    "transversals": _transversals,
     "prove": _prove,
     "latex": _latex,
     "unicode": _unicode,

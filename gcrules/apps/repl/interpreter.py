@@ -89,7 +89,7 @@ class Interpreter:
             return
         called = split_command(text)
         if called is not None:
-            yield from self._command(piece, filename, *called)
+            yield from self.command(piece, filename, *called)
             return
         bare = bare_command(text)
         if bare and not self._declared(text):
@@ -117,7 +117,8 @@ class Interpreter:
         at = self.state.context
         return text.strip() in (*at.points, *at.ideal, *at.bound)
 
-    def _command(self, piece: InputPiece, filename: str, name: str, at: int) -> Answers:
+    def command(self, piece: InputPiece, filename: str, name: str, at: int) -> Answers:
+        """The answers to a command, of which the argument begins at a place. Raises GcrulesError."""
         source = Source.of(piece.text, filename, piece.line, skip=at)
         try:
             called = command("help" if name == "?" else name)

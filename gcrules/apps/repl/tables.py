@@ -14,6 +14,7 @@ __all__ = [
     "COMMANDS",
     "KEYS",
     "OPERATIONS",
+    "QUESTIONS",
     "RELATIONS",
     "RULE_WORDS",
     "STATEMENTS",
@@ -53,6 +54,9 @@ class Command:
 
 _SWITCH = ("on", "off")
 
+QUESTIONS = ("expand", "straighten", "steps", "factor", "shorten", "transversals", "prove", "analyze", "latex")
+"""The commands that ask something of algebra; the others are about the session."""
+
 COMMANDS: Mapping[str, Command] = {
     c.name: c
     for c in (
@@ -61,6 +65,9 @@ COMMANDS: Mapping[str, Command] = {
         Command("expand", ":expand [EXPR]", "expand into brackets, as an expression alone does", "expression"),
         Command("straighten", ":straighten [EXPR]", "the normal form of standard tableaux", "expression"),
         Command("steps", ":steps [EXPR]", "straighten a scalar, every single syzygy shown", "expression"),
+        Command("factor", ":factor [EXPR]", "one expression of joins and meets that equals a scalar", "expression"),
+        Command("shorten", ":shorten [EXPR]", "the bracket polynomial of a scalar with the fewest terms", "expression"),
+        Command("transversals", ":transversals LEGS", "compare the turns about two lines that meet four legs", "legs"),
         Command("prove", ":prove LHS == RHS", "decide an equation, as an equation alone does", "equation"),
         Command("latex", ":latex [EXPR|on|off]", "LaTeX of an expression, or of all answers", "latex", _SWITCH),
         Command("unicode", ":unicode [on|off]", "Unicode mathematics in answers and while typing", "switch", _SWITCH),

@@ -6,6 +6,7 @@ from collections.abc import Callable, Mapping
 from typing import Any
 
 from gcrules.apps.studio.bench import bench
+from gcrules.apps.studio.bench_text import completed, scripted
 from gcrules.apps.studio.boxes_view import boxes_view
 from gcrules.apps.studio.certificate_view import certificate_view
 from gcrules.apps.studio.composing import composed
@@ -74,6 +75,8 @@ ANSWERS: Mapping[str, Callable[[Any, Args], Any]] = {
     ),
     "manual": lambda subject, args: replayed(subject, args["commands"]),
     "bench": lambda subject, args: bench(args["text"], subject, args.get("pose")),
+    "complete": lambda subject, args: completed(args["text"], subject),
+    "script": lambda subject, args: scripted(args["text"], subject),
     "compose": lambda subject, args: composed(args["drawing"]),
     "limbs": lambda subject, args: limbs_answer(args.get("text"), args.get("start"), args.get("edit")),
     "repeat": lambda subject, args: repeated(subject, args["what"], args["args"]),

@@ -20,11 +20,12 @@ from gcrules.apps.repl.interpreter import Interpreter
 from gcrules.apps.repl.reading import InputPiece as Input
 from gcrules.apps.repl.reading import Source, first_word, pieces, split_command
 from gcrules.apps.repl.state import PromptState, Settings
-from gcrules.apps.repl.tables import STATEMENTS
+from gcrules.apps.repl.tables import STATEMENTS, meant
 from gcrules.apps.studio.faults import fault_view, units
 from gcrules.apps.studio.formulas import pieces as in_pieces
 from gcrules.apps.studio.places import homogeneous_at
 from gcrules.apps.studio.protocol.answer_views import Bench, BenchResult, DrawnPlane
+from gcrules.apps.studio.protocol.bench_words import BENCH_COMMANDS
 from gcrules.apps.studio.protocol.requests import HOME, PoseJson
 from gcrules.apps.studio.protocol.study_views import Piece
 from gcrules.apps.studio.subject import Subject
@@ -32,7 +33,7 @@ from gcrules.core.errors import GcrulesError, InputError, Span
 from gcrules.poses.numbers.extensors import coordinates, line_vectors, plane_equation
 from gcrules.views.scene_data import Constructed, NamedLineView, NamedPointView
 
-__all__ = ["bench"]
+__all__ = ["bench", "context_of"]
 
 _MOST_PIECES = 2_000
 _MOST_TERMS = 20_000
@@ -50,7 +51,7 @@ def bench(text: str, subject: Subject | None, pose: PoseJson | None) -> Bench:
     """The results of all inputs of a text up to the first fault. Extensors of points of the subject are drawn at the
     pose.
     """
-    interpreter = Interpreter(PromptState(_context(subject)), Settings(limit=_MOST_TERMS))
+    interpreter = Interpreter(PromptState(context_of(subject)), Settings(limit=_MOST_TERMS))
     at = _places(subject, pose or HOME)
     results: list[BenchResult] = []
     lines = text.split("\n")
@@ -78,7 +79,7 @@ def _places(subject: Subject | None, pose: PoseJson) -> Mapping[str, Any]:
         return {}
 
 
-def _context(subject: Subject | None) -> Context:
+def context_of(subject: Subject | None) -> Context:
     """The points of the subject that have to be declared: long names, and points at infinity."""
     s = subject.structure if subject else None
     if s is None:
@@ -87,11 +88,11 @@ def _context(subject: Subject | None) -> Context:
 
 
 def _results(interpreter: Interpreter, given: Input, place: Span, at: Mapping[str, Any]) -> Iterator[BenchResult]:
+    called = split_command(given.text)
+    if called is not None:
+        yield from _asked(interpreter, given, place, *called)
+        return
     source = Source.of(given.text, "<bench>", given.line)
-    if split_command(given.text) is not None:
-        span = Span(given.line - 1, given.line - 1 + len(given.text))
-        hint = "write statements (let, points, claim, show …), expressions and equations"
-        raise InputError("commands of the prompt do not work here", span=span, source=source.text, hint=hint)
     if first_word(given.text) in STATEMENTS:
         known = set(interpreter.state.context.bound)
         answers = [a for a in interpreter.run(source) if " = " not in a.text or a.verdict != "done"]
@@ -105,6 +106,23 @@ def _results(interpreter: Interpreter, given: Input, place: Span, at: Mapping[st
         yield from (_said(place, a) for a in interpreter.equation(source))
     else:
         yield from _expression(interpreter, source, place, at)
+
+
+def _asked(interpreter: Interpreter, given: Input, place: Span, name: str, at: int) -> Iterator[BenchResult]:
+    """What a command of the prompt answers, if it asks something of algebra; files and a session are none here."""
+    if not set(meant(name)) <= {*BENCH_COMMANDS}:
+        span = Span(given.line - 1, given.line - 1 + len(given.text))
+        known = ", ".join(f":{n}" for n in BENCH_COMMANDS)
+        hint = f"write {known}; or statements (let, points, claim, show …), expressions and equations"
+        source = Source.of(given.text, "<bench>", given.line)
+        raise InputError("this command of the prompt does not work here", span=span, source=source.text, hint=hint)
+    before = interpreter.state.results
+    for answer in interpreter.command(given, "<bench>", name, at):
+        after = interpreter.state.results
+        shown = in_pieces(after[0])[:_MOST_PIECES] if after is not before else []
+        verdict = _VERDICTS.get(answer.verdict, "done")
+        asked = next(iter(meant(name)), name)
+        yield _result(place, answer.text, verdict, shown=shown, command=asked)
 
 
 def _said(place: Span, answer: Answer) -> BenchResult:
@@ -134,11 +152,13 @@ def _result(
     shown: list[Piece] | None = None,
     step: int | None = None,
     drawn: Constructed | DrawnPlane | None = None,
+    command: str | None = None,
 ) -> BenchResult:
     return {
         "start": place.start,
         "end": place.end,
         "name": name,
+        "command": command,
         "verdict": verdict,
         "text": text,
         "pieces": shown or [],

@@ -8,13 +8,14 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 from functools import cache
+from pathlib import Path
 
 from gcrules.algebra.language.legs_text import legs_text
 from gcrules.algebra.structure import Structure
 from gcrules.apps.studio.drawings import sketch
-from gcrules.apps.studio.protocol.study_views import Gallery, GalleryItem
+from gcrules.apps.studio.protocol.study_views import Gallery, GalleryItem, Theorem
 from gcrules.core.errors import GcrulesError
-from gcrules.mechanisms.description.discovery import RobotFile, examples, robots
+from gcrules.mechanisms.description.discovery import RobotFile, examples, robots, theorems
 from gcrules.mechanisms.load import read_example, read_robot
 from gcrules.mechanisms.robot import Robot
 from gcrules.rules.catalog.entries import Entry
@@ -89,7 +90,13 @@ def gallery() -> Gallery:
         "classes": [_of_class(e) for e in load_catalog(plugins=packs(bringing="catalogs")).entries],
         "robots": [item for one in robots() if (item := _of_robot(one))],
         "examples": [_of_example(name) for name in examples()],
+        "theorems": [_of_theorem(path) for path in theorems().values()],
     }
+
+
+def _of_theorem(path: Path) -> Theorem:
+    text = path.read_text(encoding="utf-8")
+    return {"title": text.partition("\n")[0].removeprefix("# "), "text": text}
 
 
 def _of_class(e: Entry) -> GalleryItem:

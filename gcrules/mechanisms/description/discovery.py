@@ -11,7 +11,7 @@ from gcrules.core.errors import FileError, InputError
 from gcrules.core.hints import near
 from gcrules.rules.plugin import ROBOT_FILE, Plugin, installed, plugins_in, shipped, shipped_folder
 
-__all__ = ["RobotFile", "examples", "find_robot", "robots"]
+__all__ = ["RobotFile", "examples", "find_robot", "robots", "theorems"]
 
 Folders = Iterable[str | PathLike[str]]
 
@@ -57,9 +57,18 @@ def find_robot(name: str | PathLike[str], folders: Folders = ()) -> RobotFile:
 
 def examples() -> dict[str, Path]:
     """The platform files that come with gcrules, by name without ending."""
+    return _shipped_files("*.yaml")
+
+
+def theorems() -> dict[str, Path]:
+    """The scripts of theorems that come with gcrules, by name without ending."""
+    return _shipped_files("theorems/*.gca")
+
+
+def _shipped_files(pattern: str) -> dict[str, Path]:
     shipped = shipped_folder()
     folder = shipped.parent / ("_examples" if shipped.name == "_plugins" else "examples") if shipped else None
-    found = sorted(folder.glob("*.yaml")) if folder and folder.is_dir() else []
+    found = sorted(folder.glob(pattern)) if folder and folder.is_dir() else []
     return {path.stem: path for path in found}
 
 

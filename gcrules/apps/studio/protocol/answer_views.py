@@ -24,6 +24,8 @@ __all__ = [
     "Bench",
     "BenchResult",
     "Cancelled",
+    "Completed",
+    "CompletionView",
     "Composed",
     "DrawnPlane",
     "ExactPoint",
@@ -41,6 +43,7 @@ __all__ = [
     "RepeatedFile",
     "Resized",
     "Saved",
+    "Scripted",
     "Shown",
     "SignView",
     "SingularPoseView",
@@ -207,6 +210,8 @@ class BenchResult(TypedDict):
     """Offsets of the statement in the text."""
     end: int
     name: str | None
+    command: str | None
+    """The command of the prompt that was asked, if it is one."""
     verdict: Literal["value", "proved", "refuted", "undecided", "done"]
     text: str
     pieces: list[Piece]
@@ -218,6 +223,22 @@ class BenchResult(TypedDict):
 class Bench(TypedDict):
     results: list[BenchResult]
     fault: FaultView | None
+
+
+class Scripted(TypedDict):
+    text: str
+
+
+class Completed(TypedDict):
+    """What may stand at a place, in the place of the last `length` characters before it."""
+
+    options: list[CompletionView]
+
+
+class CompletionView(TypedDict):
+    text: str
+    length: int
+    help: str
 
 
 class Composed(TypedDict):

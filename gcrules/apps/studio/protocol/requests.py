@@ -26,6 +26,7 @@ __all__ = [
     "CancelArgs",
     "CertifyArgs",
     "ClassSource",
+    "CompleteArgs",
     "ComposeArgs",
     "ExampleSource",
     "FileSource",
@@ -50,6 +51,7 @@ __all__ = [
     "ResizeArgs",
     "RobotSource",
     "SaveArgs",
+    "ScriptArgs",
     "SheetEdit",
     "ShowArgs",
     "Sketch",
@@ -297,6 +299,20 @@ class BenchArgs(TypedDict):
     text: Annotated[str, text(20_000, empty=True)]
     source: NotRequired[SourceJson]
     pose: NotRequired[PoseJson]
+
+
+class ScriptArgs(TypedDict):
+    """The text of the bench, to be saved as a script."""
+
+    text: Annotated[str, text(20_000)]
+    source: NotRequired[SourceJson]
+
+
+class CompleteArgs(TypedDict):
+    """The text of the bench up to the cursor."""
+
+    text: Annotated[str, text(20_000, empty=True)]
+    source: NotRequired[SourceJson]
 
 
 class ComposeArgs(TypedDict):

@@ -44,6 +44,7 @@ __all__ = [
     "StepsItem",
     "Study",
     "TextItem",
+    "Theorem",
 ]
 
 
@@ -93,10 +94,18 @@ class GalleryItem(TypedDict):
     source: SourceJson
 
 
+class Theorem(TypedDict):
+    """A script for the bench."""
+
+    title: str
+    text: str
+
+
 class Gallery(TypedDict):
     classes: list[GalleryItem]
     robots: list[GalleryItem]
     examples: list[GalleryItem]
+    theorems: list[Theorem]
 
 
 class Piece(TypedDict):

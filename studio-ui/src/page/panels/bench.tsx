@@ -1,6 +1,7 @@
 // The expression bench: the language of gcrules, answered as it is written; points, lines and planes stand in 3D.
-import { useEffect, useMemo, useState } from "preact/hooks";
-import type { BenchResult, Fault } from "../../protocol";
+import type { EditorView } from "@codemirror/view";
+import { useEffect, useMemo, useRef, useState } from "preact/hooks";
+import { BENCH_OPERATIONS, type BenchResult, type Fault, type Study } from "../../protocol";
 import { StoreProvider } from "../parts/context";
 import { FaultBox } from "../parts/fault-box";
 import { Icon } from "../parts/icon";
@@ -9,6 +10,9 @@ import { Answers, labelOf } from "./bench/answers";
 import { Editor, type Below } from "./bench/editor";
 import { createEvaluation } from "./bench/evaluation";
 import { examplesFor } from "./bench/examples";
+import { helping } from "./bench/helping";
+import { Operations } from "./bench/operations";
+import { ScriptFiles } from "./bench/script-files";
 import type { PanelProps } from "./index";
 import "./bench/bench.css";
 
@@ -58,7 +62,13 @@ export function Bench({ store }: PanelProps) {
     if (next !== store.bench$.peek()) store.edit({ bench: next }, "bench");
   }
 
-  const examples = examplesFor(study);
+  const [words, say] = useState("");
+  useEffect(() => say(""), [text]);
+  const editor = useRef<EditorView | null>(null);
+  const help = useMemo(() => helping(store), [store]);
+  const theorems = store.gallery.value?.theorems ?? [];
+  const examples = [...examplesFor(study), ...theorems];
+  const own = examples.length - theorems.length;
   const drawn = results.filter(({ drawn: shown }) => shown).length;
   return (
     <div class="bench">
@@ -80,14 +90,24 @@ export function Bench({ store }: PanelProps) {
               }}
             >
               <option value="">Examples …</option>
-              {examples.map(({ title }, i) => (
+              {examples.slice(0, own).map(({ title }, i) => (
                 <option key={title} value={i}>
                   {title}
                 </option>
               ))}
+              {theorems.length > 0 && (
+                <optgroup label="Theorems">
+                  {theorems.map(({ title }, i) => (
+                    <option key={title} value={own + i}>
+                      {title}
+                    </option>
+                  ))}
+                </optgroup>
+              )}
             </select>
           </label>
           <Help />
+          <ScriptFiles store={store} say={say} />
           <span class="space" />
           {evaluation.busy.value && (
             <span class="busy" role="status">
@@ -102,16 +122,31 @@ export function Bench({ store }: PanelProps) {
           </button>
         </div>
       </header>
-      <Editor text$={store.bench$} below={below} fault={fault} onText={write} onRun={evaluation.run} />
+      <Operations view={() => editor.current} results={results} legs={legsOf(study)} say={say} />
+      <Editor
+        text$={store.bench$}
+        below={below}
+        fault={fault}
+        help={help}
+        onText={write}
+        onRun={evaluation.run}
+        hold={(view) => void (editor.current = view)}
+      />
       {fault && !fault.place && <FaultBox fault={fault} />}
       <p class="note" role="status" data-testid="bench-note">
-        {noteOf(results, drawn, study !== null, fault !== null)}
+        {words || noteOf(results, drawn, study !== null, fault !== null)}
       </p>
     </div>
   );
 }
 
 const NONE: readonly BenchResult[] = [];
+
+/** The legs of the robot that is open, as the language takes them; "" where some point has a long name. */
+function legsOf(study: Study | null): string {
+  const legs = study?.legs ?? [];
+  return legs.length === 6 && legs.flat().every((name) => /^[A-Za-z]\d*'*$/.test(name)) ? legs.map((leg) => leg.join("")).join(" ") : "";
+}
 
 function noteOf(results: readonly BenchResult[], drawn: number, open: boolean, wrong: boolean): string {
   if (results.length === 0 && !wrong) {
@@ -160,7 +195,7 @@ function Help() {
     <details class="bench-help">
       <summary data-testid="bench-help">Language</summary>
       <dl>
-        {HELP.map(([sign, words]) => (
+        {BENCH_OPERATIONS.map(([sign, words]) => (
           <>
             <dt>
               <code>{sign}</code>
@@ -172,16 +207,3 @@ function Help() {
     </details>
   );
 }
-
-const HELP: readonly [string, string][] = [
-  ["abc", "join: the plane through a, b, c"],
-  ["ab /\\ cde", "meet: the point of the line on the plane"],
-  ["p \\/ q", "join of expressions"],
-  ["[abcd]", "bracket: the determinant"],
-  ["[[ab, cd, …]]", "superbracket of six lines"],
-  ["let p = …", "a name for an expression"],
-  ["x == y", "proved, or refuted by exact points"],
-  ["points left right", "long names"],
-  ["rank 3", "the plane; 4 is space"],
-  ["# …", "a comment"],
-];

@@ -41,7 +41,7 @@ interface AnswerProps {
 
 function Answer({ result, rank, shown, onToggle }: AnswerProps) {
   const [all, showAll] = useState(false);
-  const { name, pieces, verdict, text, step, drawn } = result;
+  const { name, command, pieces, verdict, text, step, drawn } = result;
   const said = VERDICTS[verdict];
   const kind = step === null || rank !== 4 ? undefined : STEPS[step];
   return (
@@ -56,6 +56,7 @@ function Answer({ result, rank, shown, onToggle }: AnswerProps) {
       ) : (
         (verdict !== "proved" || !said) && <pre class="said">{said ? reasonsOf(text) : text}</pre>
       )}
+      {command && pieces.length > 0 && reasonsOf(text) !== text && <pre class="said">{reasonsOf(text)}</pre>}
       {pieces.length > MOST && (
         <button type="button" class="quiet" onClick={() => showAll(!all)}>
           {all ? "Less" : `All ${pieces.length} terms`}

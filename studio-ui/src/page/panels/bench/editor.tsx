@@ -22,8 +22,12 @@ interface Props {
   text$: ReadonlySignal<string>;
   below: readonly Below[];
   fault: Fault | null;
+  /** Completion, and help on words. */
+  help: Extension[];
   onText(text: string): void;
   onRun(): void;
+  /** The editor while it is there. */
+  hold(view: EditorView | null): void;
 }
 
 class BelowWidget extends WidgetType {
@@ -60,11 +64,11 @@ const belowField = StateField.define<DecorationSet>({
   provide: (field) => EditorView.decorations.from(field),
 });
 
-export function Editor({ text$, below, fault, onText, onRun }: Props) {
+export function Editor({ text$, below, fault, help, onText, onRun, hold }: Props) {
   const box = useRef<HTMLDivElement>(null);
   const view = useRef<EditorView | null>(null);
-  const calls = useRef({ onText, onRun });
-  calls.current = { onText, onRun };
+  const calls = useRef({ onText, onRun, hold });
+  calls.current = { onText, onRun, hold };
 
   useEffect(() => {
     if (!box.current) return undefined;
@@ -72,9 +76,10 @@ export function Editor({ text$, below, fault, onText, onRun }: Props) {
       if (update.docChanged) calls.current.onText(update.state.doc.toString());
     });
     const runs = keymap.of([{ key: "Mod-Enter", run: () => (calls.current.onRun(), true) }]);
-    const state = EditorState.create({ doc: text$.peek(), extensions: [runs, ...EXTENSIONS, listens] });
+    const state = EditorState.create({ doc: text$.peek(), extensions: [runs, ...help, ...EXTENSIONS, listens] });
     const made = new EditorView({ state, parent: box.current });
     view.current = made;
+    calls.current.hold(made);
     const follow = effect(() => {
       const text = text$.value;
       const { doc } = made.state;
@@ -83,9 +88,10 @@ export function Editor({ text$, below, fault, onText, onRun }: Props) {
     return () => {
       follow();
       view.current = null;
+      calls.current.hold(null);
       made.destroy();
     };
-  }, [text$]);
+  }, [text$, help]);
 
   useEffect(() => view.current?.dispatch({ effects: setBelow.of(below) }), [below]);
 

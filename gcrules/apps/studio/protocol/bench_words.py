@@ -1,0 +1,19 @@
+"""Words of the language and what they mean, for the bench: those that the prompt helps with."""
+
+from __future__ import annotations
+
+from gcrules.apps.repl.tables import COMMANDS, OPERATIONS, QUESTIONS, STATEMENTS
+
+__all__ = ["BENCH_COMMANDS", "BENCH_OPERATIONS", "BENCH_WORDS"]
+
+BENCH_COMMANDS = tuple(name for name in QUESTIONS if name != "analyze")
+"""The commands of the prompt that work on the bench: none of them opens a file."""
+
+BENCH_WORDS = (
+    *((word, usage, line) for word, (usage, line) in STATEMENTS.items()),
+    *((f":{name}", COMMANDS[name].usage, COMMANDS[name].help) for name in BENCH_COMMANDS),
+)
+"""Each with how it is written and what it is."""
+
+BENCH_OPERATIONS = OPERATIONS
+"""How an operation is written, and what it is; from the tightest to the loosest."""
