@@ -188,7 +188,7 @@ def analyze(
             structure, typed, shortest, match, condition, (), derivation, strategy, degeneracy=why, notes=_seed_note()
         )
     found = read(structure, matches, catalog, strategy, chosen=chosen, recheck=recheck, search=search)
-    conditions = (*found.conditions, linear_complex(structure, catalog))
+    conditions = (*found.conditions, linear_complex(structure, catalog, alone=not found.conditions))
     derivation = _derivation(found, structure, conditions[0], chosen)
     sign = 1 if structure.rank != 4 else structure.sign
     shown = SuperbracketForm(found.form.form, found.form.order, found.form.polynomial * sign)

@@ -283,9 +283,13 @@ def _alike(a: Condition, b: Condition, oracle: RandomWitness) -> bool:
     )
 
 
-def linear_complex(structure: Structure, catalog: Catalog) -> Condition:
-    """The reading that always holds: the superbracket itself."""
+def linear_complex(structure: Structure, catalog: Catalog, *, alone: bool = False) -> Condition:
+    """The reading that always holds: the superbracket itself. Where it stands `alone`, it says what follows for one leg
+    against the screw that is reciprocal to the other five (half their mutual moment is Ball's virtual coefficient).
+    """
     meaning, source = say(catalog.statements["linear-complex"]), catalog.statement_sources.get("linear-complex", "")
+    if alone and structure.rank == 4 and not structure.ideal and not source:
+        meaning = say("{} {}", meaning, _of_one_leg(structure))
     if structure.rank != 4:
         number = {3: "three"}.get(len(structure.legs), str(len(structure.legs)))
         meaning, source = say("The robot is singular exactly when its {} lines are linearly dependent.", number), ""
@@ -295,4 +299,20 @@ def linear_complex(structure: Structure, catalog: Catalog) -> Condition:
         meaning=meaning,
         statement_source=source,
         certificate=Certificate("normal-form", "holds by definition of the superbracket"),
+    )
+
+
+def _of_one_leg(structure: Structure) -> Statement:
+    """The last leg, and the screws of the platform without it: the mutual moment of a screw of pitch h and a line is
+    proportional to h cos w − r sin w.
+    """
+    *_, last = structure.lines
+    return say(
+        "Without {} the platform can make the instantaneous screw motions that are reciprocal to the other five legs, "
+        "as a rule one only; the robot is singular exactly when one of them is reciprocal to {} too: when "
+        "h cos w = r sin w, where h is its pitch, r the distance from its axis to {} and w the angle between them, "
+        "right-handed about their common perpendicular (a translation: when w is a right angle).",
+        last,
+        last,
+        last,
     )

@@ -2,9 +2,10 @@ r"""Lists in sentences, and the verbs that agree with them."""
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 
-__all__ = ["agreeing", "as_sentence", "lettered", "listed", "of_kind", "together"]
+__all__ = ["agreeing", "as_sentence", "in_parts", "lettered", "listed", "of_kind", "together"]
 
 
 def listed(names: Sequence[str]) -> str:
@@ -25,6 +26,19 @@ def agreeing(names: Sequence[str], one: str, several: str) -> str:
 def as_sentence(words: str) -> str:
     """ "Proved, all of it." of "proved, all of it"; nothing of nothing."""
     return f"{words[:1].upper()}{words[1:]}." if words else ""
+
+
+def in_parts(words: str) -> tuple[str, ...]:
+    """A statement as it stands, or sentence by sentence where it is long.
+
+    >>> in_parts("One. Two."), [len(part) for part in in_parts(f"{'So it is, ' * 30}yes. And so on.")]
+    (('One. Two.',), [304, 10])
+    """
+    return tuple(_NEXT_SENTENCE.split(words)) if len(words) > _LONG else (words,)
+
+
+_LONG = 280  # characters that are read in one go
+_NEXT_SENTENCE = re.compile(r"(?<=[a-z0-9)]\.) (?=[A-Z])")
 
 
 def lettered(n: int) -> str:

@@ -10,6 +10,7 @@ from collections.abc import Sequence
 from itertools import combinations, permutations
 from typing import Any
 
+import numpy as np
 import pytest
 from platform_classes import CLASSES
 
@@ -436,6 +437,42 @@ def test_one_linear_complex(class_id: str, seed: int) -> None:
         placed[joint] = solution(rows, points[joint])
     assert superbracket_at(a, placed) == 0
     assert superbracket_at(a, points) != 0
+
+
+@SEEDS
+def test_the_last_leg_against_the_screw_of_the_other_five(seed: int) -> None:
+    """The superbracket is (h cos w - r sin w) times the length of the last leg and what the other five make of it; the
+    screw is found as a null vector, and pitch, distance and angle by elementary geometry.
+    """
+    a = analyze_legs(LEGS["6-6"])
+    assert "h cos w = r sin w" in a.condition.sentence
+    (*five, (g, h)) = a.structure.legs
+    rng = np.random.default_rng(seed)
+    places = {n: rng.normal(size=3) for n in a.structure.names}
+
+    def line(p: Any, q: Any) -> Any:
+        return np.concatenate([q - p, np.cross(p, q - p)])
+
+    lines = np.array([line(places[p], places[q]) for p, q in five])
+    _, _, rows = np.linalg.svd(np.hstack([lines[:, 3:], lines[:, :3]]))
+    turn, shift = rows[-1][:3], rows[-1][3:]  # no leg does work on this motion of the platform
+    assert np.abs(lines[:, :3] @ shift + lines[:, 3:] @ turn).max() < 1e-12
+    axis, pitch = turn / np.linalg.norm(turn), turn @ shift / (turn @ turn)
+    foot = np.cross(turn, shift) / (turn @ turn)
+    ratios = []
+    for _ in range(5):
+        p, q = rng.normal(size=(2, 3))
+        along = (q - p) / np.linalg.norm(q - p)
+        common = np.cross(axis, along)
+        common /= np.linalg.norm(common)
+        distance = (p - foot) @ common
+        if distance < 0:  # from the axis to the leg
+            common, distance = -common, -distance
+        angle = np.arctan2(np.cross(axis, along) @ common, axis @ along)
+        value = np.linalg.det(np.vstack([lines, line(p, q)]))
+        moment = pitch * np.cos(angle) - distance * np.sin(angle)
+        ratios.append(value / (np.linalg.norm(q - p) * moment))
+    assert np.allclose(ratios, ratios[0], rtol=1e-9)
 
 
 def solution(rows: list[list[int]], start: tuple[int, ...]) -> tuple[int, ...]:

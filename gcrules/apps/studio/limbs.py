@@ -15,6 +15,7 @@ from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.mechanisms.lines.equivalent import FRAME
 from gcrules.views.drawing.drawing import Drawing
 from gcrules.views.formulas.latex import latex
+from gcrules.views.results.at_infinity import at_infinity
 from gcrules.views.results.robot import factor_kind, leading_sentences
 from gcrules.views.robots.limb_views import Values, limb_views
 from gcrules.views.robots.robot_drawing import draw_robot
@@ -88,7 +89,9 @@ def _equivalent(robot: RobotAnalysis) -> Iterator[Item]:
         role = "constraint " if line.role == "constraint" else ""
         yield fact(leg_text(line.ends), f"{role}{'couple' if line.couple else 'force'} of {_of(line.limb)}")
     if s.ideal:
-        yield fact("at infinity", ", ".join(s.ideal))
+        yield fact(
+            "at infinity", at_infinity(s.ideal, robot.condition, robot.lines.structure.names if robot.lines else ())
+        )
     for name, what in s.named:
         yield fact(name, what)
     if s.incidences:

@@ -20,7 +20,7 @@ from gcrules.views.paper.subject import Subject
 from gcrules.views.report.dimension_items import dimension_lines
 from gcrules.views.report.stage_ids import TITLES
 from gcrules.views.results.derivation import reasons
-from gcrules.views.results.robot import CONDITION, FACTORS, LIMBS, LINES, factor_words, leading_sentences, sections
+from gcrules.views.results.robot import CONDITION, FACTORS, LIMBS, LINES, factor_words, in_every_pose, sections
 
 __all__ = ["appendix", "keys", "section", "slug"]
 
@@ -154,7 +154,7 @@ def _result(s: Subject) -> Iterator[str]:
     lines = [n for n, _ in s.condition.lines] if s.condition else ()
     said = latex_words(s.whose) + sentence(s.meaning, lines, s.names)
     if s.condition is None or s.lines is None:
-        before = leading_sentences(s.robot)[:-1] if s.robot else ()
+        before = in_every_pose(s.robot) if s.robot else ()
         yield from map(latex_words, before)
         yield said
         return

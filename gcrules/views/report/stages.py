@@ -12,13 +12,14 @@ from gcrules.algebra.scalars import bracket
 from gcrules.conditions.analysis import Analysis
 from gcrules.conditions.pose_value import PoseValue
 from gcrules.core.dataclass import dataclass
-from gcrules.core.english import listed
+from gcrules.core.english import in_parts, listed
 from gcrules.core.floats import decimal
 from gcrules.rules.condition import Condition, Entity
 from gcrules.screws.verdict import CLOSE
 from gcrules.views.report.dimension_items import DIMENSIONS, dimension_items
 from gcrules.views.report.items import Formula, Item, KeyValue
 from gcrules.views.report.stage_ids import TITLES
+from gcrules.views.results.at_infinity import at_infinity
 
 __all__ = [
     "Recognised",
@@ -68,9 +69,11 @@ def stages(a: Analysis) -> list[Stage]:
 
 
 def leading_sentences(a: Analysis) -> tuple[str, ...]:
-    """What stands first: that the robot is singular in every pose, if it is or nearly so, then the condition."""
+    """What stands first: that the robot is singular in every pose, if it is or nearly so, then the condition, in parts
+    where it is long.
+    """
     always = a.dimensions.architecture.sentence if a.dimensions else ""
-    return (*filter(None, [always]), a.condition.sentence)
+    return (*filter(None, [always]), *in_parts(a.condition.sentence))
 
 
 def _stages(a: Analysis) -> Iterator[tuple[str, str, list[Item]]]:
@@ -111,7 +114,7 @@ def _stages(a: Analysis) -> Iterator[tuple[str, str, list[Item]]]:
         yield "entities", why, ["none"]
     incidence = _INCIDENCE if a.condition.cofactor == ONE else _WITH_COFACTOR
     yield "condition", _WHY.get(a.condition.kind, incidence), _condition(a.condition, a)
-    yield "statement", "", [a.condition.sentence]
+    yield "statement", "", [*in_parts(a.condition.sentence)]
     yield "certificate", "", [a.condition.certificate.detail + ".", *_replay(a), *a.notes]
     if a.dimensions:
         yield "dimensions", DIMENSIONS, dimension_items(a.dimensions)
@@ -166,7 +169,7 @@ def _position(a: Analysis) -> list[Item]:
     s = a.structure
     items: list[Item] = []
     if s.ideal:
-        items.append(KeyValue("at infinity", " ".join(s.ideal)))
+        items.append(KeyValue("at infinity", at_infinity(s.ideal, a.condition, s.names)))
     couples = [word for word, leg in zip(s.words, s.legs, strict=True) if set(leg) <= set(s.ideal)]
     if couples:
         items.append(KeyValue("couples", f"{', '.join(couples)} (lines at infinity: constraint moments)"))

@@ -15,6 +15,7 @@ __all__ = ["as_text", "formula"]
 
 _WIDTH = 100
 _LONG = 120
+_MOST_TERMS, _FIRST = 12, 3  # of a superbracket, unless all is asked for
 
 
 def as_text(a: Analysis, *, unicode: bool = False, full: bool = False) -> str:
@@ -22,8 +23,9 @@ def as_text(a: Analysis, *, unicode: bool = False, full: bool = False) -> str:
     lines = [line for sentence in leading_sentences(a) for line in _wrapped(sentence.split(), "")] + [""]
     for n, stage in enumerate(stages(a), 1):
         lines += [f"{n}. {stage.title}", *_why(stage.why)]
+        most = _MOST_TERMS if stage.id in ("superbracket", "shortest") and not full else None
         for item in stage.items:
-            lines += _text_item(item, a, unicode)
+            lines += _text_item(item, a, unicode, most)
         lines.append("")
     if full:
         chain = derivation_text(a.unfolded(), unicode=unicode)
@@ -39,14 +41,18 @@ def _why(words: str) -> list[str]:
     return [f"   {words}"] if words else []
 
 
-def _text_item(item: Item, a: Analysis, unicode: bool) -> list[str]:
+def _text_item(item: Item, a: Analysis, unicode: bool, most: int | None = None) -> list[str]:
+    """An item; of a formula with more terms than `most` the first few."""
     if isinstance(item, KeyValue):
         return _wrapped([f"{item.key:<12}", *item.value.split()], "   ")
     if isinstance(item, str):
         return _wrapped(item.split(), "   ")
     names = a.structure.names
     left = [text(item.left, unicode=unicode, names=names), "="] if item.left is not None else []
-    return _wrapped([*left, *text_terms(item.right, unicode=unicode, names=names)], "     ")
+    right = list(text_terms(item.right, unicode=unicode, names=names))
+    if most is not None and len(right) > most:
+        right = [*right[:_FIRST], f"+ … ({len(right) - _FIRST} more terms, with --full)"]
+    return _wrapped([*left, *right], "     ")
 
 
 def _wrapped(words: list[str], indent: str) -> list[str]:

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from gcrules.algebra import expr as ex
 from gcrules.algebra.language.text import text
-from gcrules.core.english import listed
+from gcrules.core.english import in_parts, listed
 from gcrules.mechanisms.conditions.common_factor import CommonFactor, Subset
 from gcrules.mechanisms.conditions.factor_causes import KINDS, FactorCause
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
@@ -15,6 +15,7 @@ from gcrules.mechanisms.lines.serial import LimbCondition, LimbSingularity
 from gcrules.mechanisms.lines.wrenches import LimbWrenches, WrenchLine
 from gcrules.views.report.dimension_items import dimension_lines
 from gcrules.views.report.stage_ids import TITLES
+from gcrules.views.results.at_infinity import at_infinity
 from gcrules.views.results.derivation import ascii_words
 
 __all__ = [
@@ -26,6 +27,7 @@ __all__ = [
     "factor_kind",
     "factor_words",
     "formula",
+    "in_every_pose",
     "leading_sentences",
     "sections",
 ]
@@ -50,9 +52,16 @@ def as_text(a: RobotAnalysis, *, unicode: bool = False) -> str:
 
 
 def leading_sentences(a: RobotAnalysis) -> tuple[str, ...]:
-    """What stands first: that the robot is singular in every pose, if it is or nearly so, then the condition."""
+    """What stands first: that the robot is singular in every pose, if it is or nearly so, then the condition, in parts
+    where it is long.
+    """
+    return (*in_every_pose(a), *in_parts(a.statement))
+
+
+def in_every_pose(a: RobotAnalysis) -> tuple[str, ...]:
+    """That the robot is singular in every pose, if it is or nearly so."""
     always = a.dimensions.architecture.sentence if a.dimensions else ""
-    return (*filter(None, [always]), a.statement)
+    return tuple(filter(None, [always]))
 
 
 def sections(a: RobotAnalysis, unicode: bool) -> Iterator[tuple[str, list[str]]]:
@@ -171,7 +180,8 @@ def _structure(a: RobotAnalysis) -> str:
     if a.structure.redundant:
         words[0] += ", chosen among those of all limbs"
     if a.structure.ideal:
-        words.append(f"at infinity {', '.join(a.structure.ideal)}")
+        names = a.lines.structure.names if a.lines else ()
+        words.append(f"at infinity {at_infinity(a.structure.ideal, a.condition, names)}")
     words += [f"{n} is {what}" for n, what in a.structure.named]
     return "; ".join(words)
 
