@@ -18,6 +18,7 @@ from typing import Any
 from gcrules.apps.studio.protocol import (
     answer_views,
     bench_words,
+    limb_requests,
     limb_views,
     locus_views,
     motion_views,
@@ -36,6 +37,7 @@ MODULES = (
     glossary,
     scene_data,
     requests,
+    limb_requests,
     study_views,
     answer_views,
     motion_views,

@@ -456,28 +456,6 @@ export interface ComposeArgs {
   drawing: Sketch;
 }
 
-/** A change of a robot's sheet; which fields it needs `do` says. Places count from 0. */
-export interface SheetEdit {
-  do: "title" | "limb add" | "limb remove" | "limb move" | "limb name" | "limb duplicate" | "limb around" | "limb single" | "copies" | "joint add" | "joint remove" | "joint move" | "joint kind" | "joint drive" | "joint part" | "name add" | "name rename" | "name relation" | "home" | "mobility";
-  limb?: number;
-  chain?: number;
-  joint?: number;
-  part?: number;
-  to?: number;
-  name?: string;
-  text?: string;
-  texts?: [string, string, string];
-  degrees?: number;
-  follow?: boolean;
-}
-
-/** The text of a robot file, after a change if there is one; without a text that of the robot in `start`, or of one to begin with. */
-export interface LimbsArgs {
-  text?: string;
-  start?: Source;
-  edit?: SheetEdit;
-}
-
 export type Format = "html" | "latex" | "svg" | "png" | "pdf" | "json" | "yaml" | "c" | "cpp" | "py" | "rs";
 
 export interface SaveArgs extends PoseArgs {
@@ -513,6 +491,30 @@ export interface ResizeArgs {
 
 export interface CancelArgs {
   target: number;
+}
+
+/** A change of a robot's sheet; which fields it needs `do` says. Places count from 0. */
+export interface SheetEdit {
+  do: "title" | "limb add" | "limb remove" | "limb move" | "limb name" | "limb cable" | "limb duplicate" | "limb around" | "limb single" | "copies" | "joint add" | "joint remove" | "joint move" | "joint kind" | "joint drive" | "joint part" | "name add" | "name rename" | "name relation" | "home" | "mobility" | "unit";
+  limb?: number;
+  chain?: number;
+  joint?: number;
+  part?: number;
+  to?: number;
+  name?: string;
+  text?: string;
+  texts?: [string, string, string];
+  degrees?: number;
+  follow?: boolean;
+}
+
+/** The text of a robot file, after a change if there is one; without a text that of the robot in `start`, or of one to begin with. */
+export interface LimbsArgs {
+  text?: string;
+  start?: Source;
+  /** Whether the limb to begin with is that of a planar robot. */
+  plane?: boolean;
+  edit?: SheetEdit;
 }
 
 /** Where in a text that was sent: offsets in characters of JavaScript from its start. */
@@ -1304,7 +1306,10 @@ export interface LimbRow {
   numbered: boolean;
   /** Its joints in short. */
   chain: string;
-  cable: string;
+  /** The points that a cable joins; none for a limb of joints. */
+  cable: string[];
+  /** Of the ends of a cable. */
+  undefined: Undefined[];
   chains: ChainRow[];
   couplings: string;
   /** What it applies with its actuators locked, in words; empty as long as that is not known. */
@@ -1366,6 +1371,7 @@ export interface LimbsAnswer {
   /** The robot at home, as far as it can be drawn. */
   scene: SceneData | null;
   kinds: JointKind[];
+  units: string[];
 }
 
 /** The commands of the prompt that work on the bench: none of them opens a file. */

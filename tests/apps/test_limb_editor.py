@@ -47,6 +47,17 @@ def test_the_first_limb_is_told_of_though_it_is_no_robot_yet() -> None:
     assert robot["sheet"]["turned"]
 
 
+def test_a_limb_that_leaves_the_plane_has_no_mobility_there() -> None:
+    """The number of a planar robot counts on all limbs to stay in its plane."""
+    text = limbs_answer(None, plane=True)["text"]
+    assert ask(text, do="limb around", limb=0, to=3)["mobility"]["number"] == 3
+    found = ask(text.replace("R(B1, z)", "R(B1, x)"))
+    assert found["mobility"]["number"] is None
+    assert found["sheet"] is not None
+    assert found["sheet"]["limbs"][0]["faults"][0]["message"] == "leg 1 leaves the plane z = 0 of a planar robot"
+    assert found["sheet"]["limbs"][0]["wrenches"] == []
+
+
 @pytest.mark.parametrize("name", ROBOTS)
 def test_every_robot_is_a_table_without_faults(name: str) -> None:
     found = ask(start={"kind": "robot", "id": name})

@@ -149,6 +149,13 @@ def test_it_is_built_by_the_keyboard(desk: Desk) -> None:
     assert "4 joint freedoms" in desk.text("limb-wrenches")
     desk.page.locator("body").press("Control+z")
     desk.page.wait_for_function("() => gcrules.limbs$.value.includes('P*')")
+    for x in ("2.1", "2.2"):
+        desk.one("home-A1-x").press("ArrowUp")
+        desk.page.wait_for_function("x => gcrules.limbs$.value.includes(`A1: [${x}, 0, 0]`)", arg=x)
+    desk.one("home-A1-x").press("Shift+ArrowDown")
+    desk.page.wait_for_function("() => gcrules.limbs$.value.includes('A1: [1.2, 0, 0]')")
+    desk.one("home-A1-x").press("Control+z")  # all steps of one coordinate
+    desk.page.wait_for_function("() => gcrules.limbs$.value.includes('A1: [2, 0, 0]')")
 
 
 def test_axe_finds_nothing_and_nothing_is_cut_off(desk: Desk) -> None:

@@ -15,12 +15,13 @@ from gcrules.mechanisms.description.skeleton import skeleton
 from gcrules.mechanisms.editing.edits import EDITS, Edit, edited
 from gcrules.mechanisms.editing.home import fitted, size_of, vector_of
 from gcrules.mechanisms.editing.reading import read_sheet
-from gcrules.mechanisms.editing.sheet import FIRST
+from gcrules.mechanisms.editing.sheet import FIRST as FIRST_LIMBS
 from gcrules.mechanisms.editing.writing import rewritten, sheet_text
 from gcrules.mechanisms.lines.equivalent import equivalent
 from gcrules.mechanisms.robot import Robot
 from gcrules.screws import FLOATS
 
+FIRST = FIRST_LIMBS[False]
 FILES = {one.id: Path(one.path).read_text(encoding="utf-8") for one in robots()}
 
 
@@ -196,6 +197,28 @@ def test_limbs_of_a_planar_robot_turn_about_z() -> None:
     assert mobility(slide) == 3
 
 
+def test_cables_are_added_and_their_ends_changed() -> None:
+    """Four cables and four more hold a platform, as they do in the robot on eight cables."""
+    text = changed(EMPTY, Edit("limb add", text="cable"), Edit("limb around", to=4))
+    robot = described(changed(text, Edit("limb add", text="cable"), Edit("limb around", limb=1, to=4)))
+    shipped = parse_robot(FILES["8-cables"])
+    assert {limb.chain for limb in (*robot.limbs, *shipped.limbs)} == {"cable"}
+    assert (len(robot.limbs), mobility(robot)) == (len(shipped.limbs), mobility(shipped)) == (8, 6)
+    assert len(robot.platform) == 8
+    other = changed(text, Edit("limb cable", part=1, text="A%"))
+    assert "cable: A% A%" in other
+    with pytest.raises(InputError, match="is no end of a cable"):
+        changed(text, Edit("limb cable", part=1, text="A% B%"))
+
+
+def test_the_first_limb_of_the_plane_and_its_unit() -> None:
+    first = FIRST_LIMBS[True]
+    edits = [Edit("limb around", to=3), Edit("unit", text="mm"), Edit("title", text="Mine")]
+    robot = parse_robot(changed(first, *edits))
+    assert (robot.chain, robot.units, mobility(robot)) == (parse_robot(FILES["3-rrr"]).chain, "mm", 3)
+    assert changed(changed(first, Edit("unit", text="mm")), Edit("unit", text="")) == first
+
+
 def test_another_name_stands_everywhere() -> None:
     robot = parse_robot(changed(FILES["3-rps"], Edit("name rename", name="S%", text="B%")))
     assert robot.platform == ("B1", "B2", "B3")
@@ -250,6 +273,7 @@ def test_home_goes_to_the_nearest_place_that_relations_allow() -> None:
         Edit("home", name="A%", texts=("1", "2", "3")),
         Edit("home", name="Q1", texts=("1", "2", "3")),
         Edit("copies", to=1),
+        Edit("unit", text="furlong"),
     ],
     ids=lambda edit: f"{edit.do} {edit.text or edit.name or edit.to}",
 )

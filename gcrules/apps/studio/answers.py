@@ -78,7 +78,9 @@ ANSWERS: Mapping[str, Callable[[Any, Args], Any]] = {
     "complete": lambda subject, args: completed(args["text"], subject),
     "script": lambda subject, args: scripted(args["text"], subject),
     "compose": lambda subject, args: composed(args["drawing"]),
-    "limbs": lambda subject, args: limbs_answer(args.get("text"), args.get("start"), args.get("edit")),
+    "limbs": lambda subject, args: limbs_answer(
+        args.get("text"), args.get("start"), args.get("edit"), plane=args.get("plane", False)
+    ),
     "repeat": lambda subject, args: repeated(subject, args["what"], args["args"]),
     "resize": lambda subject, args: resized(subject, args["points"], args.get("limits")),
     "save": lambda subject, args: saved(subject, args["pose"], args["what"], args.get("threshold")),

@@ -8,8 +8,9 @@ from dataclasses import replace
 from gcrules.apps.studio.faults import fault_view
 from gcrules.apps.studio.limb_rows import KINDS, sheet_view
 from gcrules.apps.studio.limb_scene import home_scene, outline
+from gcrules.apps.studio.protocol.limb_requests import SheetEdit
 from gcrules.apps.studio.protocol.limb_views import LimbsAnswer, LimbSheet, MobilityView
-from gcrules.apps.studio.protocol.requests import SheetEdit, SourceJson
+from gcrules.apps.studio.protocol.requests import SourceJson
 from gcrules.apps.studio.protocol.study_views import FaultView
 from gcrules.apps.studio.subject import robot_of
 from gcrules.core.errors import FileError, GcrulesError
@@ -21,16 +22,19 @@ from gcrules.mechanisms.editing.sheet import FIRST
 from gcrules.mechanisms.editing.writing import rewritten
 from gcrules.mechanisms.lines.equivalent import Equivalent
 from gcrules.mechanisms.robot import Robot
+from gcrules.screws.pose import UNITS
 
 __all__ = ["limbs_answer"]
 
 _FILE = "robot.yaml"
 
 
-def limbs_answer(text: str | None, start: SourceJson | None = None, edit: SheetEdit | None = None) -> LimbsAnswer:
+def limbs_answer(
+    text: str | None, start: SourceJson | None = None, edit: SheetEdit | None = None, *, plane: bool = False
+) -> LimbsAnswer:
     """What a text says as a table, after a change. Raises GcrulesError for a change that cannot be."""
     if text is None:
-        text = robot_of(start).text if start is not None else FIRST
+        text = robot_of(start).text if start is not None else FIRST[plane]
     if edit is not None:
         text = _changed(text, edit)
     draft = parse_draft(text, _FILE)
@@ -57,6 +61,7 @@ def limbs_answer(text: str | None, start: SourceJson | None = None, edit: SheetE
         "mobility": {**_mobility(draft.robot, structure), "faults": of_mobility},
         "scene": home_scene(draft.robot, structure),
         "kinds": KINDS,
+        "units": list(UNITS),
     }
 
 

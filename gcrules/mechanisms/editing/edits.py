@@ -15,6 +15,7 @@ from gcrules.mechanisms.editing.naming import forms_of, without_unused
 from gcrules.mechanisms.editing.new_joints import add_joint, add_limb, joint_kind, made_parts, part_forms, wanted_parts
 from gcrules.mechanisms.editing.sheet import ChainRow, JointRow, LimbRow, Sheet, words_of
 from gcrules.screws import JOINTS
+from gcrules.screws.pose import UNITS
 
 __all__ = ["EDITS", "Edit", "edited"]
 
@@ -58,7 +59,8 @@ def _ends(sheet: Sheet) -> list[str]:
         for form, part in zip(forms_of(j.kind), j.parts, strict=False)
         if form == "point"
     ]
-    return list(dict.fromkeys(points))
+    cables = [end for limb in sheet.limbs for end in limb.cable.split()[1:]]
+    return list(dict.fromkeys([*points, *cables]))
 
 
 def _reaches_platform(chain: ChainRow) -> bool:
@@ -105,6 +107,15 @@ def _rename_limb(sheet: Sheet, edit: Edit) -> Sheet:
     return sheet.with_limb(edit.limb, replace(limb, name=name if limb.numbered else name.replace("%", "")))
 
 
+def _change_cable(sheet: Sheet, edit: Edit) -> Sheet:
+    limb, name = _limb(sheet, edit), edit.text.strip()
+    ends = limb.cable.split()
+    if edit.part >= len(ends) or not _PART.fullmatch(name) or len(name.split()) != 1:
+        raise InputError(f"{name[:30]!r} is no end of a cable", hint="the name of a point: A1")
+    ends[edit.part] = name
+    return sheet.with_limb(edit.limb, replace(limb, cable=" ".join(ends)))
+
+
 def _duplicate(sheet: Sheet, edit: Edit) -> Sheet:
     _limb(sheet, edit)
     return duplicate(sheet, edit.limb, edit.degrees)
@@ -139,6 +150,14 @@ def _joint(sheet: Sheet, edit: Edit) -> tuple[list[JointRow], JointRow]:
 
 def _put(sheet: Sheet, edit: Edit, joints: Sequence[JointRow]) -> Sheet:
     return sheet.with_limb(edit.limb, _limb(sheet, edit).changed(edit.chain, tuple(joints)))
+
+
+def _unit(sheet: Sheet, edit: Edit) -> Sheet:
+    """With another unit of all lengths, whose numbers stay."""
+    if edit.text and edit.text not in UNITS:
+        raise InputError(f"{edit.text[:20]!r} is no unit of length", hint=f"one of {', '.join(UNITS)}")
+    others = {key: value for key, value in sheet.others.items() if key != "units"}
+    return replace(sheet, others=FrozenMap({**others, "units": edit.text} if edit.text else others))
 
 
 def _add_joint(sheet: Sheet, edit: Edit) -> Sheet:
@@ -206,6 +225,7 @@ EDITS: Mapping[str, Callable[[Sheet, Edit], Sheet]] = FrozenMap(
         "limb remove": _remove_limb,
         "limb move": _move_limb,
         "limb name": _rename_limb,
+        "limb cable": _change_cable,
         "limb duplicate": _duplicate,
         "limb around": _around,
         "limb single": _single,
@@ -220,6 +240,7 @@ EDITS: Mapping[str, Callable[[Sheet, Edit], Sheet]] = FrozenMap(
         "name rename": lambda sheet, e: renamed(sheet, e.name, e.text),
         "name relation": lambda sheet, e: made_from(sheet, e.name, e.text),
         "home": lambda sheet, e: put_home(sheet, e.name, e.texts, follow=e.follow),
+        "unit": _unit,
         "mobility": lambda sheet, e: replace(sheet, mobility=str(e.to)),
     }
 )

@@ -1,4 +1,4 @@
-"""New joints with points and directions of their own, and new limbs, which are written as chains: UP*S, R*RR."""
+"""New joints with points and directions of their own, and new limbs, which are written as chains: UP*S, R*RR, cable."""
 
 from __future__ import annotations
 
@@ -41,11 +41,10 @@ def add_joint(sheet: Sheet, limb: int, chain: int, at: int, text: str) -> Sheet:
 
 def add_limb(sheet: Sheet, text: str = "") -> Sheet:
     """With a limb of these joints. A slide on a hinge, R P, is perpendicular to its axis."""
+    if text.strip() == "cable":
+        return _add_cable(sheet)
     kinds = _chain(text or _STARTING[sheet.plane])
-    check_room(sheet, 1)
-    count, at = len(sheet.every_limb), len(sheet.limbs)
-    name = next(f"leg {k}" for k in range(count + 1, 999) if f"leg {k}" not in sheet.every_limb)
-    made = replace(sheet, limbs=(*sheet.limbs, LimbRow(name, (ChainRow(()),))))
+    made, at = _with_row(sheet, "leg", (ChainRow(()),)), len(sheet.limbs)
     others = [kind for kind, _ in kinds if kind != "P"]
     for place, kind in enumerate(others):
         made = add_joint(made, at, 0, place, kind)
@@ -57,6 +56,22 @@ def add_limb(sheet: Sheet, text: str = "") -> Sheet:
     made = made.with_limb(at, made.limbs[at].changed(0, driven))
     free = kinds[-1][0] == "S" and sum(len(JOINTS[kind].freedoms) for kind, _ in kinds) == 6
     return _aside(made, joints[-1].parts[0], 1 - 2 * (at % 2)) if free else _across_hinges(made, driven)
+
+
+def _add_cable(sheet: Sheet) -> Sheet:
+    """With a cable between two points of its own."""
+    made, at = _with_row(sheet, "cable"), len(sheet.limbs)
+    made, base = new_part(made, at, "point", ())
+    made, end = new_part(made, at, "point", (base,))
+    return _aside(made.with_limb(at, replace(made.limbs[at], cable=f"{base} {end}")), end, 1 - 2 * (at % 2))
+
+
+def _with_row(sheet: Sheet, stem: str, chains: tuple[ChainRow, ...] = ()) -> Sheet:
+    """With an empty limb, which bears the next number."""
+    check_room(sheet, 1)
+    count = len(sheet.every_limb)
+    name = next(f"{stem} {k}" for k in range(count + 1, 999) if f"{stem} {k}" not in sheet.every_limb)
+    return replace(sheet, limbs=(*sheet.limbs, LimbRow(name, chains)))
 
 
 def joint_kind(text: str) -> str:
@@ -107,13 +122,14 @@ def _chain(text: str) -> list[tuple[str, str]]:
     return found
 
 
-def _aside(sheet: Sheet, ball: str, side: int) -> Sheet:
-    """With the last joint of a limb to one side: forces that all meet z would never hold a platform."""
-    x, y, z = vector_of(sheet.home[ball]) if ball in sheet.home else (0.0, 0.0, 0.0)
-    across = quarter((x, y, z))
+def _aside(sheet: Sheet, end: str, side: int) -> Sheet:
+    """With the last point of a limb to one side: forces that all meet z would never hold a platform."""
+    if sheet.plane or end not in sheet.home:
+        return sheet
+    at = vector_of(sheet.home[end])
     width = _ASIDE * size_of(sheet) * side
-    place = place_of((x + width * across[0], y + width * across[1], z))
-    return replace(sheet, home=FrozenMap({**sheet.home, ball: place})) if ball in sheet.home else sheet
+    place = place_of([c + width * d for c, d in zip(at, quarter(at), strict=True)])
+    return replace(sheet, home=FrozenMap({**sheet.home, end: place}))
 
 
 def _across_hinges(sheet: Sheet, joints: Sequence[JointRow]) -> Sheet:

@@ -20,7 +20,7 @@ Place = tuple[str, str, str]
 
 _WORD = re.compile(r"[A-Za-z][\w'%]*")
 
-FIRST = """\
+_IN_SPACE = """\
 title: My robot
 points:
   A1: free
@@ -37,7 +37,27 @@ home:
   S1: [1, 0, 2]
   r1: [0, 1, 0]
 """
-"""A limb to begin with; three of it around z are a 3-RPS robot."""
+
+_IN_PLANE = """\
+title: My robot
+space: plane
+points:
+  A1: free
+  B1: free
+  C1: free
+limbs:
+  - name: leg 1
+    joints: R*(A1, z) R(B1, z) R(C1, z)
+platform: C1
+mobility: 3
+home:
+  A1: [2, 0]
+  B1: [1.5, 1]
+  C1: [0.5, 0.5]
+"""
+
+FIRST: Mapping[bool, str] = FrozenMap({False: _IN_SPACE, True: _IN_PLANE})
+"""A limb to begin with, in space and in the plane; three of it around z are a 3-RPS or a 3-RRR robot."""
 
 
 @dataclass(frozen=True)

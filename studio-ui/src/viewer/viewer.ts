@@ -269,7 +269,9 @@ class Stage implements Viewer, Reach {
     this.rig.resize(width, height);
     this.easel.resize(width, height);
     this.gizmo?.resize(height);
-    this.request();
+    if (!this.model) return this.request();
+    cancelAnimationFrame(this.frame);
+    this.draw(performance.now()); // at once: the canvas was emptied, and would be seen so for a frame
   }
 
   // --- hands ---------------------------------------------------------------------------------------------------

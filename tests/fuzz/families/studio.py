@@ -170,7 +170,7 @@ def _limbs(rng: Random) -> dict[str, Any]:
     from gcrules.mechanisms.editing.edits import EDITS
     from gcrules.mechanisms.editing.sheet import FIRST
 
-    text = rng.choice((FIRST, FIRST, *corpus("robots")))
+    text = rng.choice((*FIRST.values(), *corpus("robots")))
     edit = {
         "do": rng.choice(tuple(EDITS)),
         "name": rng.choice(("A1", "A%", "S1", "r1", "x", "q")),

@@ -82,7 +82,10 @@ class LimbRow(TypedDict):
     """Whether it stands for the copies of the file."""
     chain: str
     """Its joints in short."""
-    cable: str
+    cable: list[str]
+    """The points that a cable joins; none for a limb of joints."""
+    undefined: list[Undefined]
+    """Of the ends of a cable."""
     chains: list[ChainRow]
     couplings: str
     system: str
@@ -145,3 +148,4 @@ class LimbsAnswer(TypedDict):
     scene: SceneData | None
     """The robot at home, as far as it can be drawn."""
     kinds: list[JointKindView]
+    units: list[str]

@@ -12,6 +12,7 @@ from typing import Any, Literal
 from gcrules.apps.studio.protocol import answer_views as answers
 from gcrules.apps.studio.protocol import requests
 from gcrules.apps.studio.protocol.checking import Check
+from gcrules.apps.studio.protocol.limb_requests import LimbsArgs
 from gcrules.apps.studio.protocol.limb_views import LimbsAnswer
 from gcrules.apps.studio.protocol.locus_views import LocusAnswer
 from gcrules.apps.studio.protocol.motion_views import MapAnswer, PathAnswer, PlacedPose, SurfaceAnswer, WaypointsAnswer
@@ -75,7 +76,7 @@ METHODS: Mapping[str, Method] = {
     "script": Method(requests.ScriptArgs, answers.Scripted, seconds=10),
     "compose": Method(requests.ComposeArgs, answers.Composed),
     "resize": Method(requests.ResizeArgs, answers.Resized),
-    "limbs": Method(requests.LimbsArgs, LimbsAnswer),
+    "limbs": Method(LimbsArgs, LimbsAnswer),
     "save": Method(requests.SaveArgs, answers.Saved),
     "repeat": Method(requests.RepeatArgs, answers.Repeated),
     "follow": Method(requests.FollowArgs, answers.Followed, where="session"),

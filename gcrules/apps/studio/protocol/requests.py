@@ -34,7 +34,6 @@ __all__ = [
     "Format",
     "FreeArgs",
     "LegsSource",
-    "LimbsArgs",
     "LocusArgs",
     "ManualArgs",
     "MapArgs",
@@ -52,7 +51,6 @@ __all__ = [
     "RobotSource",
     "SaveArgs",
     "ScriptArgs",
-    "SheetEdit",
     "ShowArgs",
     "Sketch",
     "SourceJson",
@@ -76,15 +74,8 @@ _Point = Annotated[str, text(40)]
 _Coordinate = Annotated[float, number(-FARTHEST, FARTHEST)]
 _Vector = Annotated[list[_Coordinate], EntryCount(3, 3)]
 _Threshold = Annotated[str, text(40)]
-_Index = Annotated[int, number(0, 1_000, whole=True)]
 _Range = Annotated[str, text(100)]
 _Ranges = Annotated[list[_Range], EntryCount(2, 2)]
-
-
-def _flag(value: Any, where: str) -> bool:
-    if not isinstance(value, bool):
-        raise InputError(f"{where} is neither true nor false")
-    return value
 
 
 # --- what is studied -----------------------------------------------------------------------------------------------
@@ -317,36 +308,6 @@ class CompleteArgs(TypedDict):
 
 class ComposeArgs(TypedDict):
     drawing: Sketch
-
-
-class SheetEdit(TypedDict):
-    """A change of a robot's sheet; which fields it needs `do` says. Places count from 0."""
-
-    do: Literal[
-        "title", "limb add", "limb remove", "limb move", "limb name", "limb duplicate", "limb around", "limb single",
-        "copies", "joint add", "joint remove", "joint move", "joint kind", "joint drive", "joint part", "name add",
-        "name rename", "name relation", "home", "mobility",
-    ]  # fmt: skip
-    limb: NotRequired[_Index]
-    chain: NotRequired[_Index]
-    joint: NotRequired[_Index]
-    part: NotRequired[_Index]
-    to: NotRequired[_Index]
-    name: NotRequired[Annotated[str, text(40)]]
-    text: NotRequired[Annotated[str, text(400, empty=True)]]
-    texts: NotRequired[Annotated[list[Annotated[str, text(40, empty=True)]], EntryCount(3, 3)]]
-    degrees: NotRequired[Annotated[float, number(-360, 360)]]
-    follow: NotRequired[Annotated[bool, _flag]]
-
-
-class LimbsArgs(TypedDict):
-    """The text of a robot file, after a change if there is one; without a text that of the robot in `start`, or of one
-    to begin with.
-    """
-
-    text: NotRequired[Annotated[str, text(LONGEST_FILE, empty=True)]]
-    start: NotRequired[SourceJson]
-    edit: NotRequired[SheetEdit]
 
 
 Format = Literal["html", "latex", "svg", "png", "pdf", "json", "yaml", "c", "cpp", "py", "rs"]

@@ -24,9 +24,12 @@ export function useKeys(store: Store): void {
 
 /** Whether keys are meant for the page rather than for what has the focus. */
 function reaches({ taste }: Store, keys: string, target: EventTarget | null): boolean {
-  if (writes(target)) return false;
+  if (writes(target)) return !isSingle(keys) && isUntouched(target);
   return !isSingle(keys) || (taste.single.peek() && !(target instanceof HTMLSelectElement));
 }
+
+/** Of a field of a table: as long as nothing has been typed, undo is that of the page. */
+const isUntouched = (target: EventTarget | null): boolean => target instanceof HTMLElement && target.dataset.untouched === "true";
 
 function writes(target: EventTarget | null): boolean {
   if (!(target instanceof HTMLElement)) return false;

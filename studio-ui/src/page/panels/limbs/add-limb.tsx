@@ -11,8 +11,8 @@ interface Props {
 
 /** Chains to choose from, in space and in the plane. */
 const CHAINS = {
-  space: ["RP*S", "UP*S", "P*RS", "R*US", "P*US", "UP*U", "P*UU", "R*UU", "R*4S", "R*RR", "SP*R", "P*RRS", "S"],
-  plane: ["R*RR", "RP*R", "P*RR", "RR*R"],
+  space: ["RP*S", "UP*S", "P*RS", "R*US", "P*US", "UP*U", "P*UU", "R*UU", "R*4S", "R*RR", "SP*R", "P*RRS", "S", "cable"],
+  plane: ["R*RR", "RP*R", "P*RR", "RR*R", "cable"],
 };
 
 export function AddLimb({ plane, kinds, add }: Props) {

@@ -22,11 +22,12 @@ export interface Building {
   /** The analysis of the last sound text. */
   known: ReadonlySignal<Known | null>;
   analysing: ReadonlySignal<boolean>;
-  change(edit: SheetEdit): Promise<void>;
+  /** Changes in a row with the same key are undone as one. */
+  change(edit: SheetEdit, key?: string): Promise<void>;
   /** Takes a text over, be it at fault. */
   write(text: string, key?: string): void;
-  /** Begins with a robot, or with a single limb. */
-  begin(start: Source | null): Promise<void>;
+  /** Begins with a robot, or with a single limb, in space or in the plane. */
+  begin(start: Source | "space" | "plane"): Promise<void>;
   source(): Source;
   dispose(): void;
 }
@@ -34,6 +35,7 @@ export interface Building {
 const REST = 180; // milliseconds without a change before a typed text is read
 const PAUSE = 350; // … and before a sound one is analysed
 const KEPT = 60;
+const ANALYSED = 12;
 
 export function createBuilding({ client, edit: record, limbs$, built }: Store): Building {
   const answer = signal<LimbsAnswer | null>(null);
@@ -57,29 +59,29 @@ export function createBuilding({ client, edit: record, limbs$, built }: Store): 
     return chain;
   }
 
-  function take(found: LimbsAnswer): void {
+  function take(found: LimbsAnswer, key?: string): void {
     keep(found);
     batch(() => {
       answer.value = found;
       refused.value = null;
-      if (found.text !== limbs$.peek()) record({ limbs: found.text });
+      if (found.text !== limbs$.peek()) record({ limbs: found.text }, key);
     });
   }
 
-  const change = (edit: SheetEdit): Promise<void> =>
+  const change = (edit: SheetEdit, key?: string): Promise<void> =>
     inTurn(async () => {
       const text = limbs$.peek(); // none yet: the server begins with the same limb
       try {
-        take(await client.ask("limbs", { ...(text !== null && { text }), edit }));
+        take(await client.ask("limbs", { ...(text !== null && { text }), edit }), key);
       } catch (error) {
         refused.value = { fault: faultOf(error), edit };
       }
     });
 
-  const begin = (start: Source | null): Promise<void> =>
+  const begin = (start: Source | "space" | "plane"): Promise<void> =>
     inTurn(async () => {
       try {
-        take(await client.ask("limbs", start ? { start } : {}));
+        take(await client.ask("limbs", typeof start === "string" ? { plane: start === "plane" } : { start }));
       } catch (error) {
         refused.value = { fault: faultOf(error), edit: null };
       }
@@ -126,9 +128,11 @@ export function createBuilding({ client, edit: record, limbs$, built }: Store): 
         const source = sourceOf(text);
         const study = await client.ask("open", { source }, { signal: mine.signal });
         known.value = { text, study, numbers: null };
-        const numbers = await client.ask("pose", { source, pose: HOME }, { signal: mine.signal });
+        const numbers = await client.ask("pose", { source, pose: HOME }, { signal: mine.signal }).catch(() => null); // without a home
+        if (stop !== mine) return;
         known.value = { text, study, numbers };
         studies.set(text, known.value);
+        if (studies.size > ANALYSED) studies.delete(studies.keys().next().value ?? "");
       } catch (error) {
         const fault = faultOf(error);
         if (stop === mine && fault.kind !== "cancelled") refused.value = { fault, edit: null };

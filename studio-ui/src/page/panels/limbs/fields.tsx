@@ -11,9 +11,11 @@ interface Props {
   placeholder?: string;
   size?: number;
   onTake(text: string): void;
+  /** For numbers: the arrow keys, with the shift key by ten. */
+  onStep?(by: number): void;
 }
 
-export function TextField({ value, label, testid, list, class: c, invalid = false, placeholder, size, onTake }: Props) {
+export function TextField({ value, label, testid, list, class: c, invalid = false, placeholder, size, onTake, onStep }: Props) {
   const [text, type] = useState<string | null>(null);
   useEffect(() => type(null), [value]);
   function take(): void {
@@ -26,8 +28,10 @@ export function TextField({ value, label, testid, list, class: c, invalid = fals
       type="text"
       class={c}
       aria-label={label}
+      title={value.length > 9 ? value : undefined}
       aria-invalid={invalid}
       data-testid={testid}
+      data-untouched={text === null}
       list={list}
       placeholder={placeholder}
       size={size}
@@ -40,6 +44,11 @@ export function TextField({ value, label, testid, list, class: c, invalid = fals
       onKeyDown={(event) => {
         if (event.key === "Enter") take();
         if (event.key === "Escape") type(null);
+        const by = { ArrowUp: 1, ArrowDown: -1 }[event.key];
+        if (by === undefined || !onStep) return;
+        event.preventDefault();
+        type(null);
+        onStep(event.shiftKey ? 10 * by : by);
       }}
     />
   );

@@ -9,13 +9,15 @@ import { RowFaults } from "./row-faults";
 
 interface Props {
   limb: LimbRow;
+  /** Whether limbs alike are turned about z from one to the next, evenly. */
+  turned: boolean;
   at: number;
   count: number;
   kinds: readonly JointKind[];
   change(edit: SheetEdit): void;
 }
 
-export function LimbCard({ limb, at, count, kinds, change }: Props) {
+export function LimbCard({ limb, turned, at, count, kinds, change }: Props) {
   return (
     <section class="limb-card" style={tone({ colour: limb.colour })} data-testid={`limb-${at}`} aria-label={limb.name}>
       <header>
@@ -29,9 +31,15 @@ export function LimbCard({ limb, at, count, kinds, change }: Props) {
         <Tool icon="more" label={`Move ${limb.name} down`} disabled={at === count - 1} act={() => change({ do: "limb move", limb: at, to: at + 1 })} />
         <Tool icon="trash" label={`Take ${limb.name} away`} testid={`limb-remove-${at}`} act={() => change({ do: "limb remove", limb: at })} />
       </header>
-      {limb.cable && (
-        <p class="cable">
-          Cable from <b>{limb.cable.split(" ")[0]}</b> to <b>{limb.cable.split(" ")[1]}</b>: it is driven, and only pulls.
+      {limb.cable.length > 0 && (
+        <p class="cable parts">
+          {limb.cable.map((name, part) => (
+            <label class="part" key={part}>
+              <span>{part === 0 ? "Cable from" : "to"}</span>
+              <TextField value={name} label={`${part === 0 ? "Begin" : "End"} of the cable ${limb.name}`} list="limb-points" size={3} class="math-name" testid={`cable-${at}-${part}`} onTake={(text) => change({ do: "limb cable", limb: at, part, text })} />
+            </label>
+          ))}
+          <span>It is driven, and only pulls.</span>
         </p>
       )}
       {limb.chains.map(({ head, joints }, chain) => (
@@ -46,9 +54,9 @@ export function LimbCard({ limb, at, count, kinds, change }: Props) {
         </div>
       ))}
       {limb.couplings && <p class="cable">Coupled: {limb.couplings}</p>}
-      <RowFaults faults={limb.faults} />
+      <RowFaults faults={limb.faults} undefined={limb.undefined} change={change} />
       <Wrenches limb={limb} />
-      <Around limb={limb} at={at} change={change} />
+      <Around limb={limb} turned={turned} at={at} change={change} />
     </section>
   );
 }
@@ -95,19 +103,19 @@ function Wrenches({ limb }: { limb: LimbRow }) {
 const ROLES: Record<string, string> = { constraint: "constraint", actuation: "by its drive", both: "drive and constraint" };
 
 /** More limbs like this one: around z, as copies that change together, or one more by itself. */
-function Around({ limb, at, change }: Pick<Props, "limb" | "at" | "change">) {
+function Around({ limb, turned, at, change }: Pick<Props, "limb" | "turned" | "at" | "change">) {
   const [number, choose] = useState(3);
   const [degrees, turn] = useState(120);
   if (limb.numbered)
     return (
       <footer>
         <label>
-          <select aria-label={`Number of limbs like ${limb.name} around z`} value={limb.copies} data-testid={`copies-${at}`} onChange={(event) => change({ do: "copies", to: Number(event.currentTarget.value) })}>
+          <select aria-label={`Number of limbs like ${limb.name}${turned ? " around z" : ""}`} value={limb.copies} data-testid={`copies-${at}`} onChange={(event) => change({ do: "copies", to: Number(event.currentTarget.value) })}>
             {NUMBERS.map((n) => (
               <option key={n}>{n}</option>
             ))}
           </select>{" "}
-          alike around z
+          {turned ? "alike around z" : "alike"}
         </label>
         <button type="button" onClick={() => change({ do: "limb single", limb: at })} data-testid={`limb-single-${at}`}>
           Make single limbs

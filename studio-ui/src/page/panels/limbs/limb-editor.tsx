@@ -29,7 +29,7 @@ export function LimbEditor({ store }: PanelProps) {
   const refused = building.refused.value;
   const sheet = answer?.sheet ?? null;
   const follow = wish ?? sheet?.turned ?? false;
-  const change = (edit: SheetEdit): void => void building.change(edit);
+  const change = (edit: SheetEdit, key?: string): void => void building.change(edit, key);
 
   function open(): void {
     store.open(building.source());
@@ -87,11 +87,11 @@ export function LimbEditor({ store }: PanelProps) {
               <h2 class="sr-only">Limbs</h2>
               <div class="limb-cards" data-testid="limb-cards">
                 {sheet.limbs.map((limb, at) => (
-                  <LimbCard key={`${at} ${limb.name}`} limb={limb} at={at} count={sheet.limbs.length} kinds={answer.kinds} change={change} />
+                  <LimbCard key={`${at} ${limb.name}`} limb={limb} turned={sheet.turned} at={at} count={sheet.limbs.length} kinds={answer.kinds} change={change} />
                 ))}
                 <AddLimb plane={sheet.plane} kinds={answer.kinds} add={(text) => change({ do: "limb add", text })} />
               </div>
-              {sheet.names.length > 0 && <NamesTable sheet={sheet} follow={follow} setFollow={setFollow} change={change} />}
+              {sheet.names.length > 0 && <NamesTable sheet={sheet} units={answer.units} follow={follow} setFollow={setFollow} change={change} />}
             </>
           )}
         </div>

@@ -5,9 +5,10 @@ import { RowFaults } from "./row-faults";
 
 interface Props {
   sheet: LimbSheet;
+  units: readonly string[];
   follow: boolean;
   setFollow(on: boolean): void;
-  change(edit: SheetEdit): void;
+  change(edit: SheetEdit, key?: string): void;
 }
 
 const SORTS = [
@@ -15,12 +16,21 @@ const SORTS = [
   ["direction", "Directions"],
 ] as const;
 
-export function NamesTable({ sheet, follow, setFollow, change }: Props) {
+export function NamesTable({ sheet, units, follow, setFollow, change }: Props) {
   const copied = sheet.names.some(({ name }) => name.includes("%"));
   return (
     <section class="names" aria-label="Points and directions" data-testid="names">
       <header>
         <h2>Points and directions</h2>
+        <label class="unit">
+          Unit of length{" "}
+          <select value={sheet.unit} data-testid="limbs-unit" onChange={(event) => change({ do: "unit", text: event.currentTarget.value })}>
+            <option value="">none</option>
+            {units.map((unit) => (
+              <option key={unit}>{unit}</option>
+            ))}
+          </select>
+        </label>
         {copied && sheet.copies > 1 && (
           <label class="copies-follow" title="Coordinates are those of the first copy; the others are turned about z">
             <input type="checkbox" checked={follow} onChange={(event) => setFollow(event.currentTarget.checked)} data-testid="follow" />
@@ -71,11 +81,12 @@ const RELATIONS = {
   direction: ["free", "along A1 B1", "parallel to u1", "perpendicular to u1", "perpendicular to u1, v1", "perpendicular to u1, A1 B1", "in span u1, v1"],
 };
 
-function Row({ row, sheet, follow, change }: { row: NameRow; sheet: LimbSheet; follow: boolean; change(edit: SheetEdit): void }) {
+function Row({ row, sheet, follow, change }: { row: NameRow } & Pick<Props, "sheet" | "follow" | "change">) {
   const together = follow && row.places.length > 1;
   const places = together ? row.places.slice(0, 1) : row.places;
   const [first, ...others] = places;
   const width = sheet.plane ? 4 : 5;
+  const step = row.sort === "direction" ? 0.1 : stepOf(sheet);
   return (
     <>
       <tr class={row.faults.length > 0 ? "wrong" : ""} data-testid={`name-row-${row.name}`}>
@@ -85,13 +96,13 @@ function Row({ row, sheet, follow, change }: { row: NameRow; sheet: LimbSheet; f
         <td>
           <TextField value={row.relation} label={`How ${row.name} is made`} list={`relations-${row.sort}`} class="relation" testid={`relation-${row.name}`} onTake={(text) => change({ do: "name relation", name: row.name, text })} />
         </td>
-        {first && <Coordinates place={first} plane={sheet.plane} follow={follow} change={change} />}
+        {first && <Coordinates place={first} step={step} plane={sheet.plane} follow={follow} change={change} />}
       </tr>
       {others.map((place) => (
         <tr key={place.name} class="of-copy">
           <td />
           <td class="copy-name">{place.name}</td>
-          <Coordinates place={place} plane={sheet.plane} follow={false} change={change} />
+          <Coordinates place={place} step={step} plane={sheet.plane} follow={false} change={change} />
         </tr>
       ))}
       {row.faults.length > 0 && (
@@ -107,7 +118,27 @@ function Row({ row, sheet, follow, change }: { row: NameRow; sheet: LimbSheet; f
 
 const AXES = ["x", "y", "z"] as const;
 
-function Coordinates({ place, plane, follow, change }: { place: NamedPlace; plane: boolean; follow: boolean; change(edit: SheetEdit): void }) {
+/** A fraction or a decimal; null for what is none. */
+function numberOf(text: string): number | null {
+  const [over = "", under = "1", ...more] = text.split("/");
+  const value = text.trim() && more.length === 0 ? Number(over) / Number(under) : NaN;
+  return Number.isFinite(value) ? value : null;
+}
+
+/** By how much an arrow key shifts a point: a tenth of the power of ten below the largest coordinate. */
+function stepOf(sheet: LimbSheet): number {
+  const points = sheet.names.filter(({ sort }) => sort === "point");
+  const sizes = points.flatMap(({ places }) => places.flatMap(({ at }) => at.map((text) => Math.abs(numberOf(text) ?? 0))));
+  return 10 ** (Math.floor(Math.log10(Math.max(...sizes) || 1)) - 1);
+}
+
+interface CoordinatesProps extends Pick<Props, "follow" | "change"> {
+  place: NamedPlace;
+  plane: boolean;
+  step: number;
+}
+
+function Coordinates({ place, plane, step, follow, change }: CoordinatesProps) {
   const [x = "", y = "", z = ""] = place.at;
   if (place.at.length === 0)
     return (
@@ -115,6 +146,10 @@ function Coordinates({ place, plane, follow, change }: { place: NamedPlace; plan
         follows
       </td>
     );
+  function put(i: number, text: string, key?: string): void {
+    const texts = [x, y, z].map((old, k) => (k === i ? text : old || "0")) as [string, string, string];
+    change({ do: "home", name: place.name, texts, follow }, key);
+  }
   return (
     <>
       {AXES.slice(0, plane ? 2 : 3).map((axis, i) => (
@@ -124,9 +159,10 @@ function Coordinates({ place, plane, follow, change }: { place: NamedPlace; plan
             label={`${axis} of ${place.name} at home`}
             class="coordinate"
             testid={`home-${place.name}-${axis}`}
-            onTake={(text) => {
-              const texts = [x, y, z].map((old, k) => (k === i ? text : old || "0")) as [string, string, string];
-              change({ do: "home", name: place.name, texts, follow });
+            onTake={(text) => put(i, text)}
+            onStep={(by) => {
+              const old = numberOf([x, y, z][i] || "0");
+              if (old !== null) put(i, String(Number((old + by * step).toFixed(9))), `limbs ${place.name} ${axis}`);
             }}
           />
         </td>

@@ -28,7 +28,7 @@ export function Outcome({ building, change, open, save }: Props) {
         <span class="figure">{mobility.number ?? "–"}</span>
         <div>
           <p class="over">Mobility of the platform</p>
-          <p>{mobility.sentence || (sheet?.limbs.length === 0 ? "Known from the first limb on." : "Known as soon as all joints can be read.")}</p>
+          <p>{mobility.sentence || (sheet?.limbs.length === 0 ? "Known from the first limb on." : "Known as soon as the limbs are without faults.")}</p>
           {mobility.faults.map(({ message, hint }) => (
             <p class="wanting" key={message}>
               {message.charAt(0).toUpperCase() + message.slice(1)}

@@ -31,7 +31,7 @@ export function Picture({ answer, study, lit }: Props) {
   }, [taste]);
   useEffect(() => {
     if (!scene || !viewer.current) return;
-    const names = JSON.stringify([Object.keys(scene.points), scene.base, scene.platform, scene.entities.map(({ id }) => id), scene.limbs?.map(({ joints }) => joints.map(({ kind }) => kind))]);
+    const names = JSON.stringify([Object.keys(scene.points), scene.base, scene.platform, scene.unit, scene.entities.map(({ id }) => id), scene.limbs?.map(({ joints }) => joints.map(({ kind }) => kind))]);
     if (names === shown.current) {
       viewer.current.update({ points: scene.points, limbs: scene.limbs, skeleton: scene.skeleton, directions: scene.directions });
     } else viewer.current.show(scene);

@@ -11,7 +11,7 @@ interface Props {
   begun(): void;
 }
 
-const FIRST = "first";
+const FIRST = ["space", "plane"] as const;
 const OPEN = "open";
 
 export function StartFrom({ store, building, begun }: Props) {
@@ -22,7 +22,8 @@ export function StartFrom({ store, building, begun }: Props) {
   function begin(id: string): void {
     begun();
     store.settle();
-    if (id === FIRST) return void building.begin(null);
+    const first = FIRST.find((one) => one === id);
+    if (first) return void building.begin(first);
     if (id === OPEN) return void (opened && building.begin(opened));
     const robot = robots.find((one) => one.id === id);
     if (robot) void building.begin(robot.source);
@@ -51,7 +52,8 @@ export function StartFrom({ store, building, begun }: Props) {
           }}
         >
           <option value="">Begin with …</option>
-          <option value={FIRST}>a single limb</option>
+          <option value="space">a single limb</option>
+          <option value="plane">a single limb of a planar robot</option>
           {opened && <option value={OPEN}>the open robot: {store.study.value?.title}</option>}
           <optgroup label="Robots">
             {robots.map(({ id, title }) => (
