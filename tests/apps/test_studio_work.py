@@ -127,22 +127,22 @@ def test_all_keys_are_listed_and_act(desk: Desk) -> None:
 
 def test_single_keys_can_be_switched_off_and_do_nothing_where_one_writes(desk: Desk) -> None:
     desk.one("gallery-search").fill("")
-    desk.one("gallery-search").press("6")
+    desk.one("gallery-search").press("7")
     assert desk.run("gcrules.panel$.value") == "start"
     desk.one("gallery-search").blur()
     desk.one("keys").click()
     desk.one("single-keys").uncheck()
     desk.page.keyboard.press("Escape")
-    desk.page.keyboard.press("6")
+    desk.page.keyboard.press("7")
     assert desk.run("gcrules.panel$.value") == "start"
     desk.page.reload()
     desk.page.wait_for_selector("[data-testid=line][data-line=open]", state="attached")
-    desk.page.keyboard.press("6")
+    desk.page.keyboard.press("7")
     assert desk.run("gcrules.panel$.value") == "start"
     desk.one("keys").click()
     desk.one("single-keys").check()
     desk.page.keyboard.press("Escape")
-    desk.page.keyboard.press("6")
+    desk.page.keyboard.press("7")
     assert desk.run("gcrules.panel$.value") == "bench"
 
 
