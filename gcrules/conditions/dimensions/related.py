@@ -84,13 +84,15 @@ def _not_affine(first: Places, second: Places, height: int) -> float:
     return part(off, size)
 
 
-def _volume(places: Places) -> float:
-    """The square of the volume that places span, up to a factor: the determinant of Gram."""
-    rows = [tuple(map(float, minus(p, places[0]))) for p in places[1:]]
+def _volume(places: Places) -> Any:
+    """The square of the volume that places span, up to a factor: the determinant of Gram. Exact: rounded, places near
+    each other would span none beside one far away.
+    """
+    rows = [minus(p, places[0]) for p in places[1:]]
     gram = [[inner(u, v) for v in rows] for u in rows]
     if len(gram) == 2:
-        return float(gram[0][0] * gram[1][1] - gram[0][1] ** 2)
-    return float(inner(cross(rows[0], rows[1]), rows[2])) ** 2
+        return gram[0][0] * gram[1][1] - gram[0][1] ** 2
+    return inner(cross(rows[0], rows[1]), rows[2]) ** 2
 
 
 def _projective(first: Places, second: Places) -> bool:
