@@ -86,7 +86,7 @@ def test_the_general_platform_says_it_beside_the_complex() -> None:
     assert reading.kind == "five-leg-screw"
     assert reading.certificate.method == "catalog-instance"
     assert "the robot is singular exactly when this motion does not change the length of Ff" in reading.statement
-    assert "[[Aa, Bb, Cc, Dd, Ee, Ff]] = 0" in a.text()
+    assert "[[Aa, Bb, Cc, Dd, Ee, Ff]] = [[Aa" not in a.text()
     assert gc.analyze("6-6", recheck=True).readings[0].certificate.method == "normal-form"
 
 
