@@ -29,7 +29,7 @@ from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import EngineFault, InputError
 from gcrules.core.seeds import remark
 from gcrules.core.shown import Shown
-from gcrules.rules.catalog.catalog import Match
+from gcrules.rules.catalog.catalog import FIVE_LEG_SCREW, Match
 from gcrules.rules.catalog.file import load
 from gcrules.rules.condition import Condition, Entity, starred
 from gcrules.rules.condition_rule import ConditionClaim
@@ -188,7 +188,9 @@ def analyze(
             structure, typed, shortest, match, condition, (), derivation, strategy, degeneracy=why, notes=_seed_note()
         )
     found = read(structure, matches, catalog, strategy, chosen=chosen, recheck=recheck, search=search)
-    conditions = (*found.conditions, linear_complex(structure, catalog, alone=not found.conditions))
+    alone = all(c.kind == FIVE_LEG_SCREW for c in found.conditions)
+    known = (*found.conditions, linear_complex(structure, catalog, alone=alone))
+    conditions = tuple(sorted(known, key=lambda c: c.kind == FIVE_LEG_SCREW))
     derivation = _derivation(found, structure, conditions[0], chosen)
     sign = 1 if structure.rank != 4 else structure.sign
     shown = SuperbracketForm(found.form.form, found.form.order, found.form.polynomial * sign)

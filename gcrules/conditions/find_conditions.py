@@ -16,7 +16,7 @@ from gcrules.conditions import superbracket_forms as forms
 from gcrules.core.dataclass import dataclass
 from gcrules.core.english import listed
 from gcrules.core.errors import LimitReached
-from gcrules.rules.catalog.catalog import Catalog, Match
+from gcrules.rules.catalog.catalog import FIVE_LEG_SCREW, Catalog, Match
 from gcrules.rules.catalog.entries import SHIPPED
 from gcrules.rules.claims import best_first, certify, describe, in_special_position
 from gcrules.rules.condition import Condition
@@ -241,7 +241,7 @@ def _with_factorization(found: Readings, structure: Structure, matches: Sequence
     """The readings with one of a factorization where there is no other; in special position also where the others have
     a cofactor. Classes of the catalog are known in general position.
     """
-    known = found.conditions[0] if found.conditions else None
+    known = next((c for c in found.conditions if c.kind != FIVE_LEG_SCREW), None)
     if matches and not structure.special:
         return found
     if known is not None and (known.cofactor == ONE or known.kind == COUPLES or not structure.special):

@@ -24,7 +24,7 @@ from gcrules.rules.claims import certify
 from gcrules.rules.condition import Condition
 from gcrules.rules.random_witness import SAMPLES, RandomWitness
 
-__all__ = ["FROM_CATALOG", "LABELS", "Catalog", "Match"]
+__all__ = ["FIVE_LEG_SCREW", "FROM_CATALOG", "LABELS", "Catalog", "Match"]
 
 
 @dataclass(frozen=True)
@@ -115,6 +115,8 @@ class Catalog:
             )
             if structure.special and oracle.zero(cofactor):
                 continue
+            if structure.ideal and reading.kind == FIVE_LEG_SCREW:  # speaks of lengths and turns
+                continue
             if oracle.zero(cofactor) or not oracle.zero(condition.identity(structure.superbracket)):
                 raise _false(condition, known, reading, entry)
             if recheck:
@@ -153,7 +155,10 @@ def _false(condition: Condition, known: Standing, reading: CatalogIdentity, entr
     return FileError(why, filename=reading.place or entry.place)
 
 
-FROM_CATALOG = ("transversals", "one-incidence")  # kinds of which the catalog has identities of its own
+FIVE_LEG_SCREW = "five-leg-screw"
+"""The kind that tells what five legs leave free, and stands beside a condition; it is none by itself."""
+
+FROM_CATALOG = ("transversals", "one-incidence", FIVE_LEG_SCREW)  # kinds of which the catalog has identities of its own
 _FURTHER = 3  # points for what has no proof
 _UNPROVED = Certificate("none", "claimed by a catalog")
 

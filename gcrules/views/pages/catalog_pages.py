@@ -289,6 +289,8 @@ _SPACE_IN_PIECE = re.compile(r" (?![∧∨+−·] )")
 
 
 def _condition(a: Analysis, c: Condition) -> list[str]:
+    if c.kind == "linear-complex":
+        return [*block(_math(a, c.expression)), f"Certificate: {inline(c.certificate.detail)}.", ""]
     cofactor = [] if str(c.cofactor) == "1" else [f"({_math(a, c.cofactor)}) ·"]
     left = _wrapped([*cofactor, f"{_math(a, a.structure.superbracket)} ="], "")
     lines = block(*left, *_formula(a, c.right_side, "  "))

@@ -16,6 +16,7 @@ from gcrules.rules.derivation import Step
 from gcrules.views.drawing.figures import graph_figure, robot_figure
 from gcrules.views.formulas.terms import formula_html
 from gcrules.views.report.items import Formula, Item, KeyValue
+from gcrules.views.report.parts import answer_html
 from gcrules.views.report.report_page import footer, page, robot_figure_html
 from gcrules.views.report.robot_report import moves, robot_report
 from gcrules.views.report.scene_json import drawable, scene
@@ -84,7 +85,7 @@ def _header(title: str, a: Analysis, platform: Coordinates | None) -> str:
 
 
 def _answer(a: Analysis) -> str:
-    return "".join(f"<p>{escape(sentence)}</p>" for sentence in leading_sentences(a))
+    return answer_html(leading_sentences(a))
 
 
 def _sure(a: Analysis) -> str:

@@ -21,6 +21,7 @@ from gcrules.views.drawing.figures import graph_figure
 from gcrules.views.drawing.solids import flat_normal
 from gcrules.views.formulas.terms import formula_html
 from gcrules.views.report.items import Formula
+from gcrules.views.report.parts import answer_html
 from gcrules.views.report.report_page import footer, page, robot_figure_html
 from gcrules.views.report.robot_numbers import numbers_html
 from gcrules.views.report.scene_json import scene
@@ -60,7 +61,7 @@ def robot_report(a: RobotAnalysis, *, live: bool = True, more: Sequence[str] = (
 
 
 def _answer(a: RobotAnalysis) -> str:
-    return "".join(f"<p>{escape(sentence)}</p>" for sentence in leading_sentences(a))
+    return answer_html(leading_sentences(a))
 
 
 def robot_scene(a: RobotAnalysis) -> SceneData:

@@ -220,6 +220,8 @@ def _listed(entities: Sequence[Entity]) -> str:
 
 
 def _condition(condition: Condition, a: Analysis) -> list[Item]:
+    if condition.kind == "linear-complex":  # which is the superbracket itself
+        return [Formula(None, a.structure.superbracket)]
     return [Formula(ex.mul(condition.cofactor, a.structure.superbracket), condition.right_side)]
 
 

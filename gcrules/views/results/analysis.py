@@ -7,6 +7,7 @@ from textwrap import indent
 from gcrules.algebra.language.text import text, text_terms
 from gcrules.conditions.analysis import Analysis
 from gcrules.views.report.items import Item, KeyValue
+from gcrules.views.report.parts import in_shell
 from gcrules.views.report.stages import leading_sentences, stages
 from gcrules.views.results.derivation import as_text as derivation_text
 from gcrules.views.results.derivation import ascii_words
@@ -20,7 +21,7 @@ _MOST_TERMS, _FIRST = 12, 3  # of a superbracket, unless all is asked for
 
 def as_text(a: Analysis, *, unicode: bool = False, full: bool = False) -> str:
     """The stages as plain text; `unicode` writes ∧ ∨ and keeps arrows, `full` adds the derivation step by step."""
-    lines = [line for sentence in leading_sentences(a) for line in _wrapped(sentence.split(), "")] + [""]
+    lines = [line for sentence in in_shell(leading_sentences(a)) for line in _wrapped(sentence.split(), "")] + [""]
     for n, stage in enumerate(stages(a), 1):
         lines += [f"{n}. {stage.title}", *_why(stage.why)]
         most = _MOST_TERMS if stage.id in ("superbracket", "shortest") and not full else None

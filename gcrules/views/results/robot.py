@@ -14,6 +14,7 @@ from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.mechanisms.lines.serial import LimbCondition, LimbSingularity
 from gcrules.mechanisms.lines.wrenches import LimbWrenches, WrenchLine
 from gcrules.views.report.dimension_items import dimension_lines
+from gcrules.views.report.parts import in_shell
 from gcrules.views.report.stage_ids import TITLES
 from gcrules.views.results.at_infinity import at_infinity
 from gcrules.views.results.derivation import ascii_words
@@ -43,7 +44,7 @@ _WIDTH = 100
 
 def as_text(a: RobotAnalysis, *, unicode: bool = False) -> str:
     """Limbs, equivalent lines, condition, factors, singularities of limbs, certificate."""
-    out = [*(line for sentence in leading_sentences(a) for line in _wrapped(sentence)), "", *_head(a)]
+    out = [*(line for sentence in in_shell(leading_sentences(a)) for line in _wrapped(sentence)), "", *_head(a)]
     for number, (title, lines) in enumerate(sections(a, unicode), 1):
         out += ["", f"{number}. {title}"]
         for line in lines:
@@ -207,7 +208,7 @@ def factor_kind(part: FactorCause) -> str:
 
 
 def _wrapped(words: str, indent: int = 0) -> list[str]:
-    first, rest = " " * indent, " " * (indent + 2 * bool(indent))
+    first, rest = " " * indent, " " * (indent + 2 * (indent > 0 or words.startswith("- ")))
     return textwrap.wrap(
         words, _WIDTH, initial_indent=first, subsequent_indent=rest, break_long_words=False, break_on_hyphens=False
     )
