@@ -12,6 +12,7 @@ from gcrules.apps.studio.items import fact, formula, sentence
 from gcrules.apps.studio.protocol.study_views import Item, RobotView
 from gcrules.mechanisms.conditions.factor_causes import KINDS, FactorCause
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
+from gcrules.mechanisms.description.relations import AXES
 from gcrules.mechanisms.lines.equivalent import FRAME
 from gcrules.views.drawing.drawing import Drawing
 from gcrules.views.formulas.latex import latex
@@ -89,9 +90,8 @@ def _equivalent(robot: RobotAnalysis) -> Iterator[Item]:
         role = "constraint " if line.role == "constraint" else ""
         yield fact(leg_text(line.ends), f"{role}{'couple' if line.couple else 'force'} of {_of(line.limb)}")
     if s.ideal:
-        yield fact(
-            "at infinity", at_infinity(s.ideal, robot.condition, robot.lines.structure.names if robot.lines else ())
-        )
+        names = robot.lines.structure.names if robot.lines else ()
+        yield fact("at infinity", at_infinity(s.ideal, robot.condition, names, AXES))
     for name, what in s.named:
         yield fact(name, what)
     if s.incidences:

@@ -11,6 +11,7 @@ from gcrules.core.english import in_parts, listed
 from gcrules.mechanisms.conditions.common_factor import CommonFactor, Subset
 from gcrules.mechanisms.conditions.factor_causes import KINDS, FactorCause
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
+from gcrules.mechanisms.description.relations import AXES
 from gcrules.mechanisms.lines.serial import LimbCondition, LimbSingularity
 from gcrules.mechanisms.lines.wrenches import LimbWrenches, WrenchLine
 from gcrules.views.report.dimension_items import dimension_lines
@@ -182,7 +183,7 @@ def _structure(a: RobotAnalysis) -> str:
         words[0] += ", chosen among those of all limbs"
     if a.structure.ideal:
         names = a.lines.structure.names if a.lines else ()
-        words.append(f"at infinity {at_infinity(a.structure.ideal, a.condition, names)}")
+        words.append(f"at infinity {at_infinity(a.structure.ideal, a.condition, names, AXES)}")
     words += [f"{n} is {what}" for n, what in a.structure.named]
     return "; ".join(words)
 
