@@ -149,7 +149,7 @@ def test_guided_path(desk: Desk, name: str, kind: str) -> None:
             assert bare(whole) in formulas(panel)
             assert a.condition.certificate.detail in panel.inner_text()
         elif stage == "statement":
-            assert desk.text("statement").replace("\n", "") == a.condition.statement
+            assert bare(desk.text("statement")) == bare(a.condition.statement)  # in parts where it is long
         elif stage == "check":
             steps = desk.one("derivation").locator("li")
             assert steps.locator("h3").all_inner_texts() == [s.rule for s in a.derivation]

@@ -16,6 +16,7 @@ from gcrules.apps.studio.protocol.study_views import Item, OrdersItem, Piece, St
 from gcrules.apps.studio.subject import Subject
 from gcrules.apps.studio.theory import THEORY, WHY_OF_KINDS
 from gcrules.conditions.analysis import Analysis
+from gcrules.core.english import in_parts
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.rules.condition import Entity
 from gcrules.views.drawing.figures import distinct_entities
@@ -23,8 +24,8 @@ from gcrules.views.drawing.scene_parts import entity_label
 from gcrules.views.report.dimension_items import dimension_items
 from gcrules.views.report.items import Formula, KeyValue
 from gcrules.views.report.stage_ids import TITLES
-from gcrules.views.report.stages import Recognised, leading_sentences, recognised, structure_items
-from gcrules.views.results.robot import leading_sentences as of_robot
+from gcrules.views.report.stages import Recognised, in_every_pose, recognised, structure_items
+from gcrules.views.results.robot import in_every_pose as robot_in_every_pose
 
 __all__ = ["stage_views"]
 
@@ -67,11 +68,11 @@ def _stages(a: Analysis, robot: RobotAnalysis | None) -> Iterator[tuple[str, lis
     found_of = a.dimensions if robot is None else robot.dimensions
     dimensions = map(_plain, dimension_items(found_of) if found_of else ())
     if robot is None:
-        always = map(sentence, leading_sentences(a))
-        yield "statement", [*always, *(sentence(f"Also: {words}") for words in others), *dimensions]
+        stated = [*in_every_pose(a), _in_lines(c.sentence)]
+        yield "statement", [*map(sentence, stated), *(sentence(f"Also: {words}") for words in others), *dimensions]
     else:
-        always = map(sentence, of_robot(robot))
-        yield "statement", [*always, sentence(f"Of its lines: {c.sentence}"), *dimensions]
+        stated = [*robot_in_every_pose(robot), _in_lines(robot.statement)]
+        yield "statement", [*map(sentence, stated), sentence(f"Of its lines: {c.sentence}"), *dimensions]
     certified = [fact(c.certificate.method, c.certificate.detail)]
     if robot is not None:
         certified.append(fact("the robot", robot.certificate))
@@ -79,6 +80,11 @@ def _stages(a: Analysis, robot: RobotAnalysis | None) -> Iterator[tuple[str, lis
             p = robot.published
             certified.append(fact("published condition", f"{p.condition}: {p.verdict}, {p.detail}"))
     yield "check", [*certified, *_check(a), *map(sentence, a.notes)]
+
+
+def _in_lines(words: str) -> str:
+    """A long statement with each of its parts on a line of its own."""
+    return "\n".join(in_parts(words))
 
 
 def _plain(item: str | KeyValue | Formula) -> Item:

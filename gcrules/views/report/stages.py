@@ -24,6 +24,7 @@ from gcrules.views.results.at_infinity import at_infinity
 __all__ = [
     "Recognised",
     "Stage",
+    "in_every_pose",
     "leading_sentences",
     "recognised",
     "stages",
@@ -72,8 +73,13 @@ def leading_sentences(a: Analysis) -> tuple[str, ...]:
     """What stands first: that the robot is singular in every pose, if it is or nearly so, then the condition, in parts
     where it is long.
     """
+    return (*in_every_pose(a), *in_parts(a.condition.sentence))
+
+
+def in_every_pose(a: Analysis) -> tuple[str, ...]:
+    """That the robot is singular in every pose, if it is or nearly so."""
     always = a.dimensions.architecture.sentence if a.dimensions else ""
-    return (*filter(None, [always]), *in_parts(a.condition.sentence))
+    return tuple(filter(None, [always]))
 
 
 def _stages(a: Analysis) -> Iterator[tuple[str, str, list[Item]]]:
