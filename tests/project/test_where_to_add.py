@@ -19,6 +19,10 @@ from places import EXAMPLES, ROOT
 import gcrules as gc
 from gcrules.api import signatures
 from gcrules.apps.cli import COMMANDS
+from gcrules.apps.repl.commands import HANDLERS
+from gcrules.apps.repl.interpreter import Interpreter
+from gcrules.apps.repl.tables import COMMANDS as PROMPT
+from gcrules.apps.repl.tables import Command
 from gcrules.apps.studio.answers import ANSWERS, answer
 from gcrules.apps.studio.protocol.methods import METHODS
 from gcrules.core.arguments import TEXT
@@ -26,6 +30,9 @@ from gcrules.core.errors import InputError
 from gcrules.core.frozen import FrozenMap
 from gcrules.core.shown import Shown
 from gcrules.mechanisms.conditions.checks import home_values
+from gcrules.mechanisms.editing.edits import EDITS, Edit, edited
+from gcrules.mechanisms.editing.reading import read_sheet
+from gcrules.mechanisms.editing.writing import rewritten
 from gcrules.mechanisms.limbs import Limbs
 from gcrules.mechanisms.models.model import Model, ModelJoint
 from gcrules.mechanisms.models.reading import READERS, read_model
@@ -84,6 +91,8 @@ SHOWN_BY = {
     "a file format of a map": "test_a_file_format_of_a_map",
     "a kind of mechanism": "test_a_kind_of_mechanism",
     "a command": "test_a_command",
+    "a command of the prompt": "test_a_command_of_the_prompt",
+    "a change of a robot's limbs": "test_a_change_of_limbs",
     "a method of the studio": "test_a_method_of_the_studio",
     "an argument of a public function": "test_an_argument_of_a_public_function",
 }
@@ -316,6 +325,22 @@ def test_a_kind_of_mechanism(add: Add, monkeypatch: pytest.MonkeyPatch) -> None:
         add(table, Renamed, table[Limbs])
     assert gc.pose("3-rps", "z=0.1, roll=0deg, pitch=0deg", nearest=False).verdict == "regular"
     assert gc.singular("3-rps", "z=0.1, roll=0deg, pitch=0deg") is None
+
+
+def test_a_command_of_the_prompt(add: Add) -> None:
+    add(PROMPT, "twice", Command("twice", ":twice EXPR", "two times a scalar", "expression"))
+    add(HANDLERS, "twice", lambda repl, request: repl.shown(2 * repl.expression(request.source), request.source))
+    (found,) = Interpreter().feed(":twice [bacd]")
+    assert (found.text, found.verdict) == ("−2[abcd]", "shown")
+    assert "two times a scalar" in next(iter(Interpreter().feed(":help"))).text
+
+
+def test_a_change_of_limbs(add: Add) -> None:
+    add(EDITS, "limb loud", lambda sheet, edit: replace(sheet, title=sheet.title.upper()))
+    text = (ROOT / "plugins" / "3-rps" / "robot.yaml").read_text(encoding="utf-8")
+    placed = read_sheet(text)
+    after = rewritten(text, placed, edited(placed.sheet, Edit("limb loud")))
+    assert [line for line in after.splitlines() if line not in text.splitlines()] == ['title: "3-RPS ROBOT"']
 
 
 def test_a_method_of_the_studio(add: Add) -> None:
