@@ -138,6 +138,7 @@ function pageActions(store: Store): Action[] {
   return [
     { id: "palette", title: "Commands", group: "Page", keys: ["Mod k"], everywhere: true, words: "palette", act: () => void (front.dialog.value = "palette") },
     { id: "keys", title: "Keys", group: "Page", keys: ["?"], words: "shortcuts keyboard help", act: () => void (front.dialog.value = "keys") },
+    { id: "tour", title: "A tour of three minutes", group: "Page", words: "help introduction begin learn", act: () => void (front.tour.value = 0) },
     {
       id: "repeat",
       title: "Repeat it: lines for the shell and for Python",

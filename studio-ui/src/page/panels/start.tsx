@@ -29,6 +29,9 @@ export function Start({ store }: PanelProps) {
             <button type="button" onClick={() => store.go({ panel: "draw", making: "limbs" })} data-testid="start-build">
               <Icon name="build" size={16} /> Build limbs
             </button>
+            <button type="button" onClick={() => void (store.front.tour.value = 0)} data-testid="start-tour">
+              <Icon name="play" size={14} /> A tour, three minutes
+            </button>
             <button type="button" onClick={() => store.go({ panel: "bench" })} data-testid="start-bench">
               <Icon name="bench" size={16} /> Expression bench
             </button>

@@ -5,6 +5,7 @@ import { KeyList } from "./key-list";
 import { Palette } from "./palette";
 import { Repeat } from "./repeat";
 import { TermTip } from "./term-tip";
+import { TourCard } from "./tour";
 import "./front.css";
 import "./repeat.css";
 import "./terms.css";
@@ -19,6 +20,7 @@ export function Front() {
       {dialog.value === "glossary" && <Glossary onClose={close} />}
       {dialog.value === "repeat" && <Repeat onClose={close} />}
       <TermTip />
+      <TourCard />
       <div class={notice.value ? "notice told" : "notice"} role="status" data-testid="notice">
         {notice.value}
       </div>

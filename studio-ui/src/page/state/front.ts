@@ -8,6 +8,8 @@ export interface Front {
   /** The term that the glossary was opened for. */
   wanted: ReadonlySignal<string | null>;
   glossary(wanted?: string): void;
+  /** The stop of the tour, counted from 0; null where none is on. */
+  tour: Signal<number | null>;
   notice: ReadonlySignal<string>;
   /** Says what has been done, where nothing else on the page shows it. */
   tell(words: string): void;
@@ -25,6 +27,7 @@ export function createFront(): Front {
     dialog,
     term,
     wanted,
+    tour: signal(null),
     glossary(one) {
       wanted.value = one ?? null;
       term.value = null;
