@@ -25,14 +25,14 @@ def test_every_stop_points_at_something(desk: Desk) -> None:
     assert stops >= 8
     for k in range(1, stops):
         desk.one("tour-next").click()
-        desk.page.locator(".toured").wait_for()
-        assert desk.page.locator(".toured").count() == 1
+        desk.page.locator("[data-toured]").wait_for()
+        assert desk.page.locator("[data-toured]").count() == 1
         assert desk.page.evaluate("() => document.activeElement.dataset.testid") == "tour-next"
         assert desk.page.locator("[data-testid=tour] .count").inner_text() == f"{k + 1} of {stops}"
     assert desk.run("gcrules.source$.value") == {"kind": "example", "name": "octahedral"}
     desk.one("tour-next").click()
     desk.one("tour").wait_for(state="detached")
-    assert desk.page.locator(".toured").count() == 0
+    assert desk.page.locator("[data-toured]").count() == 0
     assert desk.run("gcrules.panel$.value") == "start"
 
 
@@ -51,7 +51,7 @@ def test_the_way_down_crosses_singular_poses(desk: Desk) -> None:
 def test_it_ends_at_any_time_and_the_robot_before_comes_back(desk: Desk) -> None:
     desk.open("robot", "3-rps")
     desk.run("gcrules.front.tour.value = 2")
-    desk.page.locator(".toured").wait_for()
+    desk.page.locator("[data-toured]").wait_for()
     desk.page.keyboard.press("Escape")
     desk.one("tour").wait_for(state="detached")
     desk.one("undo").click()

@@ -5,7 +5,8 @@ import { Icon } from "../parts/icon";
 import { STOPS } from "../state/tour-stops";
 import "./tour.css";
 
-const LATE = 8000; // milliseconds for which a part of the page is waited for
+const MARK = "data-toured";
+const OFTEN = 100; // milliseconds between two looks for a part of the page
 
 export function TourCard() {
   const store = useStore();
@@ -56,24 +57,21 @@ export function TourCard() {
   );
 }
 
-/** Marks a part of the page as soon as it is there; the function that is returned takes the mark back. */
+/** Marks a part of the page as soon as it is there, and again where it is drawn anew; the function that is returned takes the mark back. */
 function pointedAt(testid: string): () => void {
-  const until = performance.now() + LATE;
   let marked: Element | null = null;
-  let timer = 0;
   function look(): void {
     const found = [...document.querySelectorAll(`[data-testid="${testid}"], section.${testid}`)].find((one) => one.getClientRects().length > 0);
-    if (!found) {
-      if (performance.now() < until) timer = window.setTimeout(look, 60);
-      return;
-    }
+    if (!found || found === marked) return;
+    marked?.removeAttribute(MARK);
     marked = found;
-    found.classList.add("toured");
+    found.setAttribute(MARK, "");
     found.scrollIntoView({ block: "nearest" });
   }
   look();
+  const timer = window.setInterval(look, OFTEN);
   return () => {
-    window.clearTimeout(timer);
-    marked?.classList.remove("toured");
+    window.clearInterval(timer);
+    marked?.removeAttribute(MARK);
   };
 }
