@@ -24,11 +24,15 @@ def test_every_stop_points_at_something(desk: Desk) -> None:
     stops = count(desk)
     assert stops >= 8
     for k in range(1, stops):
+        before = desk.page.locator("[data-toured]").evaluate_all("all => all.map(one => one.dataset.testid)")
         desk.one("tour-next").click()
-        desk.page.locator("[data-toured]").wait_for()
-        assert desk.page.locator("[data-toured]").count() == 1
+        desk.page.wait_for_function(
+            """([k, before]) => { const marked = [...document.querySelectorAll("[data-toured]")];
+            return document.querySelector("[data-testid=tour] .count").innerText.startsWith(`${k} of`)
+                && marked.length === 1 && marked[0].dataset.testid !== before }""",
+            arg=[k + 1, before[0] if before else None],
+        )
         assert desk.page.evaluate("() => document.activeElement.dataset.testid") == "tour-next"
-        assert desk.page.locator("[data-testid=tour] .count").inner_text() == f"{k + 1} of {stops}"
     assert desk.run("gcrules.source$.value") == {"kind": "example", "name": "octahedral"}
     desk.one("tour-next").click()
     desk.one("tour").wait_for(state="detached")
