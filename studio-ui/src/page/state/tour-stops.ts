@@ -81,7 +81,7 @@ export const STOPS: readonly Stop[] = [
   {
     title: "Take it away",
     words: "A report, a section for a paper, figures, code for a controller, and, by r, the lines of shell and Python that repeat what you see. Now your robot: type its legs, draw it, build it joint by joint, or open a file.",
-    at: "preview-html",
+    at: "offer-html",
     lead: show("take-away"),
   },
 ];
