@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 import shlex
 import subprocess
 import sys
@@ -13,6 +14,7 @@ import pytest
 from commands import Run
 
 from gcrules.apps.studio.accounts import account_view
+from gcrules.apps.studio.repeating import repeated
 
 if TYPE_CHECKING:
     from apps.studio_client import Page
@@ -199,3 +201,48 @@ def test_what_is_no_such_question_is_refused(page: Page) -> None:
     fault = page.fault("repeat", source=DELTA, what="pose", args={"source": DELTA})
     assert "pose" in fault["message"]
     assert page.fault("repeat", source=DELTA, what="pose", args=[])["message"] == "args.args is no object"
+
+
+# --- lines that are pasted into a terminal ----------------------------------------------------------------------------
+
+BAD = {
+    "the end of the lines": "[abcd]\nEND\necho ran",
+    "more ends": "[abcd]\nEND\nEND1\n END2 \necho ran",
+    "another end of line": "[abcd]\rEND\recho ran",
+    "an expansion": "[abcd] $(echo ran) `echo ran` ${HOME}",
+    "the end of a paste": "[abcd]\x1b[201~\necho ran",
+    "a line separator": "[abcd]\u2028END\u2028echo ran",
+}
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="needs a shell")
+@pytest.mark.parametrize("text", BAD.values(), ids=BAD)
+def test_the_shell_runs_nothing_of_what_stands_on_the_bench(text: str) -> None:
+    shell = repeated(None, "bench", {"text": text})["shell"]
+    assert not re.search(r"[\x00-\x08\x0b-\x1f\x7f]", shell)
+    line, *body, end = shell.split("\n")
+    assert line.endswith(f"<<'{end}'")
+    assert end not in body
+    ran = subprocess.run(["bash", "-c", f"gcrules() {{ cat; }}\n{shell}"], capture_output=True, text=True, check=True)
+    assert ran.stdout.rstrip("\n").split("\n") == body
+
+
+@pytest.mark.parametrize(
+    ("text", "call"),
+    [
+        (":factor [abcd] [efgh]", 'gc.factor("[abcd] [efgh]")'),
+        (":sh [abcd]", 'gc.shorten("[abcd]")'),
+        (":prove [abcd] == -[bacd]", 'gc.prove("[abcd] == -[bacd]")'),
+        (":transversals Aa Ab Bc Cd De Ef", 'gc.transversals("Aa Ab Bc Cd De Ef")'),
+        ("[abcd] == -[bacd]", 'gc.prove("[abcd] == -[bacd]")'),
+        (":steps [abcd]", ""),
+        (":factor", ""),
+        (":latex ab", ""),
+        (":nothing ab", ""),
+    ],
+)
+def test_a_question_alone_is_a_call_of_its_function(text: str, call: str) -> None:
+    python = repeated(None, "bench", {"text": text})["python"]
+    assert (call in python) if call else python == ""
+    if call:
+        subprocess.run([sys.executable, "-c", python], capture_output=True, check=True)

@@ -111,7 +111,7 @@ def _factor(repl: PromptSession, request: Request) -> Iterator[Answer]:
         found = factor(e, points=at.points, ideal=at.ideal, rank=at.rank, seconds=seconds)
     if found.exists:
         repl.remember(found.whole())
-    yield _whole(repl, found, "shown" if found.proved or not found.exists else "undecided")
+    yield _whole(repl, found, "shown" if found.proved or not found.exists else "undecided", _unused(repl))
 
 
 def _shorten(repl: PromptSession, request: Request) -> Iterator[Answer]:
@@ -119,7 +119,7 @@ def _shorten(repl: PromptSession, request: Request) -> Iterator[Answer]:
     with request.placed():
         found = shorten(e, points=at.points, ideal=at.ideal, rank=at.rank, seconds=seconds)
     repl.remember(found.polynomial.to_expr())
-    yield _whole(repl, found, "shown")
+    yield _whole(repl, found, "shown", _unused(repl))
 
 
 def _transversals(repl: PromptSession, request: Request) -> Iterator[Answer]:
@@ -133,11 +133,17 @@ def _transversals(repl: PromptSession, request: Request) -> Iterator[Answer]:
     yield _whole(repl, found, "shown" if found.definite or found.exists else "undecided")
 
 
-def _whole(repl: PromptSession, found: Shown, verdict: str) -> Answer:
+def _unused(repl: PromptSession) -> str:
+    """What has to be said where something is assumed, and the answer is that without it."""
+    return "\n  assumptions  not used: this is the answer without them" if repl.state.context.given else ""
+
+
+def _whole(repl: PromptSession, found: Shown, verdict: str, note: str = "") -> Answer:
     """A result with all that it says; options of the command line are none here."""
     settings = repl.settings
     text = found.latex() if settings.latex else found.text(unicode=settings.unicode)
-    return Answer(text.rstrip("\n").replace(" (shown with --all)", ""), verdict, wraps=False)
+    shown = text.rstrip("\n").replace(" (shown with --all)", "")
+    return Answer(shown if settings.latex else shown + note, verdict, wraps=False)
 
 
 def _prove(repl: PromptSession, request: Request) -> Iterator[Answer]:

@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Callable, Mapping, Sequence
+from itertools import count
 from math import degrees
 from typing import Any
 
 from gcrules.algebra.language.syntax import Context
 from gcrules.algebra.language.text import SHORT_NAME
-from gcrules.apps.repl.reading import first_word
-from gcrules.apps.repl.tables import STATEMENTS
+from gcrules.apps.repl.reading import first_word, is_blank, split_command
+from gcrules.apps.repl.tables import STATEMENTS, meant
 from gcrules.apps.studio.boxes_view import rest_at
 from gcrules.apps.studio.calls import Call, Option
 from gcrules.apps.studio.export import saved
@@ -198,21 +200,45 @@ _CALLS: Mapping[str, Callable[[Subject, Args], Call]] = {
 }
 
 
+_CONTROLS = re.compile(r"[^\S\n\t ]|[\x00-\x08\x0e-\x1f\x7f-\x9f]")
+"""What a terminal may take for a key, where a line is pasted into it."""
+
+
 def _bench(subject: Subject | None, text: str) -> Repeated:
     """The prompt takes what the bench takes; an expression or a claim alone is a call of Python too."""
     s = subject.structure if subject else None
     declared = {"points": [n for n in s.names if not SHORT_NAME.fullmatch(n)], "ideal": list(s.ideal)} if s else {}
+    text = _CONTROLS.sub("", re.sub(r"\r\n?", "\n", text))
     if not text.strip():
         raise InputError("the bench is empty")
     ranks = [f"rank {s.rank}"] if s and s.rank != Context().rank else []
     start = [*ranks, *(f"{word} {' '.join(names)}" for word, names in declared.items() if names)]
-    shell = "\n".join(["gcrules repl <<'END'", *start, *text.strip().splitlines(), "END"])
+    shell = _given("gcrules repl", [*start, *text.strip().split("\n")])
     alone = "\n" not in text.strip() and not ranks and first_word(text.strip()) not in STATEMENTS
     return {"shell": shell, "python": _evaluated(text.strip(), declared) if alone else "", "file": None}
 
 
+def _given(command: str, lines: Sequence[str]) -> str:
+    """A command that is given these lines, ended by a word that is none of them: whatever they hold, the shell runs
+    nothing of it.
+    """
+    end = next(word for n in count() if (word := f"END{n or ''}") not in {line.strip() for line in lines})
+    return "\n".join([f"{command} <<'{end}'", *lines, end])
+
+
+_FUNCTIONS = ("expand", "straighten", "factor", "shorten", "transversals", "prove")
+"""The questions of the prompt that are functions of Python by the same name."""
+
+
 def _evaluated(text: str, declared: Mapping[str, Sequence[str]]) -> str:
+    """The call of an expression, an equation or a question alone; nothing where no function answers it."""
+    called = split_command(text)
     function = "prove" if "==" in text else "expand"
+    if called is not None:
+        function = next(iter(meant(called[0])), "")
+        text = text[called[1] :].strip()
+        if function not in _FUNCTIONS or is_blank(text) or "%" in text:
+            return ""
     names = (f"{word}={json.dumps(' '.join(names))}" for word, names in declared.items() if names)
     given = json.dumps(text, ensure_ascii=False)
     return f"import gcrules as gc\n\nprint(gc.{function}({', '.join([given, *names])}))"
