@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from textwrap import fill
 
+from gcrules.core.english import listed
 from gcrules.poses.loci.form import PolynomialForm
 from gcrules.poses.loci.limb_report import LocusPart, RobotLocus, RobotLocusFactor
 from gcrules.poses.loci.variables import TRANSLATION
@@ -84,6 +85,9 @@ def _rows(found: RobotLocus, unicode: bool) -> Iterator[tuple[str, str]]:
     yield "checked", f"places against the joints in {c['configurations']} configurations{again}"
 
 
+_SIGNS = "signs of the roots, home's are +"
+
+
 def _signed(found: RobotLocus) -> bool:
     """Whether a root has not the sign + all over home's mode."""
     return any(root.sign for root in found.roots)
@@ -119,25 +123,31 @@ def _part(
     else:
         single = len(part.found) == 1 and part.found[0].multiplicity == 1
         for f in part.found:
-            yield "factors" if f is part.found[0] else "", _factor(f, single, bool(part.roots), digits)
+            yield "factors" if f is part.found[0] else "", _factor(f, single, part.roots, _others(part, found), digits)
 
 
-def _factor(f: RobotLocusFactor, single: bool, roots: bool, digits: int | None) -> str:
+def _others(part: LocusPart, found: RobotLocus) -> tuple[str, ...]:
+    """The roots that are none of the part's: its polynomial is the same for both of their signs."""
+    return tuple(root.name for root in found.roots if root.name not in part.roots)
+
+
+def _factor(f: RobotLocusFactor, single: bool, roots: Sequence[str], others: Sequence[str], digits: int | None) -> str:
     power = f", to the power {f.multiplicity}" if f.multiplicity > 1 else ""
     if f.kind == "norm":
         return f"{f.form} (never 0){power}"
-    kept = " in these variables" * (f.seen is None and roots)
+    kept = " in these variables" * (f.seen is None and bool(roots))
     what = f"none: it is irreducible over the rationals{kept}" if single else f"{brief(f.form, digits)}{power}"
-    return f"{what}; {_modes(f.seen)}" if roots and f.seen is not None else what
+    return f"{what}; {_modes(f.seen, roots, others)}" if roots and f.seen is not None else what
 
 
-def _modes(seen: Sightings) -> str:
-    """In which modes zeros were met."""
+def _modes(seen: Sightings, roots: Sequence[str], others: Sequence[str]) -> str:
+    """In which modes zeros were met; the roots that are none of the part's had home's signs."""
     if not seen.zeros:
         return "no real zeros were met"
     if not seen.assembled:
         return f"of {counted(seen.zeros, 'zero')} that {'was' if seen.zeros == 1 else 'were'} met none is assembled"
-    modes = f"{', '.join(seen.modes)} (signs of the roots, home's are +)"
+    signs = f"signs of {listed(roots)}, home's are +; {listed(others)} as at home" if others else ""
+    modes = f"{', '.join(seen.modes)} ({signs or _SIGNS})"
     where = "at all" if seen.assembled == seen.zeros else f"at {seen.assembled}"
     return f"{where} of {counted(seen.zeros, 'zero')} met the robot is singular, in the working modes {modes}"
 
