@@ -268,3 +268,29 @@ home:
 """
     with pytest.raises(gc.InputError, match="in one of the working modes every pose is singular"):
         gc.locus(gc.load(text))
+
+
+@pytest.mark.parametrize("name", ["3-crr", "3-cpu"])
+@pytest.mark.parametrize("multiplied", [None, True, False])
+def test_a_factor_that_does_not_depend_on_the_pose(name: str, multiplied: bool | None) -> None:
+    found: Any = gc.locus(name, over="x", product=multiplied)
+    assert found.parts
+    assert all(part.form.degree == 0 and not part.found for part in found.parts)
+    assert "it vanishes nowhere" in found.text()
+
+
+@pytest.mark.parametrize("about", ["origin", (20, 0, 0), (0, 0, -30)])
+def test_the_centre_of_turns_may_be_far_away(about: Any) -> None:
+    """Another centre is a substitution: where nothing turns it makes no difference."""
+    (far,) = gc.locus("3-rrr", over="y", about=about).parts
+    (near,) = gc.locus("3-rrr", over="y").parts
+    for y in (Fraction(1, 7), Fraction(-3, 5)):
+        assert far.form([y]) * near.form([Fraction(2, 3)]) == near.form([y]) * far.form([Fraction(2, 3)])
+
+
+def test_the_signs_of_roots_that_a_factor_does_not_have_are_told() -> None:
+    found: Any = gc.locus("3-puu", over="y", fix="x=-1/4, z=1/2", product=True)
+    words = " ".join(found.text().split())
+    assert words.count("signs of s_A2 and s_A3, home's are +; s_A1 as at home") == 2
+    assert "over all signs of its roots" in words
+    assert words.count("product of the factor over the 4 choices of signs") == 2

@@ -35,7 +35,7 @@ from gcrules.screws.pose_text import SHIFTS
 __all__ = ["limb_places", "limb_programs", "solved_near_home", "wrench_forms"]
 
 _POSES = 24  # from which closed forms are found, and as many with which they are compared
-_REACHES = (0.1, 0.02, 0.005)  # in parts of the robot's size, and rad
+_REACHES = (0.1, 0.02, 0.005, 1e-3, 2e-4)  # in parts of the robot's size, and rad; about a far centre little is far
 _EQUAL = 1e-9  # of values from −1 to 1
 
 

@@ -75,7 +75,8 @@ class Modes:
             return mp.sqrt(x) * by.get(self.eliminated.numbers.get(node, -1), 1)
 
         above, below = self.form.values(inputs, root, lambda x: 1 / x, [factor.value, factor.over])
-        return above / below
+        found = above / below
+        return mpf(found.numerator) / found.denominator if isinstance(found, Fraction) else found
 
     def check(self, factor: ClosedFactor, norm: Numerator) -> None:
         """Two roads: the factor in all modes in long decimals. Raises EngineFault where the product of them, or with

@@ -17,7 +17,7 @@ from gcrules.views.formulas.latex_text import latex_words
 from gcrules.views.paper.bibliography import OWN_KEY, cited_in
 from gcrules.views.paper.formulas import breakable, displayed, equation, inline, itemized, named_words, sentence
 from gcrules.views.paper.subject import Subject
-from gcrules.views.report.dimension_items import dimension_lines
+from gcrules.views.report.dimension_items import DIMENSIONS, dimension_lines
 from gcrules.views.report.stage_ids import TITLES
 from gcrules.views.results.derivation import reasons
 from gcrules.views.results.robot import CONDITION, FACTORS, LIMBS, LINES, factor_words, in_every_pose, sections
@@ -151,8 +151,11 @@ def _points(names: Sequence[str]) -> str:
 
 
 def _result(s: Subject) -> Iterator[str]:
-    lines = [n for n, _ in s.condition.lines] if s.condition else ()
+    lines = [n for n, _ in s.condition.lines] if s.condition else []
+    if s.condition and s.condition.kind == "linear-complex":
+        lines += _OF_SCREW
     said = latex_words(s.whose) + sentence(s.meaning, lines, s.names)
+    said = said.replace("$h$ cos $w$ = $r$ sin $w$", r"$h\cos w = r\sin w$")
     if s.condition is None or s.lines is None:
         before = in_every_pose(s.robot) if s.robot else ()
         yield from map(latex_words, before)
@@ -170,6 +173,10 @@ def _result(s: Subject) -> Iterator[str]:
         ]
     )
     yield "\n".join([r"\begin{proof}" + _heading(s), *_proof(s, s.lines), r"\end{proof}"])
+
+
+_OF_SCREW = ("h", "r", "w")
+"""Pitch, distance and angle in the sentence of one line against the screw of the others."""
 
 
 def _heading(s: Subject) -> str:
@@ -216,7 +223,9 @@ def _certified(s: Subject, c: Condition) -> str:
     if _says_nothing(s):
         return (
             r"Lines are dependent exactly if their Pl\"{u}cker coordinates lie in one hyperplane, that is, if the lines"
-            " belong to one linear complex."
+            " belong to one linear complex: exactly if a screw that is reciprocal to five of them, which there always"
+            " is, is reciprocal to the sixth. The mutual moment of a line and a screw of pitch $h$ is proportional to"
+            r" $h\cos w - r\sin w$."
         )
     detail = c.certificate.detail
     if detail.startswith("proved"):
@@ -250,7 +259,7 @@ def _limits(s: Subject) -> Iterator[str]:
         dimensions = s.lines.dimensions if s.lines else None
         if dimensions is not None:
             yield rf"\paragraph{{{latex_words(TITLES['dimensions'])}.}}"
-            yield itemized(named_words(line, s.names) for line in dimension_lines(dimensions))
+            yield itemized(named_words(line, s.names) for line in dimension_lines(dimensions, DIMENSIONS))
         return
     if len(a.parts) > 1 or any(p.kind in ("never", "choice", "limb") for p in a.parts):
         yield r"\paragraph{Factors.} The factors of the right side are, for this robot:"

@@ -23,10 +23,10 @@ def dimension_items(d: Dimensions) -> list[Item]:
     return list(_items(d))
 
 
-def dimension_lines(d: Dimensions) -> list[str]:
-    """All of it as lines of text, of a robot of joints."""
+def dimension_lines(d: Dimensions, what: str = DIMENSIONS_OF_ROBOT) -> list[str]:
+    """All of it as lines of text, after a sentence on `what` it is, that of robots of joints if no other."""
     words = (f"{item.key}: {item.value}" if isinstance(item, KeyValue) else str(item) for item in _items(d))
-    return [DIMENSIONS_OF_ROBOT, *words]
+    return [what, *words]
 
 
 def _items(d: Dimensions) -> Iterator[Item]:

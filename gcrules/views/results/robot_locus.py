@@ -48,6 +48,8 @@ def as_text(found: RobotLocus, *, unicode: bool = False, digits: int | None = No
 def headline(found: RobotLocus) -> str:
     """What the polynomials say."""
     head = _ALONE if not found.roots else _HEAD if found.multiplied else _KEPT
+    if any(part.roots and _others(part, found) for part in found.parts):
+        head = head.replace("all working modes", "all signs of its roots, which tell working modes apart")
     return head.format(_CHOSEN if found.chosen else "")
 
 
@@ -108,7 +110,10 @@ def _part(
         yield name, f"0: it vanishes at each of these poses, in {'some' if found.multiplied else 'every'} working mode"
         return
     multiplied = found.multiplied and part.roots
-    product = f"product over {2 ** len(part.roots)} working modes of the factor" if multiplied else "factor"
+    count = 2 ** len(part.roots)
+    product = f"product over {count} working modes of the factor" if multiplied else "factor"
+    if multiplied and _others(part, found):
+        product = f"product of the factor over the {count} choices of signs"
     coefficient = f"({number(part.coefficient)}) {times} {name}" if part.coefficient != 1 else name
     below = f" {times} ".join(f"({_short(p)})^{n}" if n > 1 else f"({_short(p)})" for p, n in part.below)
     yield "identity", f"{product} = {coefficient}{f' / ({below})' if below else ''}"
