@@ -15,6 +15,7 @@ from gcrules.views.formulas.latex_text import latex_quantity
 from gcrules.views.text_tables import columns, wrapped
 
 __all__ = [
+    "above_rounding",
     "actuator_notes",
     "amplification_lines",
     "amplification_rows",
@@ -144,4 +145,9 @@ def conditioning_rows(a: Amplification, unit: str) -> Iterator[tuple[str, str]]:
 def _number(x: float) -> str:
     if math.isnan(x):
         return "not defined"
-    return "infinite" if math.isinf(x) else "0" if abs(x) < _NOTHING else f"{x:.4g}"
+    return "infinite" if math.isinf(x) else f"{above_rounding(x):.4g}"
+
+
+def above_rounding(x: float) -> float:
+    """The number, 0 where it is rounding only."""
+    return 0.0 if abs(x) < _NOTHING else x

@@ -13,6 +13,7 @@ from gcrules.screws.pose import Pose
 from gcrules.screws.threshold import degrees
 from gcrules.views.formulas.latex_text import latex_quantity, latex_table
 from gcrules.views.results.amplification import (
+    above_rounding,
     amplification_lines,
     conditioning,
     conditioning_rows,
@@ -201,7 +202,7 @@ def as_latex(r: PoseReport) -> str:
         ("verdict", r.verdict),
         ("margin $\\sigma$", latex_quantity(r.margin)),
         ("superbracket", latex_quantity(r.superbracket, u, 9)),
-        ("smallest singular value", latex_quantity(r.jacobian.smallest_singular_value)),
+        ("smallest singular value", latex_quantity(above_rounding(r.jacobian.smallest_singular_value))),
         ("condition number", latex_quantity(r.jacobian.condition_number)),
         ("characteristic length", latex_quantity(r.jacobian.length, u)),
         *conditioning_rows(r.jacobian.amplification, u),

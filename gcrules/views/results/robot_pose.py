@@ -16,6 +16,7 @@ from gcrules.screws.threshold import degrees
 from gcrules.views.formulas.latex import latex_name
 from gcrules.views.formulas.latex_text import latex_quantity, latex_table
 from gcrules.views.results.amplification import (
+    above_rounding,
     amplification_lines,
     conditioning,
     conditioning_rows,
@@ -228,7 +229,7 @@ def as_latex(r: RobotPose) -> str:
         ("verdict", r.verdict),
         *((("types", listed([t.symbol for t in r.types])),) if r.types else ()),
         ("margin $\\sigma$", latex_quantity(r.margin)),
-        ("smallest singular value", latex_quantity(r.jacobian.smallest_singular_value)),
+        ("smallest singular value", latex_quantity(above_rounding(r.jacobian.smallest_singular_value))),
         ("condition number", latex_quantity(r.jacobian.condition_number)),
         ("characteristic length", latex_quantity(r.jacobian.length, r.unit)),
         *conditioning_rows(r.jacobian.amplification, r.unit),
