@@ -136,7 +136,7 @@ def test_a_design_that_is_singular_wherever_it_is_moved(path: str) -> None:
     found = gc.analyze(DATA / path)
     assert found.dimensions is not None
     assert found.dimensions.architecture.verdict == "seems singular"
-    assert found.text().startswith("It seems to be architecturally singular")
+    assert found.text().removeprefix("- ").startswith("It seems to be architecturally singular")
 
 
 def test_a_home_that_is_singular_alone_is_left() -> None:
