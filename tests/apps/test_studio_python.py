@@ -206,6 +206,7 @@ def chrome() -> Iterator[Any]:
 
 POSE = "() => window.gcrules.doc.peek().pose"
 SHOWS = "z => Math.abs(window.gcrules.doc.peek().pose.translation[2] - z) < 1e-9"
+OFTEN = 50  # milliseconds: a page behind another one is not drawn, so frames are nothing to wait for
 DRIVEN = "q => Math.abs((window.gcrules.doc.peek().pose.coordinates ?? [0])[0] - q) < 1e-9"
 
 
@@ -214,14 +215,15 @@ def test_the_page_and_python_move_the_same_platform(chrome: Any) -> None:
     with gc.studio(PLATFORM, pose="z=5", browser=False) as window:
         context = chrome.new_context(reduced_motion="reduce")
         page = context.new_page()
+        page.set_default_timeout(60_000)
         page.goto(window.link())
         page.get_by_test_id("shared").wait_for()
-        page.wait_for_function(SHOWS, arg=5)  # not the home of a page that has just come
+        page.wait_for_function(SHOWS, arg=5, polling=OFTEN)  # not the home of a page that has just come
         heard: list[Any] = []
         called = threading.Event()
         window.observe(lambda pose: (heard.append(pose), called.set()))
         window.pose = "z=7"
-        page.wait_for_function(SHOWS, arg=7)
+        page.wait_for_function(SHOWS, arg=7, polling=OFTEN)
         assert window.wait(0.1) is None  # what Python has sent does not come back
         page.evaluate("() => window.gcrules.edit({pose: {translation: [1, 0, 0], quaternion: [1, 0, 0, 0]}})")
         assert window.wait(SOON) == Pose((1, 0, 0))
@@ -229,11 +231,11 @@ def test_the_page_and_python_move_the_same_platform(chrome: Any) -> None:
         assert heard[-1] == window.pose
         other = context.new_page()  # a second page follows the first
         other.goto(window.address)
-        other.wait_for_function("() => window.gcrules?.doc.peek().pose.translation[0] === 1")
+        other.wait_for_function("() => window.gcrules?.doc.peek().pose.translation[0] === 1", polling=OFTEN)
         page.evaluate("() => window.gcrules.edit({pose: {translation: [0, 0, 3], quaternion: [1, 0, 0, 0]}})")
-        other.wait_for_function(SHOWS, arg=3)
+        other.wait_for_function(SHOWS, arg=3, polling=OFTEN)
         page.reload()
-        page.wait_for_function(SHOWS, arg=3)
+        page.wait_for_function(SHOWS, arg=3, polling=OFTEN)
         page.evaluate("() => window.gcrules.open({kind: 'robot', id: 'delta'})")
         page.get_by_test_id("shared").wait_for(state="detached")
         seen = window.pose
