@@ -27,7 +27,7 @@ from gcrules.rules.generic_lines import alive, statement_of_lines, written_back
 from gcrules.rules.random_witness import RandomWitness
 from gcrules.rules.rule import StructureRule
 from gcrules.rules.sentences import sentence
-from gcrules.rules.statement import Statement, say
+from gcrules.rules.statement import Quantity, Statement, say
 from gcrules.rules.strategy import CATALOG, FACTORIZATION, MAX_TERMS, SHORTEST, Strategy, of_plugins, recognise
 
 __all__ = ["Readings", "always_zero", "linear_complex", "read"]
@@ -308,11 +308,11 @@ def _of_one_leg(structure: Structure) -> Statement:
     """
     *_, last = structure.lines
     return say(
-        "Without {} the platform can make the instantaneous screw motions that are reciprocal to the other five legs, "
-        "as a rule one only; the robot is singular exactly when one of them is reciprocal to {} too: when "
-        "h cos w = r sin w, where h is its pitch, r the distance from its axis to {} and w the angle between them, "
-        "right-handed about their common perpendicular (a translation: when w is a right angle).",
-        last,
-        last,
-        last,
+        "Without {last} the platform can make the instantaneous screw motions that are reciprocal to the other five "
+        "legs, as a rule one only; the robot is singular exactly when one of them is reciprocal to {last} too: when "
+        "{reciprocal}, where {h} is its pitch, {r} the distance from its axis to {last} and {w} the angle between them,"
+        " right-handed about their common perpendicular (a translation: when {w} is a right angle).",
+        last=last,
+        reciprocal=Quantity("h cos w = r sin w", r"h\cos w = r\sin w"),
+        **{n: Quantity(n) for n in "hrw"},
     )

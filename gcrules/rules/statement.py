@@ -21,7 +21,19 @@ from gcrules.algebra.expr import Expr, Meet, points_of
 from gcrules.algebra.language.text import text
 from gcrules.core.dataclass import dataclass
 
-__all__ = ["NOTHING", "Flat", "Part", "Statement", "filled", "listing", "of_kind", "say", "together"]
+__all__ = [
+    "NOTHING",
+    "Flat",
+    "Part",
+    "Piece",
+    "Quantity",
+    "Statement",
+    "filled",
+    "listing",
+    "of_kind",
+    "say",
+    "together",
+]
 
 
 @dataclass(frozen=True, slots=True)
@@ -52,6 +64,20 @@ _TERMS = {term.of_legs: term for term in _LEGS}
 _SPLIT = re.compile(f"({'|'.join(_TERMS)})")
 
 
+@dataclass(frozen=True, slots=True)
+class Quantity:
+    """A number by its letter, or an equation between numbers, as text and as LaTeX; the letters where none is given."""
+
+    shown: str
+    latex: str = ""
+
+    def __str__(self) -> str:
+        return self.shown
+
+
+Piece = str | Flat | Term | Quantity
+
+
 @dataclass(frozen=True)
 class Statement:
     """Words and flats in sequence; none of both says nothing, and counts as false.
@@ -59,7 +85,7 @@ class Statement:
     Two statements are equal where they say the same of the same flats.
     """
 
-    pieces: tuple[str | Flat | Term, ...] = ()
+    pieces: tuple[Piece, ...] = ()
 
     def __str__(self) -> str:
         return "".join(map(str, self.pieces))
@@ -99,7 +125,7 @@ class Statement:
 
 NOTHING = Statement()
 
-Part = str | Expr | Flat | Statement
+Part = str | Expr | Flat | Quantity | Statement
 """What is filled into words: more words, a flat, or what was said before."""
 
 
@@ -110,7 +136,7 @@ def filled(template: str, part: Callable[[str], Part]) -> Statement:
     return _joined(_filled(template, part))
 
 
-def _filled(template: str, part: Callable[[str], Part]) -> Iterator[str | Flat | Term]:
+def _filled(template: str, part: Callable[[str], Part]) -> Iterator[Piece]:
     for words, name, _, _ in Formatter().parse(template):
         yield from (_TERMS.get(some, some) for some in _SPLIT.split(words))
         if name is not None:
@@ -123,20 +149,20 @@ def say(template: str, *parts: Part, **named: Part) -> Statement:
     return filled(template, lambda name: named[name] if name else next(rest))
 
 
-def _pieces(part: Part) -> Iterable[str | Flat | Term]:
+def _pieces(part: Part) -> Iterable[Piece]:
     match part:
         case str():
             return (part,)
         case Statement(pieces=pieces):
             return pieces
-        case Flat():
+        case Flat() | Quantity():
             return (part,)
     return (Flat(part),)
 
 
-def _joined(pieces: Iterable[str | Flat | Term]) -> Statement:
+def _joined(pieces: Iterable[Piece]) -> Statement:
     """With words side by side as one, so that equal statements are equal values."""
-    found: list[str | Flat | Term] = []
+    found: list[Piece] = []
     for is_words, run in groupby((p for p in pieces if p != ""), lambda p: isinstance(p, str)):
         some = list(run)
         found += ["".join(map(str, some))] if is_words else some

@@ -6,11 +6,10 @@ import click
 
 from gcrules.apps.cli.files import read_stdin
 from gcrules.apps.cli.sources import mode_option
+from gcrules.apps.studio.needs import of_studio
 from gcrules.apps.studio.protocol.requests import SourceJson
 from gcrules.apps.studio.sources import source_of_word
 from gcrules.apps.studio.subject import read_subject
-from gcrules.core.deferred import resolved
-from gcrules.core.errors import InputError
 
 __all__ = ["studio"]
 
@@ -35,14 +34,7 @@ def studio(source: str | None, mode: str | None, port: int | None, no_browser: b
     a robot or of an example, or six legs. The server listens on 127.0.0.1 only, and nothing leaves the machine. Ctrl-C
     closes it.
     """
-    try:
-        usual, serve = (resolved(f"gcrules.apps.studio.serving:{name}") for name in ("PORT", "serve"))
-    except ImportError as missing:
-        if (missing.name or "").split(".")[0] not in ("starlette", "uvicorn", "websockets"):
-            raise
-        raise InputError(
-            f"the studio needs {missing.name}, which is not installed", hint='pip install "gcrules[studio]"'
-        ) from None
+    usual, serve = of_studio("serving:PORT"), of_studio("serving:serve")
     if source is None and mode is not None:
         raise click.UsageError("--mode is that of a robot: name one.")
     opened = None if source is None else _source(source, mode)

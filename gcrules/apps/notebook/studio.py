@@ -5,16 +5,13 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from gcrules.api.signatures import public
-from gcrules.core.deferred import resolved
-from gcrules.core.errors import InputError
+from gcrules.apps.studio.needs import of_studio
 from gcrules.mechanisms.load import Folders, Source
 
 if TYPE_CHECKING:
     from gcrules.apps.studio.window import StudioWindow
 
 __all__ = ["studio"]
-
-_NEEDS = ("starlette", "uvicorn", "websockets")
 
 
 @public
@@ -30,17 +27,8 @@ def studio(
     `numbers()` is the full report there. It serves 127.0.0.1 only, until it is closed or Python ends.
 
     Raises InputError where the optional dependencies are missing, for poses that the robot does not reach, and for a
-    robot in a mode that its file does not name.
+    robot whose home is another one than that of its file.
     """
-    try:
-        window = resolved("gcrules.apps.studio.window:StudioWindow")
-    except ImportError as fault:
-        if (fault.name or "").split(".")[0] not in _NEEDS:
-            raise
-        raise InputError(
-            f"the studio needs {fault.name}, which is not installed", hint='pip install "gcrules[studio]"'
-        ) from fault
-    shown: StudioWindow = window(
-        resolved("gcrules.apps.studio.sources:source_of")(source, mode, plugins), pose, browser=browser
-    )
+    source_of, window = of_studio("sources:source_of"), of_studio("window:StudioWindow")
+    shown: StudioWindow = window(source_of(source, mode, plugins), pose, browser=browser)
     return shown

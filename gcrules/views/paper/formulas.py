@@ -11,7 +11,7 @@ import re
 from collections.abc import Iterable, Sequence
 
 from gcrules.algebra.expr import Expr, Meet
-from gcrules.rules.statement import Flat, Statement
+from gcrules.rules.statement import Flat, Piece, Quantity, Statement
 from gcrules.views.formulas.latex import latex_name, latex_parts
 from gcrules.views.formulas.latex_text import latex_words
 
@@ -66,7 +66,13 @@ def inline(e: Expr) -> str:
 def sentence(s: Statement, lines: Iterable[str] = (), names: Sequence[str] = ()) -> str:
     """A statement; its flats, the names of `lines` that it gives, and those of points with digits are mathematics."""
     given = [n for n in lines if n]
-    return "".join(inline(p.expression) if isinstance(p, Flat) else _words(str(p), given, names) for p in s.pieces)
+
+    def written(piece: Piece) -> str:
+        if isinstance(piece, Quantity):
+            return f"${piece.latex or piece}$"
+        return inline(piece.expression) if isinstance(piece, Flat) else _words(str(piece), given, names)
+
+    return "".join(map(written, s.pieces))
 
 
 def _words(words: str, lines: Sequence[str], names: Sequence[str]) -> str:

@@ -151,11 +151,8 @@ def _points(names: Sequence[str]) -> str:
 
 
 def _result(s: Subject) -> Iterator[str]:
-    lines = [n for n, _ in s.condition.lines] if s.condition else []
-    if s.condition and s.condition.kind == "linear-complex":
-        lines += _OF_SCREW
+    lines = [n for n, _ in s.condition.lines] if s.condition else ()
     said = latex_words(s.whose) + sentence(s.meaning, lines, s.names)
-    said = said.replace("$h$ cos $w$ = $r$ sin $w$", r"$h\cos w = r\sin w$")
     if s.condition is None or s.lines is None:
         before = in_every_pose(s.robot) if s.robot else ()
         yield from map(latex_words, before)
@@ -173,10 +170,6 @@ def _result(s: Subject) -> Iterator[str]:
         ]
     )
     yield "\n".join([r"\begin{proof}" + _heading(s), *_proof(s, s.lines), r"\end{proof}"])
-
-
-_OF_SCREW = ("h", "r", "w")
-"""Pitch, distance and angle in the sentence of one line against the screw of the others."""
 
 
 def _heading(s: Subject) -> str:

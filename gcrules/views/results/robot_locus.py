@@ -17,7 +17,7 @@ from gcrules.views.text_tables import WIDTH, table
 __all__ = ["account", "as_latex", "as_text", "headline"]
 
 _HEAD = (
-    "Each polynomial is the product of a factor of the condition over all working modes. Every singular pose is a zero"
+    "Each polynomial is the product of a factor of the condition over all {modes}. Every singular pose is a zero"
     " of one of them, as far as no limb is singular by itself; a zero is singular in one of the working modes, unless"
     " its root is not real there{}."
 )
@@ -48,9 +48,9 @@ def as_text(found: RobotLocus, *, unicode: bool = False, digits: int | None = No
 def headline(found: RobotLocus) -> str:
     """What the polynomials say."""
     head = _ALONE if not found.roots else _HEAD if found.multiplied else _KEPT
-    if any(part.roots and _others(part, found) for part in found.parts):
-        head = head.replace("all working modes", "all signs of its roots, which tell working modes apart")
-    return head.format(_CHOSEN if found.chosen else "")
+    some = any(part.roots and _others(part, found) for part in found.parts)
+    modes = "signs of its roots, which tell working modes apart" if some else "working modes"
+    return head.format(_CHOSEN if found.chosen else "", modes=modes)
 
 
 def account(found: RobotLocus, *, unicode: bool = False) -> list[tuple[str, str]]:

@@ -1,7 +1,7 @@
 // A small picture of a robot that is not the one of the study: a drawing under way, a counterexample.
-import { useEffect, useRef } from "preact/hooks";
-import { createViewer, type Scene, type Viewer } from "../../viewer";
-import { useStore } from "../parts/context";
+import { useEffect } from "preact/hooks";
+import type { Scene } from "../../viewer";
+import { useSmallViewer } from "../parts/small-viewer";
 
 interface Props {
   scene: Scene;
@@ -10,20 +10,7 @@ interface Props {
 }
 
 export function MiniViewer({ scene, label, testid }: Props) {
-  const { taste } = useStore();
-  const box = useRef<HTMLDivElement>(null);
-  const viewer = useRef<Viewer | null>(null);
-  const theme = taste.theme.value;
-  useEffect(() => {
-    if (!box.current) return undefined;
-    const made = createViewer(box.current, { gizmo: false, theme: taste.theme.peek() });
-    viewer.current = made;
-    return () => {
-      viewer.current = null;
-      made.dispose();
-    };
-  }, [taste]);
+  const { box, viewer } = useSmallViewer();
   useEffect(() => viewer.current?.show(scene), [scene]);
-  useEffect(() => viewer.current?.setTheme(theme), [theme]);
   return <div class="mini-viewer" ref={box} role="group" aria-label={label} data-testid={testid} />;
 }

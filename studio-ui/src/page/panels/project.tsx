@@ -1,8 +1,8 @@
 // The robots at hand, with their poses, ways and notes: one file to save and to open.
-import { useRef } from "preact/hooks";
 import { download } from "../lib/download";
 import { FaultBox } from "../parts/fault-box";
 import { Icon } from "../parts/icon";
+import { OpenFile } from "../parts/open-file";
 import { projectFileName } from "./project/file-name";
 import { RobotEntry } from "./project/robot-entry";
 import type { PanelProps } from "./index";
@@ -10,13 +10,12 @@ import "./project/project.css";
 
 export function ProjectPanel({ store }: PanelProps) {
   const { projecting, study, front } = store;
-  const input = useRef<HTMLInputElement>(null);
   const { title, note, robots } = projecting.project.value;
   const open = projecting.open.value;
   const shown = study.value;
 
-  async function take(file: File | undefined): Promise<void> {
-    if (file && projecting.read(await file.text(), file.name)) front.tell("The project is open");
+  async function take(file: File): Promise<void> {
+    if (projecting.read(await file.text(), file.name)) front.tell("The project is open");
   }
 
   function save(): void {
@@ -39,23 +38,12 @@ export function ProjectPanel({ store }: PanelProps) {
           data-testid="project-title"
           onInput={(event) => projecting.change({ title: event.currentTarget.value })}
         />
-        <button type="button" onClick={() => input.current?.click()}>
-          <Icon name="file" size={16} /> Open
-        </button>
+        <OpenFile accept=".json" testid="project-file" take={(file) => void take(file)}>
+          Open
+        </OpenFile>
         <button type="button" class="primary" disabled={robots.length === 0 && !note} onClick={save} data-testid="project-save">
           <Icon name="take-away" size={16} /> Save
         </button>
-        <input
-          ref={input}
-          type="file"
-          accept=".json"
-          hidden
-          data-testid="project-file"
-          onChange={(event) => {
-            void take(event.currentTarget.files?.[0]);
-            event.currentTarget.value = "";
-          }}
-        />
       </div>
       {projecting.fault.value && <FaultBox fault={projecting.fault.value} />}
       <textarea

@@ -1,9 +1,9 @@
 // Opens a platform or robot file, or a model: by the button, or dropped anywhere on the page. Its text goes to the server, not its path.
-import { useEffect, useRef, useState } from "preact/hooks";
+import { useEffect, useState } from "preact/hooks";
 import type { Fault } from "../../protocol";
 import { useStore } from "../parts/context";
 import { FaultBox } from "../parts/fault-box";
-import { Icon } from "../parts/icon";
+import { OpenFile, ROBOT_FILES } from "../parts/open-file";
 import { isProject } from "../state/project-file";
 
 const LARGEST = 400_000; // characters that the server takes
@@ -11,7 +11,6 @@ const LARGEST = 400_000; // characters that the server takes
 export function FileButton() {
   const { open, go, projecting } = useStore();
   const [fault, tell] = useState<Fault | null>(null);
-  const input = useRef<HTMLInputElement>(null);
 
   async function take(file: File | undefined): Promise<void> {
     if (!file) return;
@@ -43,20 +42,9 @@ export function FileButton() {
 
   return (
     <>
-      <button type="button" onClick={() => input.current?.click()} title="A platform or robot file (YAML), or a model (URDF, SDF, MJCF); it can also be dropped here">
-        <Icon name="file" size={16} /> Open a file
-      </button>
-      <input
-        ref={input}
-        type="file"
-        accept=".yaml,.yml,.json,.urdf,.sdf,.mjcf,.xml"
-        hidden
-        data-testid="file"
-        onChange={(event) => {
-          void take(event.currentTarget.files?.[0]);
-          event.currentTarget.value = "";
-        }}
-      />
+      <OpenFile accept={ROBOT_FILES} testid="file" title="A platform or robot file (YAML), or a model (URDF, SDF, MJCF); it can also be dropped here" take={(file) => void take(file)}>
+        Open a file
+      </OpenFile>
       {fault && <FaultBox fault={fault} />}
     </>
   );

@@ -1,15 +1,12 @@
 // Scripts as files: opened into the bench, and saved so that `gcrules run` takes them.
-import { useRef } from "preact/hooks";
 import { Icon } from "../../parts/icon";
+import { OpenFile } from "../../parts/open-file";
 import { download } from "../../lib/download";
 import type { Store } from "../../state/store";
 import { faultOf } from "../../state/studying";
 
 export function ScriptFiles({ store, say }: { store: Store; say(words: string): void }) {
-  const input = useRef<HTMLInputElement>(null);
-
-  async function open(file: File | undefined): Promise<void> {
-    if (!file) return;
+  async function open(file: File): Promise<void> {
     const text = await file.text();
     if (text.length > 20_000) return say("The file has more than 20,000 characters.");
     store.settle();
@@ -29,23 +26,12 @@ export function ScriptFiles({ store, say }: { store: Store; say(words: string): 
 
   return (
     <>
-      <button type="button" class="quiet" title="Open a script (.gca)" onClick={() => input.current?.click()} data-testid="bench-open">
-        <Icon name="file" size={14} /> Open
-      </button>
+      <OpenFile accept=".gca,.txt" testid="bench-file" title="Open a script (.gca)" class="quiet" buttonTestid="bench-open" size={14} take={(file) => void open(file)}>
+        Open
+      </OpenFile>
       <button type="button" class="quiet" title="Save as a script (.gca)" disabled={!store.bench$.value.trim()} onClick={() => void save()} data-testid="bench-save">
         <Icon name="take-away" size={14} /> Save
       </button>
-      <input
-        ref={input}
-        type="file"
-        accept=".gca,.txt"
-        hidden
-        data-testid="bench-file"
-        onChange={(event) => {
-          void open(event.currentTarget.files?.[0]);
-          event.currentTarget.value = "";
-        }}
-      />
     </>
   );
 }

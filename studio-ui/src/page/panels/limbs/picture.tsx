@@ -1,8 +1,8 @@
 // The robot at home in 3D; the camera stays while the robot is changed.
 import { useEffect, useMemo, useRef } from "preact/hooks";
 import type { LimbsAnswer, Study } from "../../../protocol";
-import { createViewer, type Scene, type Viewer } from "../../../viewer";
-import { useStore } from "../../parts/context";
+import type { Scene } from "../../../viewer";
+import { useSmallViewer } from "../../parts/small-viewer";
 
 interface Props {
   answer: LimbsAnswer | null;
@@ -13,22 +13,10 @@ interface Props {
 }
 
 export function Picture({ answer, study, lit }: Props) {
-  const { taste } = useStore();
-  const box = useRef<HTMLDivElement>(null);
-  const viewer = useRef<Viewer | null>(null);
+  const { box, viewer } = useSmallViewer();
   const shown = useRef("");
-  const theme = taste.theme.value;
   const scene = useMemo((): Scene | null => (answer?.scene ? { ...answer.scene, entities: study?.entities ?? [] } : null), [answer, study]);
 
-  useEffect(() => {
-    if (!box.current) return undefined;
-    const made = createViewer(box.current, { gizmo: false, theme: taste.theme.peek() });
-    viewer.current = made;
-    return () => {
-      viewer.current = null;
-      made.dispose();
-    };
-  }, [taste]);
   useEffect(() => {
     if (!scene || !viewer.current) return;
     const names = JSON.stringify([Object.keys(scene.points), scene.base, scene.platform, scene.unit, scene.entities.map(({ id }) => id), scene.limbs?.map(({ joints }) => joints.map(({ kind }) => kind))]);
@@ -37,7 +25,6 @@ export function Picture({ answer, study, lit }: Props) {
     } else viewer.current.show(scene);
     shown.current = names;
   }, [scene]);
-  useEffect(() => viewer.current?.setTheme(theme), [theme]);
   useEffect(() => {
     const points = lit.filter((name) => scene && name in scene.points);
     viewer.current?.highlight(points.length > 0 ? { points } : null);

@@ -1,7 +1,6 @@
 // What to begin with: a limb, a robot that comes with gcrules, the one that is open, or a file.
-import { useRef } from "preact/hooks";
 import { limbsAtHand } from "../../actions/limbs";
-import { Icon } from "../../parts/icon";
+import { OpenFile, ROBOT_FILES } from "../../parts/open-file";
 import type { Store } from "../../state/store";
 import type { Building } from "./editing";
 
@@ -15,7 +14,6 @@ const FIRST = ["space", "plane"] as const;
 const OPEN = "open";
 
 export function StartFrom({ store, building, begun }: Props) {
-  const input = useRef<HTMLInputElement>(null);
   const robots = store.gallery.value?.robots ?? [];
   const opened = limbsAtHand(store);
 
@@ -29,8 +27,7 @@ export function StartFrom({ store, building, begun }: Props) {
     if (robot) void building.begin(robot.source);
   }
 
-  async function take(file: File | undefined): Promise<void> {
-    if (!file) return;
+  async function take(file: File): Promise<void> {
     begun();
     store.settle();
     const text = await file.text();
@@ -64,20 +61,9 @@ export function StartFrom({ store, building, begun }: Props) {
           </optgroup>
         </select>
       </label>
-      <button type="button" onClick={() => input.current?.click()} title="A robot file (YAML), or a model (URDF, SDF, MJCF)">
-        <Icon name="file" size={15} /> Open a file
-      </button>
-      <input
-        ref={input}
-        type="file"
-        accept=".yaml,.yml,.json,.urdf,.sdf,.mjcf,.xml"
-        hidden
-        data-testid="limbs-file"
-        onChange={(event) => {
-          void take(event.currentTarget.files?.[0]);
-          event.currentTarget.value = "";
-        }}
-      />
+      <OpenFile accept={ROBOT_FILES} testid="limbs-file" title="A robot file (YAML), or a model (URDF, SDF, MJCF)" size={15} take={(file) => void take(file)}>
+        Open a file
+      </OpenFile>
     </div>
   );
 }
