@@ -19,6 +19,7 @@ from gcrules.core.errors import EngineFault, FileError, InputError
 from gcrules.core.frozen import FrozenMap
 from gcrules.poses.stored_maps import kinds
 from gcrules.poses.tiles.how import HERE, Running, parse_part, running
+from gcrules.poses.tiles import store as store_module
 from gcrules.poses.tiles.layout import Layout, layout_of
 from gcrules.poses.tiles.running import run
 from gcrules.poses.tiles.status import rate_of
@@ -329,6 +330,23 @@ def test_a_store_of_another_problem_is_refused(tmp_path: Path) -> None:
     assert contents(store.path) == before
     run(other, TileStore.open(store.path, other, restart=True))
     assert TileStore.existing(store.path).manifest == other.manifest
+
+
+def test_a_store_that_another_makes_meanwhile_is_taken(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Another run's store appears between any two looks at the folder."""
+    path = tmp_path / "map.zarr"
+    looked = store_module.attributes
+
+    def late(folder: Path) -> Any:
+        found = looked(folder)
+        monkeypatch.setattr(store_module, "attributes", looked)
+        TileStore.open(path, TASK)
+        return found
+
+    monkeypatch.setattr(store_module, "attributes", late)
+    store = TileStore.open(path, TASK)
+    run(TASK, store)
+    assert store.done() == set(range(number_of(TASK)))
 
 
 def test_other_files_are_left_alone(tmp_path: Path) -> None:

@@ -68,8 +68,9 @@ class TileStore:
         store = TileStore(folder, layout)
         if folder.exists() and not folder.is_dir():
             raise FileError("a file is in the way, expected a store of tiles", filename=str(path))
+        filled = folder.is_dir() and any(folder.iterdir())  # looked at first: another may put the store there meanwhile
         found = attributes(folder)
-        if found is None and folder.is_dir() and any(folder.iterdir()):
+        if found is None and filled:
             raise FileError("this folder holds other files; it is not touched", filename=str(path))
         try:
             if restart:

@@ -25,9 +25,14 @@ export function MapResult({ asked, result, measures }: Props) {
   const led = useSignal<Pose | null>(null); // where the robot was taken from the map
   const { axes, guarantee } = result;
   const going = touring.place.now.value;
-  const left = led.value !== null && !moving.active.value && !samePose(led.value, pose$.value);
-  const mark = left ? null : chosen.value;
+  const mark = marked();
   const spot = hovered.value ?? mark;
+
+  /** The chosen place, unless the robot was taken there and has left it since; keys ask anew, they outrun pictures. */
+  function marked(): Spot | null {
+    const left = led.value !== null && !moving.active.value && !samePose(led.value, pose$.value);
+    return left ? null : chosen.value;
+  }
 
   function choose(at: Spot): void {
     chosen.value = at;
@@ -36,9 +41,10 @@ export function MapResult({ asked, result, measures }: Props) {
 
   function key(event: KeyboardEvent): void {
     const by = STEPS[event.key];
+    const from = marked();
     hovered.value = null;
-    if (by) choose(stepped(mark ?? [0.5, 0.5], by, result.margin));
-    else if (event.key === "Enter" && mark) void go(mark);
+    if (by) choose(stepped(from ?? [0.5, 0.5], by, result.margin));
+    else if (event.key === "Enter" && from) void go(from);
     else return;
     event.preventDefault();
   }
