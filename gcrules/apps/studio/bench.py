@@ -10,6 +10,7 @@ r"""The expression bench: statements and expressions of the language, their resu
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from functools import lru_cache
 from typing import Any, Literal
 
 from gcrules.algebra.expr import Expr, points_of
@@ -29,11 +30,12 @@ from gcrules.apps.studio.places import homogeneous_at
 from gcrules.apps.studio.protocol.answer_views import AppliedRule, Bench, BenchResult, DrawnPlane
 from gcrules.apps.studio.protocol.bench_words import BENCH_COMMANDS
 from gcrules.apps.studio.protocol.requests import HOME, PoseJson, RuleFile
+from gcrules.apps.studio.protocol.study_views import FaultView
 from gcrules.apps.studio.rule_files import usable
 from gcrules.apps.studio.subject import Subject
 from gcrules.core.budget import stage
 from gcrules.core.dataclass import dataclass
-from gcrules.core.errors import GcrulesError, InputError, Span
+from gcrules.core.errors import GcrulesError, InputError, LimitReached, Span
 from gcrules.poses.numbers.extensors import coordinates, line_vectors, plane_equation
 from gcrules.rules.plugins import load_rules
 from gcrules.views.formulas.latex import latex
@@ -64,11 +66,52 @@ def bench(
     """The results of all inputs of a text up to the first fault. Extensors of points of the subject are drawn at the
     pose. The rules of `files` hold from the start, an analysis takes in those of `folders` of plugins.
     """
-    settings = Settings(limit=_MOST_TERMS, files=False, plugins=tuple(folders))
-    interpreter = Interpreter(PromptState(context_of(subject), rules=usable(files) if files else ()), settings)
+    rules = tuple((f["name"], f["text"], tuple(f["off"])) for f in files)
+    try:
+        found = _answered(text, context_of(subject), rules, tuple(folders))
+    except _Unfinished as part:
+        found = part.found
     at = _places(subject, pose or HOME)
-    about = _About(Rules.of(files, folders), at)
-    results: list[BenchResult] = []
+    results: list[BenchResult] = [
+        {**one.result, "drawn": _drawn(one.shape, one.label, at) if one.shape is not None else None}
+        for one in found.results
+    ]
+    return {"results": results, "fault": found.fault}
+
+
+@dataclass(frozen=True)
+class _Result:
+    """A result, and the extensor that is drawn under a label, if there is one."""
+
+    result: BenchResult
+    shape: Expr | None = None
+    label: str = ""
+
+
+@dataclass(frozen=True)
+class _Found:
+    results: tuple[_Result, ...]
+    fault: FaultView | None
+
+
+class _Unfinished(Exception):
+    """What was found when a limit was reached, which may not be so the next time."""
+
+    def __init__(self, found: _Found) -> None:
+        super().__init__()
+        self.found = found
+
+
+@lru_cache(maxsize=16)
+def _answered(
+    text: str, context: Context, rules: tuple[tuple[str, str, tuple[str, ...]], ...], folders: tuple[str, ...]
+) -> _Found:
+    """All that does not depend on the pose: where the robot only moves it is not worked out again."""
+    files: list[RuleFile] = [{"name": name, "text": body, "off": list(off)} for name, body, off in rules]
+    settings = Settings(limit=_MOST_TERMS, files=False, plugins=folders)
+    repl = Interpreter(PromptState(context, rules=usable(files) if files else ()), settings)
+    before = Rules.of(files, folders)
+    results: list[_Result] = []
     lines = text.split("\n")
     starts = [0]
     for line in lines:
@@ -79,24 +122,15 @@ def bench(
         place = Span(units(text[:start]), units(text[:start]) + units(body))
         try:
             with stage(f"line {given.line}, {_shortened(body)}"):
-                for result in _results(interpreter, given, place, about):
+                for result in _results(repl, given, place, before):
                     results.append(result)
         except GcrulesError as fault:
             _in_text(fault, text, starts, Span(start, start + len(body)))
-            return {"results": results, "fault": fault_view(fault)}
-    return {"results": results, "fault": None}
-
-
-@dataclass(frozen=True)
-class _About:
-    """What holds for all inputs: rules from the start, and where the points are."""
-
-    rules: Rules
-    places: Mapping[str, Any]
-
-    def in_space(self, repl: Interpreter) -> Mapping[str, Any]:
-        """The places where the text is of space."""
-        return self.places if repl.state.context.rank == 4 else {}
+            found = _Found(tuple(results), fault_view(fault))
+            if isinstance(fault, LimitReached):
+                raise _Unfinished(found) from None
+            return found
+    return _Found(tuple(results), None)
 
 
 def _shortened(text: str) -> str:
@@ -123,28 +157,24 @@ def context_of(subject: Subject | None) -> Context:
     return Context(s.rank, tuple(n for n in s.names if not SHORT_NAME.fullmatch(n)), s.ideal)
 
 
-def _results(repl: Interpreter, given: Input, place: Span, about: _About) -> Iterator[BenchResult]:
+def _results(repl: Interpreter, given: Input, place: Span, before: Rules) -> Iterator[_Result]:
     called = split_command(given.text)
     if called is not None:
-        yield from _asked(repl, given, place, about, *called)
+        yield from _asked(repl, given, place, before, *called)
         return
     source = Source.of(given.text, "<bench>", given.line)
     if first_word(given.text) in STATEMENTS:
         for part in _statements(source):
-            yield from _statement(repl, part, place, about)
+            yield from _statement(repl, part, place, before)
     elif "==" in given.text:
         question = of_equation(repl, source)
         for answer in repl.equation(source):
-            yield _said(repl, place, about, answer, question)
+            yield _Result(_said(repl, place, before, answer, question))
     else:
         question, e = of_expression(repl, source), repl.expression(source)
         for answer in repl.shown(e, source):
-            words = str(e) if e.step else answer.text
-            yield {
-                **_said(repl, place, about, answer, question),
-                "step": e.step,
-                "drawn": _drawn(e, words, about.in_space(repl)),
-            }
+            found = _said(repl, place, before, answer, question)
+            yield _drawable(repl, {**found, "step": e.step}, e, str(e) if e.step else answer.text)
 
 
 def _statements(source: Source) -> list[Source]:
@@ -152,7 +182,7 @@ def _statements(source: Source) -> list[Source]:
         return statements(source)
 
 
-def _statement(repl: Interpreter, part: Source, place: Span, about: _About) -> Iterator[BenchResult]:
+def _statement(repl: Interpreter, part: Source, place: Span, before: Rules) -> Iterator[_Result]:
     """A single statement: names with what they stand for, or its answer."""
     known = set(repl.state.context.bound)
     question = of_statement(repl, part)
@@ -161,17 +191,18 @@ def _statement(repl: Interpreter, part: Source, place: Span, about: _About) -> I
     for name in [n for n in context.bound if n not in known]:
         e = context.bound[name]
         said = Answer(bound_text(name, context, repl.settings), "shown")
-        yield {
-            **_said(repl, place, about, said, of_name(repl, name, e), e),
-            "name": name,
-            "step": e.step,
-            "drawn": _drawn(e, name, about.in_space(repl)),
-        }
+        found = _said(repl, place, before, said, of_name(repl, name, e), e)
+        yield _drawable(repl, {**found, "name": name, "step": e.step}, e, name)
     for answer in answers:
-        yield _said(repl, place, about, answer, question)
+        yield _Result(_said(repl, place, before, answer, question))
 
 
-def _asked(repl: Interpreter, given: Input, place: Span, about: _About, name: str, at: int) -> Iterator[BenchResult]:
+def _drawable(repl: Interpreter, result: BenchResult, e: Expr, label: str) -> _Result:
+    """With what is drawn of it, where the text is of space."""
+    return _Result(result, e if repl.state.context.rank == 4 else None, label)
+
+
+def _asked(repl: Interpreter, given: Input, place: Span, before: Rules, name: str, at: int) -> Iterator[_Result]:
     """What a command of the prompt answers, if it asks something of algebra; files and a session are none here."""
     source = Source.of(given.text, "<bench>", given.line, skip=at)
     if not set(meant(name)) <= {*BENCH_COMMANDS}:
@@ -183,11 +214,11 @@ def _asked(repl: Interpreter, given: Input, place: Span, about: _About, name: st
     whole = len(meant(name)) == 1
     question = of_command(repl, source, asked, given.text[at:].strip()) if whole else None
     for answer in repl.command(given, "<bench>", name, at):
-        yield {**_said(repl, place, about, answer, question), "command": asked}
+        yield _Result({**_said(repl, place, before, answer, question), "command": asked})
 
 
 def _said(
-    repl: Interpreter, place: Span, about: _About, answer: Answer, question: Question | None, e: Expr | None = None
+    repl: Interpreter, place: Span, before: Rules, answer: Answer, question: Question | None, e: Expr | None = None
 ) -> BenchResult:
     """An answer, with the expression that it gives: `e`, or else the result that there was not before the question."""
     if e is None and question is not None and repl.state.results is not question.state.results:
@@ -208,7 +239,7 @@ def _said(
         "step": None,
         "drawn": None,
         "applied": _applied(repl, answer),
-        "repeat": answer_lines(question, about.rules, limit) if question else None,
+        "repeat": answer_lines(question, before, limit) if question else None,
     }
 
 
