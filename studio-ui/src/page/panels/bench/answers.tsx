@@ -58,7 +58,7 @@ function Answer({ result, rank, shown, onToggle }: AnswerProps) {
       {pieces.length > 0 ? (
         <Formula left={name ? [nameOf(name)] : []} right={all ? pieces : pieces.slice(0, MOST)} />
       ) : (
-        (verdict !== "proved" || !said) && <Said text={said ? reasonsOf(text) : text} />
+        (verdict !== "proved" || !said) && (command === "analyze" ? <Analysed text={text} /> : <Said text={said ? reasonsOf(text) : text} />)
       )}
       {command && pieces.length > 0 && reasonsOf(text) !== text && <Said text={reasonsOf(text)} />}
       {pieces.length > MOST && (
@@ -127,6 +127,26 @@ function Said({ text }: { text: string }) {
         </button>
       )}
     </>
+  );
+}
+
+/** The condition in sentences, as the analysis begins; the way to it when it is asked for. */
+function Analysed({ text }: { text: string }) {
+  const [all, showAll] = useState(false);
+  const [first = "", ...steps] = text.split("\n\n");
+  const sentences = first.split(/\n(?=- )/).map((part) => part.replace(/^- /, "").replace(/\s+/g, " "));
+  return (
+    <div class="analysed">
+      {sentences.map((sentence) => (
+        <p key={sentence}>{sentence}</p>
+      ))}
+      {all && <pre class="said">{steps.join("\n\n")}</pre>}
+      {steps.length > 0 && (
+        <button type="button" class="quiet" onClick={() => showAll(!all)} data-testid="bench-more">
+          {all ? "Less" : "The analysis, step by step"}
+        </button>
+      )}
+    </div>
   );
 }
 

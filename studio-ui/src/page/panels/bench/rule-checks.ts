@@ -6,9 +6,12 @@ import { faultOf } from "../../state/studying";
 
 export type Checking = { state: "idle" } | { state: "busy"; words: string } | { state: "found"; files: readonly CheckedRuleFile[] } | { state: "failed"; fault: Fault };
 
+export type Plugins = { state: "busy"; words: string } | { state: "found"; answer: PluginsAnswer } | { state: "failed"; fault: Fault };
+
 export interface RuleChecks {
   now: ReadonlySignal<Checking>;
-  plugins: ReadonlySignal<PluginsAnswer | Fault | null>;
+  /** null: not asked for yet. */
+  plugins: ReadonlySignal<Plugins | null>;
   /** Takes a file in, or takes the place of the one with its name; a refusal in words, "" for none. */
   open(name: string, text: string): string;
   close(index: number): void;
@@ -21,7 +24,8 @@ export interface RuleChecks {
 
 export function createRuleChecks({ client, rules$, edit, settle }: Store): RuleChecks {
   const now = signal<Checking>({ state: "idle" });
-  const plugins = signal<PluginsAnswer | Fault | null>(null);
+  const plugins = signal<Plugins | null>(null);
+  const leaving = new AbortController();
   let asked = "";
   let running: AbortController | null = null;
 
@@ -71,15 +75,19 @@ export function createRuleChecks({ client, rules$, edit, settle }: Store): RuleC
     stop: () => running?.abort(),
     again: () => void check(rules$.peek()),
     askPlugins() {
-      if (plugins.peek() && "plugins" in plugins.peek()!) return;
-      client.ask("plugins", {}, { channel: "plugins" }).then(
-        (found) => (plugins.value = found),
-        (error) => (plugins.value = faultOf(error)),
+      const before = plugins.peek()?.state;
+      if (before === "busy" || before === "found") return;
+      const words = (text: string): void => void (plugins.value = { state: "busy", words: text });
+      words("checking the rules of plugins");
+      client.ask("plugins", {}, { channel: "plugins", progress: words, signal: leaving.signal }).then(
+        (answer) => (plugins.value = { state: "found", answer }),
+        (error) => (plugins.value = { state: "failed", fault: faultOf(error) }),
       );
     },
     dispose() {
       stopEffect();
       running?.abort();
+      leaving.abort();
     },
   };
 }

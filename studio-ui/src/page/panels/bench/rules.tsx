@@ -177,7 +177,8 @@ const WRONG: Record<CheckedRule["verdict"], string> = { proved: "", refuted: "re
 const KINDS: Record<PluginsAnswer["plugins"][number]["kind"], string> = { shipped: "comes with gcrules", package: "installed package", folder: "named at the start" };
 
 function Plugins({ checks, used, write }: { checks: RuleChecks; used: Used; write(rule: string): void }) {
-  const found = checks.plugins.value;
+  const now = checks.plugins.value;
+  const found = now?.state === "found" ? now.answer : null;
   return (
     <section aria-label="Plugins" data-testid="bench-plugins">
       <header>
@@ -187,9 +188,13 @@ function Plugins({ checks, used, write }: { checks: RuleChecks; used: Used; writ
         Rules in Python are code, and this page takes in none. They stand in folders, or in installed packages, that are there when the studio is started:{" "}
         <code>gcrules studio --plugins DIR</code>.
       </p>
-      {!found && <Seeking />}
-      {found && "message" in found && <FaultBox fault={found} />}
-      {found && "plugins" in found && (
+      {now?.state === "busy" && (
+        <p class="busy" role="status">
+          <span class="spinner" aria-hidden="true" /> {now.words} …
+        </p>
+      )}
+      {now?.state === "failed" && <FaultBox fault={now.fault} />}
+      {found && (
         <>
           {found.plugins.map(({ name, kind, rules, robots, catalogs }) => (
             <div class="file" key={name} data-testid={`plugin-${name.replace(/^\w+ /, "")}`} data-kind={kind}>
@@ -216,12 +221,6 @@ function Plugins({ checks, used, write }: { checks: RuleChecks; used: Used; writ
     </section>
   );
 }
-
-const Seeking = () => (
-  <p class="busy" role="status">
-    <span class="spinner" aria-hidden="true" /> checking the rules of plugins …
-  </p>
-);
 
 function Brought({ rule, lines, write }: { rule: PluginRule; lines: readonly number[] | undefined; write(text: string): void }) {
   const { id, sentence, text, holds, reason } = rule;
