@@ -11,9 +11,7 @@ from typing import Any
 
 import pytest
 
-import gcrules as gc
 from gcrules.apps.studio.bench import bench
-from gcrules.apps.studio.subject import read_subject
 
 pytest.importorskip("starlette", reason="needs the extra gcrules[studio]")
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="needs a shell")

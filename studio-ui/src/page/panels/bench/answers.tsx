@@ -60,7 +60,7 @@ function Answer({ result, rank, shown, onToggle }: AnswerProps) {
       ) : (
         (verdict !== "proved" || !said) && (command === "analyze" ? <Analysed text={text} /> : <Said text={said ? reasonsOf(text) : text} />)
       )}
-      {command && pieces.length > 0 && reasonsOf(text) !== text && <Said text={reasonsOf(text)} />}
+      {pieces.length > 0 && (command || isWay(text)) && reasonsOf(text) !== text && <Said text={reasonsOf(text)} />}
       {pieces.length > MOST && (
         <button type="button" class="quiet" onClick={() => showAll(!all)}>
           {all ? "Less" : pieces.length < terms ? `The first ${pieces.length} of ${terms} terms` : `All ${terms} terms`}
@@ -180,6 +180,9 @@ function Lines({ repeated }: { repeated: Repeated | null }) {
     </div>
   );
 }
+
+/** Whether an answer is a way of several steps by rules, or one that none of them began. */
+const isWay = (text: string): boolean => /\n {2}no rule fires$/.test(text) || (text.match(/\n {6}by /g) ?? []).length > 1;
 
 /** Without the first line, which repeats what was written. */
 const reasonsOf = (text: string): string => text.split("\n").slice(1).map((line) => line.replace(/^ {2}/, "")).join("\n") || text;
