@@ -71,7 +71,7 @@ OPENED = r"""rewrite ab /\ cde
 rewrite ab /\ cd
 rewrite [abcf][abde]
 :analyze Aa Ab Ac Bd Ce Df"""
-TEXTS: dict[str, tuple[str, list[dict[str, Any]]]] = {
+TEXTS: dict[str, tuple[str, list[Any]]] = {
     "space": (SPACE, []),
     "plane": (PLANE, []),
     "long names": (LONG, []),
@@ -120,7 +120,7 @@ def same(one: str, answer: str, statement: str) -> bool:
 @pytest.mark.parametrize("name", TEXTS)
 def test_the_lines_give_the_answer(name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     text, files = TEXTS[name]
-    found = bench(text, None, None, files)  # type: ignore[arg-type]
+    found = bench(text, None, None, files)
     assert found["results"]
     for result in found["results"]:
         repeat = result["repeat"]

@@ -194,9 +194,12 @@ def test_what_is_no_file_of_rules_is_refused(page: Page, name: str) -> None:
         assert page.fault("bench", text="[abcd]", **args)["kind"] == "input"
 
 
+ASKED: dict[str, Any] = {"plugins": {}, "bench": {"text": ""}, "repeat": {"what": "bench", "args": {}}}
+
+
 def test_no_page_names_plugins(page: Page, tmp_path: Path) -> None:
-    for method in ("plugins", "bench", "repeat"):
-        args: dict[str, Any] = {"plugins": {}, "bench": {"text": ""}, "repeat": {"what": "bench", "args": {}}}[method]
+    for method in ASKED:
+        args = ASKED[method]
         fault = page.fault(method, **args, folders=[str(tmp_path)])
         assert "has no key 'folders'" in fault["message"]
     assert page.fault("repeat", what="bench", args={"text": "x", "folders": [str(tmp_path)]})["kind"] == "input"
