@@ -104,7 +104,7 @@ def plain(text: str) -> str:
     are not used.
     """
     text = re.sub(r"(?m)^ +[a-zA-Z'_0-9]+ = \(.*\)\n?|^ +(left|right) side = .*|^ +assumptions  not used.*", "", text)
-    text = text.replace("(shown with --all)", "")
+    text = re.sub(r" \(shown with --\w+\)", "", text)
     for sign, word in (("∧", "/\\"), ("∨", "\\/"), ("−", "-"), (" · ", " * ")):
         text = text.replace(sign, word)
     return "".join(text.split())
