@@ -458,17 +458,6 @@ export interface ComposeArgs {
 
 export type Format = "html" | "latex" | "svg" | "png" | "pdf" | "json" | "yaml" | "c" | "cpp" | "py" | "rs";
 
-export interface SaveArgs extends PoseArgs {
-  what: Format;
-}
-
-/** A method with its arguments, which are checked as if it were asked for. */
-export interface RepeatArgs {
-  source?: Source;
-  what: "open" | "pose" | "path" | "map" | "surface" | "assemblies" | "aspects" | "free" | "boxes" | "certify" | "manual" | "bench";
-  args: Record<string, unknown>;
-}
-
 /** The pose that Python or another page brings after the one of this number; `page` is a name of the page's own. */
 export interface FollowArgs {
   page: string;
@@ -491,6 +480,44 @@ export interface ResizeArgs {
 
 export interface CancelArgs {
   target: number;
+}
+
+/** Characters of a picture of the page that goes into a report. */
+export const LARGEST_PICTURE = 450000;
+
+/** What a line repeats: methods, and the table of the actuators. */
+export type Repeatable = "open" | "pose" | "actuators" | "path" | "map" | "surface" | "locus" | "assemblies" | "aspects" | "free" | "boxes" | "certify" | "manual" | "bench";
+
+/** A method with its arguments, which are checked as if it were asked for. */
+export interface RepeatArgs {
+  source?: Source;
+  what: Repeatable;
+  args: Record<string, unknown>;
+}
+
+/** The same with a title, for a report. */
+export interface Reported {
+  title: string;
+  what: Repeatable;
+  args: Record<string, unknown>;
+}
+
+export interface Note {
+  title: string;
+  text: string;
+}
+
+/** What a report shows of the state of the page beside the analysis and the pose: answers of its panels, which lines repeat, the picture as it stands, notes, and the link that opens the state again. */
+export interface State {
+  answers: Reported[];
+  picture: string;
+  notes: Note[];
+  link: string;
+}
+
+export interface SaveArgs extends PoseArgs {
+  what: Format;
+  state?: State;
 }
 
 /** A change of a robot's sheet; which fields it needs `do` says. Places count from 0. */

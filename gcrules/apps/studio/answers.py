@@ -83,7 +83,7 @@ ANSWERS: Mapping[str, Callable[[Any, Args], Any]] = {
     ),
     "repeat": lambda subject, args: repeated(subject, args["what"], args["args"]),
     "resize": lambda subject, args: resized(subject, args["points"], args.get("limits")),
-    "save": lambda subject, args: saved(subject, args["pose"], args["what"], args.get("threshold")),
+    "save": lambda subject, args: saved(subject, args["pose"], args["what"], args.get("threshold"), args.get("state")),
 }
 
 

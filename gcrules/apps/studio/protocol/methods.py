@@ -16,6 +16,7 @@ from gcrules.apps.studio.protocol.limb_requests import LimbsArgs
 from gcrules.apps.studio.protocol.limb_views import LimbsAnswer
 from gcrules.apps.studio.protocol.locus_views import LocusAnswer
 from gcrules.apps.studio.protocol.motion_views import MapAnswer, PathAnswer, PlacedPose, SurfaceAnswer, WaypointsAnswer
+from gcrules.apps.studio.protocol.report_requests import RepeatArgs, SaveArgs
 from gcrules.apps.studio.protocol.shape_checks import check_of
 from gcrules.apps.studio.protocol.study_views import Gallery, Hello, Study
 from gcrules.apps.studio.protocol.where_views import (
@@ -77,8 +78,8 @@ METHODS: Mapping[str, Method] = {
     "compose": Method(requests.ComposeArgs, answers.Composed),
     "resize": Method(requests.ResizeArgs, answers.Resized),
     "limbs": Method(LimbsArgs, LimbsAnswer),
-    "save": Method(requests.SaveArgs, answers.Saved),
-    "repeat": Method(requests.RepeatArgs, answers.Repeated),
+    "save": Method(SaveArgs, answers.Saved),
+    "repeat": Method(RepeatArgs, answers.Repeated),
     "follow": Method(requests.FollowArgs, answers.Followed, where="session"),
     "show": Method(requests.ShowArgs, answers.Shown, where="session"),
     "cancel": Method(requests.CancelArgs, answers.Cancelled, where="session"),
