@@ -482,8 +482,10 @@ export interface CancelArgs {
   target: number;
 }
 
-/** Characters of a picture of the page that goes into a report. */
-export const LARGEST_PICTURE = 450000;
+export const LARGEST_PICTURE = 400000;
+
+/** Characters of a picture of the page, and of its link, that go into a report. */
+export const LONGEST_LINK = 100000;
 
 /** What a line repeats: methods, and the table of the actuators. */
 export type Repeatable = "open" | "pose" | "actuators" | "path" | "map" | "surface" | "locus" | "assemblies" | "aspects" | "free" | "boxes" | "certify" | "manual" | "bench";
@@ -495,7 +497,7 @@ export interface RepeatArgs {
   args: Record<string, unknown>;
 }
 
-/** The same with a title, for a report. */
+/** The same with a title, for a report; the source is that of the report. */
 export interface Reported {
   title: string;
   what: Repeatable;

@@ -96,10 +96,14 @@ def _start(subject: Subject, pose: PoseJson) -> dict[str, Any]:
 def _answered(subject: Subject, asked: ReportedJson) -> Any:
     """The answer as a value of the library. Raises InputError for arguments that are none."""
     what = asked["what"]
-    args = METHODS[what].check(asked["args"], f"args of {what}")
+    args = METHODS[what].check(_args(subject, asked), f"args of {what}")
     tell(asked["title"])
     found = _ANSWERS[what](subject, args)
     return Titled(found, asked["title"]) if isinstance(found, _TITLED) else found
+
+
+def _args(subject: Subject, asked: ReportedJson) -> Args:
+    return asked["args"] if asked["what"] == "bench" else {**asked["args"], "source": subject.source}
 
 
 def _path(subject: Subject, args: Args) -> Any:
@@ -138,7 +142,7 @@ _TITLED = (PathReport, RobotPath)
 def _repetition(subject: Subject, asked: ReportedJson) -> Repetition | None:
     """The lines that repeat it; None where none do."""
     with suppress(InputError):
-        found = repeated(subject, asked["what"], asked["args"])
+        found = repeated(subject, asked["what"], _args(subject, asked))
         file = found["file"] or {"name": "", "text": ""}
         return Repetition(asked["title"], found["shell"], found["python"], file["name"], file["text"])
     return None

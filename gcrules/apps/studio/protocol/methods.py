@@ -78,7 +78,7 @@ METHODS: Mapping[str, Method] = {
     "compose": Method(requests.ComposeArgs, answers.Composed),
     "resize": Method(requests.ResizeArgs, answers.Resized),
     "limbs": Method(LimbsArgs, LimbsAnswer),
-    "save": Method(SaveArgs, answers.Saved),
+    "save": Method(SaveArgs, answers.Saved, seconds=600),
     "repeat": Method(RepeatArgs, answers.Repeated),
     "follow": Method(requests.FollowArgs, answers.Followed, where="session"),
     "show": Method(requests.ShowArgs, answers.Shown, where="session"),

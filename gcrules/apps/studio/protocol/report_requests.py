@@ -6,12 +6,13 @@ import re
 from typing import Annotated, Any, Literal, NotRequired, TypedDict
 
 from gcrules.apps.studio.protocol.checking import text
-from gcrules.apps.studio.protocol.requests import LONGEST_FILE, Format, PoseArgs, SourceJson
+from gcrules.apps.studio.protocol.requests import Format, PoseArgs, SourceJson
 from gcrules.core.errors import InputError
 from gcrules.core.shapes import EntryCount
 
 __all__ = [
     "LARGEST_PICTURE",
+    "LONGEST_LINK",
     "NoteJson",
     "RepeatArgs",
     "Repeatable",
@@ -20,8 +21,9 @@ __all__ = [
     "StateJson",
 ]
 
-LARGEST_PICTURE = 450_000
-"""Characters of a picture of the page that goes into a report."""
+LARGEST_PICTURE = 400_000
+LONGEST_LINK = 100_000
+"""Characters of a picture of the page, and of its link, that go into a report."""
 
 _Title = Annotated[str, text(200)]
 
@@ -48,7 +50,7 @@ class RepeatArgs(TypedDict):
 
 
 class ReportedJson(TypedDict):
-    """The same with a title, for a report."""
+    """The same with a title, for a report; the source is that of the report."""
 
     title: _Title
     what: Repeatable
@@ -68,7 +70,7 @@ def _image(value: Any, where: str) -> Any:
 
 
 def _link(value: Any, where: str) -> Any:
-    found = text(LONGEST_FILE, empty=True)(value, where)
+    found = text(LONGEST_LINK, empty=True)(value, where)
     if found and not re.fullmatch(r"http://[\w.\[\]:-]+/?(#[sz]=[\w-]+)?", found):
         raise InputError(f"{where} is no address of a state of the studio")
     return found
