@@ -786,6 +786,10 @@ export interface Study {
   wholes: Axis[];
   /** What the bands of such a map can be, the margin first. */
   measures: Measure[];
+  /** Pairs of coordinates of the map over which the singular poses may have a formula. */
+  loci: string[][];
+  /** Why they have none over any coordinates; "" where they may have one. */
+  no_locus: string;
   /** The class of the catalog. */
   entry: Entry | null;
   /** SVG of the legs as a graph. Elements carry data-point="a" and data-leg="ab". */

@@ -30,7 +30,7 @@ def desk(sit_down: Callable[..., Desk]) -> Desk:
 
 def asked(desk: Desk, nodes: int) -> Any:
     """The surface with so many poses along each coordinate; the triangles in the picture."""
-    desk.run("n => gcrules.touring.surface.nodes.value = n", nodes)
+    desk.run("n => gcrules.touring.change({fineness: n})", nodes)
     desk.one("surface-go").click()
     desk.page.wait_for_function("n => gcrules.touring.surface.shown.value?.result.nodes[0] === n", arg=nodes)
     desk.painted()
