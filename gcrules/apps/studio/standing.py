@@ -85,8 +85,9 @@ def _start(subject: Subject, pose: PoseJson) -> dict[str, Any]:
     """What takes the 3D view of the page to the pose."""
     if subject.limbs is None:
         return {"pose": {"translation": pose["translation"], "quaternion": pose["quaternion"]}}
-    with suppress(InputError):
-        return {"drive": amounts_at(subject.limbs, pose)}
+    with suppress(InputError):  # its joints cannot be moved
+        amounts = amounts_at(subject.limbs, pose)
+        return {"drive": amounts} if amounts else {}
     return {}
 
 
