@@ -572,6 +572,8 @@ export interface Hello {
   opened: Source | null;
   /** Whether Python shares the pose of what it has opened: the page follows it (`follow`), and tells it (`show`). */
   shared: boolean;
+  /** Whether the guide is served below `guide/`. */
+  guide: boolean;
 }
 
 export interface GalleryItem {

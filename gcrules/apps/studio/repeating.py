@@ -31,10 +31,11 @@ from gcrules.mechanisms.kinematics.leading import leading
 from gcrules.mechanisms.kinematics.solve import free_coordinates
 from gcrules.mechanisms.limbs import Limbs
 from gcrules.mechanisms.load import is_xml, kind_of_id
+from gcrules.poses.loci.variables import ROTATIONS
 from gcrules.poses.maps.axes import ACTUATOR, read_axes
 from gcrules.poses.plans.report import Waypoint
 from gcrules.screws.pose import Pose
-from gcrules.screws.pose_text import ANGLES
+from gcrules.screws.pose_text import ANGLES, SHIFTS
 from gcrules.views.results.plan import waypoint_text
 
 __all__ = ["repeated"]
@@ -143,15 +144,16 @@ def _actuators(subject: Subject, args: Args) -> Call:
 
 def _locus(subject: Subject, args: Args) -> Call:
     asked = asked_locus(subject.mechanism, args["pose"], args.get("over"))
-    there = "" if asked.at is None or asked.at == Pose() else _exactly(asked.at)
-    fixed = [Option("--fix", "fix", ", ".join(f"{n} = {c}" for n, c in asked.fix.items()))] if asked.fix else []
-    return Call("locus", "locus", (Option("--over", "over", ", ".join(asked.free)), *_at(there), *fixed))
+    given = dict(asked.fix or {}) if asked.at is None else _exactly(asked.at, asked.free)
+    fixed = [Option("--fix", "fix", ", ".join(f"{n}={c}" for n, c in given.items()))] if given else []
+    return Call("locus", "locus", (Option("--over", "over", ", ".join(asked.free)), *fixed))
 
 
-def _exactly(at: Pose) -> str:
-    """A pose with all its digits, as the polynomial has them."""
-    shift, turn = (" ".join(map(str, part)) for part in (at.translation, at.quaternion))
-    return f"{shift}; quaternion {turn}" if any(at.quaternion[1:]) else shift
+def _exactly(at: Pose, free: Sequence[str]) -> dict[str, Any]:
+    """The other variables of a pose with all their digits; a quaternion there may have any length."""
+    shift = {n: c for n, c in zip(SHIFTS, at.translation, strict=True) if n not in free}
+    turn = dict(zip(ROTATIONS["quaternion"], at.quaternion, strict=True))
+    return shift | turn if any(at.quaternion[1:]) or any(shift.values()) else {}
 
 
 def _path(subject: Subject, args: Args) -> Call:

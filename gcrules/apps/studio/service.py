@@ -47,11 +47,14 @@ def _load(alone: bool) -> None:
 
 class Service:
     """Answers for all pages; `opened` is the source that the command, or Python, was given, `shared` its pose where
-    Python follows it.
+    Python follows it; `guide` says whether the guide is served beside the page.
     """
 
-    def __init__(self, opened: SourceJson | None = None, shared: SharedPose | None = None) -> None:
+    def __init__(
+        self, opened: SourceJson | None = None, shared: SharedPose | None = None, *, guide: bool = False
+    ) -> None:
         self.opened = opened
+        self.guide = guide
         self.shared = shared
         self.instance = secrets.token_hex(8)
         self.pool = Pool()
@@ -65,6 +68,7 @@ class Service:
             "instance": self.instance,
             "opened": self.opened,
             "shared": self.shared is not None,
+            "guide": self.guide,
         }
 
     async def follow(self, args: FollowArgs) -> Followed:

@@ -76,6 +76,8 @@ class Hello(TypedDict):
     """What the command line named: opened by a page that holds nothing else."""
     shared: bool
     """Whether Python shares the pose of what it has opened: the page follows it (`follow`), and tells it (`show`)."""
+    guide: bool
+    """Whether the guide is served below `guide/`."""
 
 
 class GalleryItem(TypedDict):
