@@ -18,8 +18,8 @@ import gcrules as gc
 from gcrules.core.errors import EngineFault, FileError, InputError
 from gcrules.core.frozen import FrozenMap
 from gcrules.poses.stored_maps import kinds
-from gcrules.poses.tiles.how import HERE, Running, parse_part, running
 from gcrules.poses.tiles import store as store_module
+from gcrules.poses.tiles.how import HERE, Running, parse_part, running
 from gcrules.poses.tiles.layout import Layout, layout_of
 from gcrules.poses.tiles.running import run
 from gcrules.poses.tiles.status import rate_of
