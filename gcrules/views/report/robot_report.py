@@ -13,6 +13,7 @@ from gcrules.core.errors import InputError
 from gcrules.mechanisms.conditions.factor_causes import KINDS, FactorCause
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.mechanisms.limbs import Limbs
+from gcrules.mechanisms.six_legs import SixLegs
 from gcrules.poses.limbs.exact_values import lines_at
 from gcrules.poses.limbs.pose_report import report_of_limbs
 from gcrules.poses.limbs.singular_members import live_parts
@@ -182,6 +183,8 @@ def _figures(a: RobotAnalysis, standing: Standing | None, *, home: bool, live: b
         here = standing.drawing if standing else ""
         where = "as it stands" if here else "at home"
         words = f"The robot {where} with the wrenches of its limbs, and the lines that stand for them"
+        if here and standing and isinstance(standing.mechanism, SixLegs):
+            words = "The six legs as they stand, with the entities of the condition"
         robot = robot_figure_html(here or draw_robot(a, a.robot.values_at()).svg(), words)
     if live:
         hint = "Drag to turn the view; the sliders move the robot."
