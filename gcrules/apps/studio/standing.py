@@ -22,6 +22,7 @@ from gcrules.apps.studio.subject import Subject
 from gcrules.apps.studio.surface_view import surface_of
 from gcrules.apps.studio.thresholds import threshold_of
 from gcrules.apps.studio.where_view import aspects_from, assemblies_from, free_around
+from gcrules.apps.studio.whereabouts import pose_json
 from gcrules.conditions.pose_value import PoseValue, pose_value
 from gcrules.core.budget import report as tell
 from gcrules.core.errors import InputError
@@ -84,7 +85,7 @@ def _numbers(subject: Subject, pose: PoseJson, threshold: str | None) -> PoseRep
 def _start(subject: Subject, pose: PoseJson) -> dict[str, Any]:
     """What takes the 3D view of the page to the pose."""
     if subject.limbs is None:
-        return {"pose": {"translation": pose["translation"], "quaternion": pose["quaternion"]}}
+        return {"pose": pose_json(exact_pose(pose))}
     with suppress(InputError):  # its joints cannot be moved
         amounts = amounts_at(subject.limbs, pose)
         return {"drive": amounts} if amounts else {}
