@@ -10,7 +10,7 @@ import { along, degreesOf } from "../src/page/lib/scale";
 import { splitBrackets, splitOperator } from "../src/page/lib/tex";
 import { tintOf } from "../src/page/lib/tint";
 import { chosen } from "../src/page/start/filter";
-import { EMPTY, HOME, TOUR, atHome, isHome, samePose, type Doc, type Range } from "../src/page/state/doc";
+import { EMPTY, HOME, TOUR, atHome, isHome, samePose, type Doc, type Range, type Tour } from "../src/page/state/doc";
 import { plainFragment, readFragment, writeFragment } from "../src/page/state/fragment";
 import { begin, closed, moved, record, redone, undone } from "../src/page/state/history";
 import { readDoc } from "../src/page/state/read";
@@ -68,7 +68,7 @@ const DOCS: Record<string, Doc> = {
     threshold: "20 mm",
     commands: ["plane a b c"],
     bench: "let p = a ∨ b",
-    tour: { start: TURNED, to: "z=1", over: [{ name: "x", low: -1, high: 2 }, { name: "roll", low: 0, high: 30 }], nodes: 41, measure: "isotropy" },
+    tour: { start: TURNED, to: "z=1", over: [{ name: "x", low: -1, high: 2 }, { name: "roll", low: 0, high: 30 }], nodes: 41, measure: "isotropy", box: [-1, 0, 1].map((low, i) => ({ name: "xyz".charAt(i), low, high: 2 })) as Tour["box"], fineness: 13 },
     sketch: { title: "t", points: { a: [0, 0, 1], b: [0, 0, 2] }, base: ["a"], platform: ["b"], legs: [["a", "b"]] },
     making: "limbs",
     limbs: "title: T\nlimbs: []\n",
@@ -98,7 +98,7 @@ test("what a link says is checked field by field", () => {
   assert.deepEqual(doc, EMPTY);
   assert.deepEqual(readDoc({ pose: { translation: [0, 0, 0], quaternion: [2, 0, 0, 0] } }).pose, HOME);
   assert.equal(readDoc({ panel: "guided" }).panel, "start");
-  const wrong = [7, { over: [{ name: "x", low: 0, high: 1 }] }, { nodes: 1e9, to: 3, start: "home" }, { over: [{ name: "x", low: "0" }, 1] }];
+  const wrong = [7, { over: [{ name: "x", low: 0, high: 1 }] }, { nodes: 1e9, to: 3, start: "home" }, { fineness: 10, box: [{ name: "x", low: 0, high: 1 }] }, { over: [{ name: "x", low: "0" }, 1] }];
   for (const tour of wrong) assert.deepEqual(readDoc({ tour }).tour, TOUR);
 });
 

@@ -22,6 +22,7 @@ from gcrules.mechanisms.kinematics.leg_amplification import LEGS
 from gcrules.mechanisms.limbs import Limbs
 from gcrules.mechanisms.models.imported import Imported
 from gcrules.mechanisms.six_legs import SixLegs
+from gcrules.poses.loci.slices import slices, why_no_locus
 from gcrules.poses.maps.axes import TRANSLATION, TURNS
 from gcrules.poses.methods import Methods, method
 from gcrules.rules.condition import Condition
@@ -59,6 +60,8 @@ def study(subject: Subject) -> Study:
         "ranges": ranges,
         "wholes": method(_WHOLES, subject.mechanism, "a map of whole boxes")(subject) if ranges else [],
         "measures": _measures(subject) if ranges else [],
+        "loci": [list(pair) for pair in slices(subject.mechanism)] if ranges else [],
+        "no_locus": why_no_locus(subject.mechanism) if ranges else "",
         "entry": _entry(a) if a else None,
         "schematic": schematic(a.structure) if a and a.structure.joined and a.structure.rank == 4 else "",
         "stages": stage_views(subject),

@@ -76,6 +76,8 @@ class Hello(TypedDict):
     """What the command line named: opened by a page that holds nothing else."""
     shared: bool
     """Whether Python shares the pose of what it has opened: the page follows it (`follow`), and tells it (`show`)."""
+    guide: bool
+    """Whether the guide is served below `guide/`."""
 
 
 class GalleryItem(TypedDict):
@@ -299,6 +301,10 @@ class Study(TypedDict):
     """Coordinates of its pose over which a map of whole boxes can go, with ranges to begin with."""
     measures: list[MeasureView]
     """What the bands of such a map can be, the margin first."""
+    loci: list[list[str]]
+    """Pairs of coordinates of the map over which the singular poses may have a formula."""
+    no_locus: str
+    """Why they have none over any coordinates; "" where they may have one."""
     entry: EntryView | None
     """The class of the catalog."""
     schematic: str

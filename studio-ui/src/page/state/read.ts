@@ -3,7 +3,7 @@ import {
   FARTHEST, LONGEST_FILE, LONGEST_RULES, MOST_COMMANDS, MOST_COORDINATES, MOST_LEGS, MOST_POINTS, MOST_RULES, MOST_RULE_FILES, STAGE_IDS,
   type Pose, type RuleFile, type Sketch, type Source, type Vec3,
 } from "../../protocol";
-import { EMPTY, HOME, NODES, TOUR, type Doc, type Making, type PanelId, type Range, type Tour } from "./doc";
+import { EMPTY, FINENESS, HOME, NODES, TOUR, type Doc, type Making, type PanelId, type Range, type Tour } from "./doc";
 
 type Loose = Record<string, unknown>;
 
@@ -73,14 +73,17 @@ function readRules(x: unknown): readonly RuleFile[] {
 
 function readTour(x: unknown): Tour {
   if (!isObject(x)) return TOUR;
-  const { start, to, over, nodes, measure } = x;
+  const { start, to, over, nodes, measure, box, fineness } = x;
   const [first, second] = listOf(isRange)(over) ? over : [];
+  const [a, b, c] = listOf(isRange)(box) ? box : [];
   return {
     start: isObject(start) ? readPose(start) : null,
     to: isText(to) ? to : "",
     over: first && second ? [first, second] : null,
     nodes: isNumber(nodes) && NODES.includes(nodes) ? nodes : TOUR.nodes,
     measure: isText(measure) ? measure : TOUR.measure,
+    box: a && b && c && [a, b, c].every(({ name }, i) => name === "xyz"[i]) ? [a, b, c] : null,
+    fineness: isNumber(fineness) && FINENESS.includes(fineness) ? fineness : null,
   };
 }
 
