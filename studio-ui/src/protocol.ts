@@ -124,6 +124,8 @@ export interface Recipe {
   /** −1 where the legs are turned round with respect to those that the user wrote. */
   sign: 1 | -1;
   thresholds: Thresholds;
+  /** The length of which `near` and `met` are shares. */
+  size: number;
 }
 
 /** A sum of points or directions: name and factor. */
@@ -763,6 +765,8 @@ export interface Study {
   schematic: string;
   stages: Stage[];
   entities: Entity[];
+  /** How what is constructed follows from the joints of a platform that moves, for poses that are drawn in passing. */
+  recipe: Recipe | null;
   condition: Condition;
   readings: Condition[];
   robot: Robot | null;

@@ -74,6 +74,8 @@ export interface Options {
   onPose?(pose: Pose, done: boolean): void;
   onPick?(name: string): void;
   onHover?(what: { point?: string; entity?: string } | null): void;
+  /** Where the points are seen in which planes meet, with their labels or the arrows towards them: boxes as left, top, right, bottom. */
+  onMarks?(boxes: readonly (readonly [number, number, number, number])[]): void;
   renderer?: "auto" | "svg";
   theme?: Theme;
   /** How many CSS pixels of the upper edge the host covers now; standard views and fits leave them free. */

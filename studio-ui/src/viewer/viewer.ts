@@ -4,6 +4,7 @@ import { newEasel, type Easel } from "./easel";
 import { Gizmo } from "./gizmo";
 import { Hand, type Pointed, type Reach } from "./hand";
 import { poseInWords } from "./keys";
+import { boxesOf, pointersOf } from "./marks";
 import { modelOf } from "./model";
 import { placeTags } from "./overlay";
 import { entityAt, pointAt } from "./picking";
@@ -182,7 +183,9 @@ class Stage implements Viewer, Reach {
   private shot(): Shot {
     const model = this.fresh();
     const { sight } = this.rig;
-    return { model, split: this.split, sight, labels: placeTags(model, sight), theme: this.theme, title: titleOf(this.scene) };
+    const pointers = pointersOf(model, sight);
+    const labels = [...placeTags(model, sight), ...pointers.map(({ label }) => label)];
+    return { model, split: this.split, sight, labels, pointers, theme: this.theme, title: titleOf(this.scene) };
   }
 
   /** Paints the drawing without the handles of the platform. */
@@ -228,7 +231,9 @@ class Stage implements Viewer, Reach {
     this.gizmo?.place(this.platform, this.scene.about);
     const { sight, camera } = this.rig;
     this.easel.paint(camera, sight);
-    this.surface.show(model, placeTags(model, sight), camera, this.theme);
+    const [labels, pointers] = [placeTags(model, sight), pointersOf(model, sight)];
+    this.surface.show(model, labels, pointers, camera, this.theme);
+    this.options.onMarks?.(boxesOf(model, sight, labels, pointers));
   }
 
   private get swings(): boolean {

@@ -23,7 +23,10 @@ export function connect(element: HTMLElement, store: Store): () => void {
       else if (robot) store.leading.to(pose);
       else store.edit({ pose }, "hand");
     },
-    covered: () => coveredBy(element.parentElement?.querySelector(".warning"), element),
+    covered: () => element.parentElement?.querySelector<HTMLElement>(".warning:not(.below)")?.offsetHeight ?? 0,
+    onMarks(boxes) {
+      if (JSON.stringify(boxes) !== JSON.stringify(space.marks.peek())) space.marks.value = boxes;
+    },
     onPick: (name) => void (space.pick(name) || lit.pin(pointTarget(name))),
     onHover: (what) => lit.hover(hovered(store, what)),
   });
@@ -53,10 +56,6 @@ export function connect(element: HTMLElement, store: Store): () => void {
     space.viewer.value = null;
     viewer.dispose();
   };
-}
-
-function coveredBy(strip: Element | null | undefined, element: HTMLElement): number {
-  return strip ? Math.max(0, strip.getBoundingClientRect().bottom - element.getBoundingClientRect().top) : 0;
 }
 
 const REST = 500; // milliseconds without a move

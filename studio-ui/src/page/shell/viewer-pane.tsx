@@ -20,9 +20,11 @@ export function ViewerPane() {
   }, [large.value]);
   return (
     <section class={store.space.large.value ? "viewer-pane large" : "viewer-pane"} aria-label="Robot in 3D">
-      <div class="viewer" ref={box} data-testid="viewer" />
+      <div class="scene">
+        <div class="viewer" ref={box} data-testid="viewer" />
+        <Warning pane={box} />
+      </div>
       <Toolbar />
-      <Warning />
       <CrossingAlert />
       <Legend />
     </section>
