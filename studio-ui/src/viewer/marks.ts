@@ -40,8 +40,13 @@ export function pointersOf({ marks }: Model, sight: Sight): Pointer[] {
     const reach = Math.min((width / 2 - INSET) / Math.max(Math.abs(ux), 1e-9), (height / 2 - INSET) / Math.max(Math.abs(uy), 1e-9));
     const at = (back: number, aside: number): XY => [width / 2 + (reach - back) * ux - aside * uy, height / 2 + (reach - back) * uy + aside * ux];
     const shape = [at(0, 0), at(HEAD, HALF), at(HEAD, 1.5), at(SHAFT, 1.5), at(SHAFT, -1.5), at(HEAD, -1.5), at(HEAD, -HALF)];
-    const room = SHAFT + 5 + Math.min((widthOf({ text: mark.words, upright: true }, SIZE) / 2) / Math.max(Math.abs(ux), 1e-9), SIZE / Math.max(Math.abs(uy), 1e-9));
-    return [{ colour: mark.colour, shape, label: labelled(at(room, 0)) }];
+    const half = widthOf({ text: mark.words, upright: true }, SIZE) / 2;
+    const [cx, cy] = at(SHAFT / 2, 0);
+    // beside an arrow upwards or downwards, on the side that has room; above or below one to the side
+    const outwards = (cx < width / 2 ? -1 : 1) * (half + 14);
+    const aside = cx + outwards - half > 0 && cx + outwards + half < width ? outwards : -outwards;
+    const beside: XY = Math.abs(uy) > Math.abs(ux) ? [cx + aside, cy] : [cx, cy + (cy < height / 2 ? 1 : -1) * (SIZE + 4)];
+    return [{ colour: mark.colour, shape, label: labelled(beside) }];
   });
 }
 
