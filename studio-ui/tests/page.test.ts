@@ -11,7 +11,7 @@ import { splitBrackets, splitOperator } from "../src/page/lib/tex";
 import { tintOf } from "../src/page/lib/tint";
 import { chosen } from "../src/page/start/filter";
 import { EMPTY, HOME, TOUR, atHome, isHome, samePose, type Doc, type Range } from "../src/page/state/doc";
-import { plainFragment, readFragment, writeFragment } from "../src/page/state/fragment";
+import { LONGEST_LINK, linkOf, plainFragment, readFragment } from "../src/page/state/fragment";
 import { begin, closed, moved, record, redone, undone } from "../src/page/state/history";
 import { readDoc } from "../src/page/state/read";
 import { isProject, readProject, writeProject, NO_PROJECT, type Project } from "../src/page/state/project-file";
@@ -28,6 +28,7 @@ import { isDrawn } from "../src/viewer/model";
 import { contrast, legible, ROLES } from "../src/viewer/palette";
 import { sideBySide } from "../src/viewer/names";
 import { rotationVector } from "../src/viewer/pose";
+import { MOST_WAYPOINTS } from "../src/protocol";
 import type { Axis, Entity, GalleryItem, Numbers, Pose, Study, SurfaceAnswer, Vec3 } from "../src/protocol";
 
 const GRID = [-180, -135, -90, -37, 0, 12.5, 90, 179, 180];
@@ -73,15 +74,28 @@ const DOCS: Record<string, Doc> = {
     making: "limbs",
     limbs: "title: T\nlimbs: []\n",
   },
+  "a way": { ...EMPTY, source: { kind: "class", id: "3-3.3" }, pose: TURNED, way: [HOME, TURNED, { ...HOME, translation: [1, 2, 3] }] },
+  "a way that was driven": { ...EMPTY, source: { kind: "class", id: "3-3.3" }, pose: TURNED, driven: [HOME, TURNED] },
 };
 for (const [name, doc] of Object.entries(DOCS)) {
   test(`a link restores the document: ${name}`, async () => {
-    for (const link of [await writeFragment(doc), plainFragment(doc)]) {
+    for (const link of [(await linkOf(doc)).fragment, plainFragment(doc)]) {
       assert.match(link, /^(#[sz]=[\w-]+)?$/);
       if (link) assert.deepEqual(await readFragment(link), doc);
     }
   });
 }
+
+test("a link that would be too long with the way leaves it out, and says so; so does one of a broken way", async () => {
+  const noise = Array.from({ length: 72_000 }, (_, i) => Math.sin(i * i).toString(36).slice(-1)).join("");
+  const doc: Doc = { ...EMPTY, bench: noise, way: Array.from({ length: MOST_WAYPOINTS }, (_, i) => ({ ...HOME, translation: [Math.sin(i), Math.cos(i), Math.tan(i)] })) };
+  const { fragment, short } = await linkOf(doc);
+  assert.ok(short && fragment.length <= LONGEST_LINK);
+  assert.deepEqual(await readFragment(fragment), { ...doc, way: [] });
+  assert.equal((await linkOf({ ...doc, bench: "" })).short, false);
+  assert.deepEqual(readDoc({ way: [HOME, { translation: [0, 0], quaternion: [1, 0, 0, 0] }] }).way, []);
+  assert.deepEqual(readDoc({ way: Array.from({ length: MOST_WAYPOINTS + 1 }, () => HOME) }).way, []);
+});
 
 const HOSTILE = ["", "#s=", "#s=!!", "#z=AAAA", "#x=e30", `#s=${btoa("[]")}`, `#s=${btoa("null")}`, `#z=${btoa("{}")}`];
 test("a link that is no link, or a broken one, opens nothing", async () => {

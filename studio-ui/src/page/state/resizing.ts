@@ -27,7 +27,7 @@ interface Asked {
   limits?: string;
 }
 
-export function createResizing(client: Client, { doc, source$, edit, settle }: Editing, studying: Studying): Resizing {
+export function createResizing(client: Client, { doc, source$, way$, driven$, edit, settle }: Editing, studying: Studying): Resizing {
   const fault = signal<Fault | null>(null);
   const wanted = signal<Record<string, Written>>({});
   let limits: string | undefined;
@@ -54,7 +54,7 @@ export function createResizing(client: Client, { doc, source$, edit, settle }: E
       batch(() => {
         fault.value = null;
         wanted.value = without(wanted.peek(), asked.points);
-        studying.swap(source, study, () => edit({ source }, "dimensions"));
+        studying.swap(source, study, () => edit({ source, way: way$.peek(), driven: driven$.peek() }, "dimensions"));
       });
       finish();
     },
