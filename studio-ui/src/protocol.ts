@@ -1012,6 +1012,8 @@ export interface PathSample {
   margin: number;
   /** null where it is not known that the sliders lead to this configuration from home. */
   pose: Pose | null;
+  /** Where the platform is then, from home, turned about `about` of the study: of a platform on six legs, its pose. */
+  platform: Pose | null;
 }
 
 /** A singular place on a path, with what happens there, why, and what is gained, in sentences. */

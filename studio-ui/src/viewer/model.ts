@@ -1,5 +1,6 @@
 // The robot, its surroundings and the entities of its condition, as a drawing.
 import { Drawing, SIZES, jointsOf, type Model, type State } from "./drawing";
+import { drawnWay } from "./grips";
 import { drawnLimbs } from "./limbs";
 import { drawnMesh } from "./mesh";
 import { drawnMotion, swung } from "./motion";
@@ -38,6 +39,7 @@ export function modelOf(scene: Scene, state: State): Model {
     drawnMotion(d, scene.motion);
     if (carried) bodies(d, carried, 0.25, true);
   }
+  if (d.shows("way")) drawnWay(d, scene);
   joints(d);
   return d;
 }
@@ -190,16 +192,18 @@ function joints(d: Drawing): void {
   const { scene } = d;
   const marked = new Set(d.state.highlight?.points ?? []);
   const ringed = new Map(scene.entities.flatMap((e) => (e.kind === "point" ? e.points.map((n) => [n, e.colour] as const) : [])));
+  const grips = new Map((scene.grips ?? []).flatMap(({ look, label, id }) => (look === "joint" ? [[label, id === scene.chosen]] : [])));
   const used = new Set([...scene.base, ...scene.platform, ...scene.legs.flat(), ...scene.entities.flatMap((e) => e.points)]);
   for (const name of used) {
     const at = scene.points[name];
     if (!at) continue;
     const strong = marked.has(name);
     const own = ringed.get(name);
-    const rim = strong ? d.colour("mark") : own !== undefined ? d.entityColour(own) : d.colour("ink");
+    const dragged = grips.has(name); // it is ringed, so that this is seen
+    const rim = strong || grips.get(name) ? d.colour("mark") : dragged ? d.colour("drive") : own !== undefined ? d.entityColour(own) : d.colour("ink");
     const radius = SIZES.joint * scene.size * (strong ? 1.35 : 1);
     const fill = scene.platform.includes(name) ? d.colour("paper") : strong ? d.colour("mark") : d.colour("ink");
-    d.ball(at, radius, fill, rim, strong ? 1.6 : 1.36);
+    d.ball(at, radius, fill, rim, strong || dragged ? 1.6 : 1.36);
     d.tag(name, at, strong ? d.colour("mark") : d.colour("ink"), "joint", { clear: radius * 1.4, strong });
   }
 }

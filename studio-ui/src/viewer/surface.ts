@@ -2,7 +2,7 @@
 import type { PerspectiveCamera } from "three";
 import { Compass } from "./compass";
 import type { Model } from "./drawing";
-import { HELP } from "./keys";
+import { GRIPS, HELP } from "./keys";
 import { svgPointers, type Pointer } from "./marks";
 import { sideBySide, spoken } from "./names";
 import { LabelLayer, UPRIGHT, type Placed } from "./overlay";
@@ -44,7 +44,7 @@ export class Surface {
 
   /** What there is, and how to move it, for those who do not see it. */
   describe(scene: Scene | null): void {
-    this.root.setAttribute("aria-label", `${scene ? titleOf(scene) : "Robot"}, in three dimensions. ${this.help ? HELP : ""}`);
+    this.root.setAttribute("aria-label", `${scene ? titleOf(scene) : "Robot"}, in three dimensions. ${this.help ? HELP : ""}${scene?.grips?.length ? ` ${GRIPS}` : ""}`);
   }
 
   paint(theme: Theme): void {

@@ -1,5 +1,5 @@
 // The dimensions of the robot on show, and another robot beside it.
-import { useEffect, useState } from "preact/hooks";
+import { useEffect } from "preact/hooks";
 import { editLimbs, limbsAtHand } from "../actions/limbs";
 import { FaultBox } from "../parts/fault-box";
 import { Comparison } from "./dimensions/comparison";
@@ -11,9 +11,10 @@ import "./dimensions/dimensions.css";
 
 export function Dimensions({ store }: PanelProps) {
   const { resizing } = store;
-  const [selected, select] = useState<string | null>(null);
+  const selected = resizing.selected.value;
+  const select = (name: string | null): void => void (resizing.selected.value = name);
   const study = store.study.value;
-  useEffect(() => store.settle, [store]);
+  useEffect(() => () => (store.settle(), select(null)), [store]);
   if (!study) return null;
   return (
     <div class="dimensions">
@@ -32,6 +33,7 @@ export function Dimensions({ store }: PanelProps) {
         </section>
       ) : (
         <section aria-label="Places of the joints">
+          <p class="why">Drag a joint in the picture or in the plan, or type its place.</p>
           {study.invented && <p class="tip">The shape was invented. What is changed here makes it yours.</p>}
           <Plan study={study} selected={selected} select={select} />
           <Coordinates study={study} selected={selected} select={select} />

@@ -29,7 +29,7 @@ export function createSpace(): Space {
   return {
     viewer: signal(null),
     mode: signal<Mode>("orbit"),
-    layers: signal({ entities: true, labels: true, legs: true, wrenches: true, grid: true, motion: true, surface: true }),
+    layers: signal({ entities: true, labels: true, legs: true, wrenches: true, grid: true, motion: true, surface: true, way: true }),
     large: signal(false),
     playing: signal(false),
     marks: signal<readonly Box[]>([]),

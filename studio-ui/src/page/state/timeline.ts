@@ -1,10 +1,11 @@
 // The way that was driven, or that is given by waypoints: proved as soon as the hand rests, and led along.
 import { computed, effect, signal, untracked, type ReadonlySignal, type Signal } from "@preact/signals";
-import { MOST_WAYPOINTS, type Fault, type Numbers, type PathAnswer, type Pose, type Sign } from "../../protocol";
+import { MOST_WAYPOINTS, type Fault, type Numbers, type PathAnswer, type Pose, type Sign, type Source } from "../../protocol";
 import { driven, type Driven, type Scales } from "../lib/way";
 import { between } from "../lib/rotation";
 import type { Client } from "../net/client";
-import { samePose } from "./doc";
+import { latest } from "../net/latest";
+import { samePose, sameSource } from "./doc";
 import type { Editing } from "./editing";
 import type { Posing } from "./posing";
 import { createRunner, type Running } from "./running";
@@ -41,10 +42,13 @@ export interface Timeline {
   /** The waypoint that is held in the picture and in the list; null for none. */
   chosen: ReadonlySignal<number | null>;
   choose(index: number | null): void;
-  /** A waypoint elsewhere; moves of the same one in a row are one step to undo. */
-  move(index: number, pose: Pose): void;
-  /** A waypoint in the middle between this one and the next, on the way as it is; it is then chosen. */
-  insert(index: number): void;
+  /** A waypoint to where the platform is displaced so; a robot of joints is asked what its actuators do there. Moves of the same one
+   * are one step to undo, until the hand lets go (`done`). */
+  carry(index: number, platform: Pose): void;
+  done(): void;
+  /** A waypoint in the middle between this one and the next, on the way as it is; it is then chosen, and moves of it belong to the
+   * same step until it is `done`. False where there is none. */
+  insert(index: number): boolean;
   add(): void;
   remove(index: number): void;
   /** Puts a stop before another one. */
@@ -215,6 +219,41 @@ export function createTimeline(client: Client, editing: Editing, studying: Study
     frame = requestAnimationFrame(step);
   }
 
+  interface Carried {
+    index: number;
+    source: Source;
+    pose: Pose;
+    to: Pose;
+  }
+  let awaited: Carried | null = null;
+  let ending = false;
+  const carried = latest(
+    ({ index: _, ...asked }: Carried) => client.ask("move", asked, { channel: "waypoint" }),
+    ({ pose }, asked) => {
+      if (!sameSource(asked.source, source$.peek())) return;
+      fault.value = null;
+      move(asked.index, pose);
+      arrived(asked);
+    },
+    (error, asked) => {
+      const why = faultOf(error);
+      if (why.kind === "superseded") return;
+      fault.value = why;
+      arrived(asked);
+    },
+  );
+
+  function arrived(asked: Carried): void {
+    if (asked !== awaited) return;
+    awaited = null;
+    if (ending) editing.settle();
+    ending = false;
+  }
+
+  function move(index: number, pose: Pose): void {
+    name(stops.peek().map((stop, i) => (i === index ? pose : stop)), `waypoint ${index}`);
+  }
+
   async function asked(args: { poses: Pose[] } | { table: string }) {
     const source = source$.peek();
     fault.value = null;
@@ -250,13 +289,25 @@ export function createTimeline(client: Client, editing: Editing, studying: Study
     pause,
     chosen,
     choose: (index) => void (held.value = index),
-    move: (index, pose) => name(stops.peek().map((stop, i) => (i === index ? pose : stop)), `waypoint ${index}`),
+    carry(index, platform) {
+      const [source, pose] = [source$.peek(), stops.peek()[index]];
+      if (!source || !pose) return;
+      if (studying.study.peek()?.kind !== "robot") return move(index, platform);
+      awaited = { index, source, pose, to: platform };
+      ending = false;
+      carried(awaited);
+    },
+    done() {
+      if (awaited) ending = true;
+      else editing.settle();
+    },
     insert(index) {
       const [list, found] = [stops.peek(), proof.peek()];
       const pose = found && index + 1 < list.length ? poseAt(found, index + 0.5) : null;
-      if (!pose || list.length >= MOST_WAYPOINTS) return;
-      name([...list.slice(0, index + 1), pose, ...list.slice(index + 1)]);
+      if (!pose || list.length >= MOST_WAYPOINTS) return false;
+      name([...list.slice(0, index + 1), pose, ...list.slice(index + 1)], `waypoint ${index + 1}`);
       held.value = index + 1;
+      return true;
     },
     add: () => name([...stops.peek(), pose$.peek()]),
     remove(index) {
