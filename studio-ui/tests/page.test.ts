@@ -24,7 +24,10 @@ import { stepped, valueOf, within } from "../src/page/panels/motion/spots";
 import { latest } from "../src/page/net/latest";
 import { driven, liesBetween, type Driven } from "../src/page/lib/way";
 import { moved as shifted, poseAt } from "../src/page/state/timeline";
-import { isDrawn } from "../src/viewer/model";
+import { fileAt, seenAt, snapped } from "../src/page/state/joint-places";
+import { placeOf } from "../src/page/shell/warning-place";
+import { isDrawn, modelOf } from "../src/viewer/model";
+import { swung } from "../src/viewer/motion";
 import { contrast, legible, ROLES } from "../src/viewer/palette";
 import { sideBySide } from "../src/viewer/names";
 import { rotationVector } from "../src/viewer/pose";
@@ -127,6 +130,54 @@ test("a drag is undone as one step, navigation is none", () => {
   assert.equal(undone(history).present.stage, "planes");
   assert.equal(redone(redone(undone(undone(history)))).present.pose.translation[0], 4);
   assert.equal(record(undone(history), at(9), null).future.length, 0);
+});
+
+const TRIANGLE: Record<string, Vec3> = { a: [0, 0, 0], b: [1, 0, 0], c: [0, 1, 0], d: [0, 0, 1], e: [1, 0, 1], f: [0, 1, 1.5] };
+const SHAPE = { points: TRIANGLE, base: ["a", "b", "c"], platform: ["d", "e", "f"], size: 1 } as unknown as Study;
+test("a joint is under the pointer whatever the platform's turn, and the centroid goes along with it", () => {
+  for (const name of ["a", "e"]) {
+    const seen: Vec3 = [0.3, -2, 1.7];
+    const to = fileAt(SHAPE, {}, TURNED, name, seen);
+    const moved = { ...SHAPE, points: { ...TRIANGLE, [name]: to } };
+    seenAt(moved, {}, TURNED, name).forEach((c, i) => assert.ok(Math.abs(c - seen[i]!) < 1e-12, `${name} ${c}`));
+  }
+  assert.deepEqual(fileAt(SHAPE, {}, HOME, "e", [1, 0, 1]).map((c) => Number(c.toFixed(12))), [1, 0, 1]);
+  assert.deepEqual(snapped([1.26, 0.333, -7.01], [1, 1 / 3, -7], 0.5), [1.5, 1 / 3, -7]);
+});
+
+test("planes and the point in which they meet are drawn where the platform swings to", () => {
+  const recipe = {
+    lines: [],
+    points: [{ label: "M", of: [["join", "a", "b", "d"], ["join", "b", "c", "e"], ["join", "a", "c", "f"]], entities: ["p"] }],
+    sign: 1 as const,
+    size: 1,
+    thresholds: { close: 0.01, rounding: 1e-12, digits: 1e-15, near: 0.03, met: 1e-9 },
+  };
+  const scene = {
+    points: TRIANGLE, base: SHAPE.base, platform: SHAPE.platform, legs: [], about: [0, 0, 1] as Vec3, size: 1, unit: "m", recipe,
+    entities: [plane("p", "abd", 0)],
+    motion: { axis: [0, 1, 0] as Vec3, through: [0, 0, 0] as Vec3, pitch: 0.1, text: "" },
+    constructed: [{ kind: "point" as const, label: "M", at: [9, 9, 9] as Vec3, entities: ["p"] }],
+  } as unknown as Parameters<typeof modelOf>[0];
+  const state = { theme: "light" as const, highlight: null, hidden: new Set<never>(), swing: 0.5, centre: [0, 0, 1] as Vec3 };
+  const drawn = modelOf(scene, state);
+  const points = swung(scene, scene.motion!, 0.5);
+  const there = modelOf({ ...scene, points, motion: null, constructed: drawn.marks.map(({ at }) => ({ kind: "point", label: "M", at, entities: ["p"] })) }, { ...state, swing: null });
+  const planesOf = ({ faces }: typeof drawn) => faces.filter(({ entity }) => entity === "p").map(({ corners }) => corners);
+  assert.deepEqual(planesOf(drawn), planesOf(there));
+  assert.notDeepEqual(planesOf(drawn), planesOf(modelOf(scene, { ...state, swing: null })));
+  assert.deepEqual(drawn.marks.map(({ label }) => label), ["M"]);
+  assert.ok(Math.hypot(...drawn.marks[0]!.at) < 5, "it is worked out anew");
+});
+
+test("a warning gives way to what it would cover, and stays as long as it covers nothing", () => {
+  const at = (y: number): [number, number, number, number] => [100, y - 10, 120, y + 10];
+  assert.equal(placeOf("top", 300, 26, 500, 400, []), "top");
+  assert.equal(placeOf("top", 300, 26, 500, 400, [at(200)]), "top");
+  assert.equal(placeOf("top", 300, 26, 500, 400, [at(20)]), "bottom");
+  assert.equal(placeOf("bottom", 300, 26, 500, 400, [at(200)]), "bottom");
+  assert.equal(placeOf("bottom", 450, 26, 500, 400, [at(20), at(385)]), "below");
+  assert.equal(placeOf("below", 450, 26, 500, 400, [at(200)]), "top");
 });
 
 test("latest wins: one request under way, then the newest", async () => {

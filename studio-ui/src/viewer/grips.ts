@@ -7,14 +7,14 @@ import type { Sight } from "./sight";
 import type { Grip, Place, Pose, Scene, Vec3 } from "./types";
 import { add, sub } from "./vectors";
 
-/** The nearest grip within reach (pixels); waypoints go before the places between them. */
-export function gripAt(grips: readonly Grip[], sight: Sight, x: number, y: number, reach: number): Grip | null {
+/** The nearest grip within reach (pixels); waypoints go before the places between them, the chosen one before others at its place. */
+export function gripAt(grips: readonly Grip[], chosen: Grip | null, sight: Sight, x: number, y: number, reach: number): Grip | null {
   let best: { grip: Grip; far: number } | null = null;
   for (const grip of grips) {
     const [px, py, depth] = sight.place(grip.at);
     const far = Math.hypot(px - x, py - y);
     if (depth <= sight.near || far > reach) continue;
-    const cost = far + (grip.look === "between" ? reach / 2 : 0);
+    const cost = far + (grip.look === "between" ? reach / 2 : grip.id === chosen?.id ? -1 : 0);
     if (!best || cost < best.far) best = { grip, far: cost };
   }
   return best?.grip ?? null;

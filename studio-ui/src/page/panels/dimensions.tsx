@@ -20,7 +20,7 @@ export function Dimensions({ store }: PanelProps) {
     <div class="dimensions">
       <header>
         <h2>Dimensions</h2>
-        <p class="why">{study.robot ? "What is changed is seen beside what was." : "The condition depends on how the legs are joined, not on their places: it stays. The margin, the map and what is proved follow."}</p>
+        <p class="why">{study.robot ? "What is changed is seen beside what was." : "The condition depends on how the legs are joined, not on their places: it stays. The margin, the map and what is proved follow. Drag a joint in the picture or in the plan, or type its place."}</p>
       </header>
       {study.robot ? (
         <section aria-label="Joints">
@@ -33,7 +33,6 @@ export function Dimensions({ store }: PanelProps) {
         </section>
       ) : (
         <section aria-label="Places of the joints">
-          <p class="why">Drag a joint in the picture or in the plan, or type its place.</p>
           {study.invented && <p class="tip">The shape was invented. What is changed here makes it yours.</p>}
           <Plan study={study} selected={selected} select={select} />
           <Coordinates study={study} selected={selected} select={select} />

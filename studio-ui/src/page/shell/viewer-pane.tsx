@@ -80,7 +80,7 @@ function Legend() {
   return (
     <div class="legend" role="group" aria-label="Entities" tabIndex={0}>
       <ChosenWaypoint />
-      {own.length === 0 && "Drag to look around. Point at a joint, a leg or a bracket: it lights up everywhere."}
+      {own.length === 0 && store.timeline.chosen.value === null && "Drag to look around. Point at a joint, a leg or a bracket: it lights up everywhere."}
       {own.map((entity) => (
         <EntityChip key={entity.id} entity={entity} named={false} />
       ))}
