@@ -6,6 +6,7 @@ from collections.abc import Callable
 from typing import Any
 
 import pytest
+from places import EXAMPLES
 
 import gcrules as gc
 
@@ -98,10 +99,10 @@ def test_a_waypoint_dragged_into_a_singular_pose_is_found(desk: Desk) -> None:
     assert desk.text("way-verdict").startswith("No pose of the path is singular")
     desk.one("view-front").click()
     desk.painted()
-    scale = (desk.place("c")[1] - desk.place("d")[1]) / 400  # about so many pixels for a millimetre of height
+    scale = (desk.place("c")[1] - desk.place("d")[1]) / 100  # about so many pixels for a millimetre of height
     drag(desk, grip(desk, "stop 1"), 0, 190 * scale)
     desk.page.wait_for_function("() => gcrules.timeline.proof.value?.places.length > 0")
-    there = gc.path(gc.load("octahedral"), ["home", " ".join(map(repr, stops(desk)[1]))])
+    there = gc.path(str(EXAMPLES / "octahedral.yaml"), ["home", " ".join(map(repr, stops(desk)[1]))])
     assert desk.page.get_by_test_id("way-mark").count() == len(there.zeros)
 
 
@@ -269,15 +270,16 @@ def test_an_arrow_points_to_what_is_out_of_the_picture_and_says_how_far(desk: De
     pose = desk.run(NEAREST)[1]
     desk.run("pose => gcrules.edit({pose})", pose)
     desk.answered()
-    desk.one("view-fit").click()
-    desk.painted()
+    desk.one("viewer").hover()
+    for _ in range(8):
+        desk.page.mouse.wheel(0, -300)
+        desk.painted()
     arrows = desk.one("viewer").locator("svg[data-marks] polygon")
     assert arrows.count() == 1
     assert "mm away" in desk.one("viewer").inner_text()
     svg = desk.run("gcrules.space.viewer.value.snapshot('svg')")
     assert "mm away" in svg
-    desk.one("viewer").hover()
-    for _ in range(12):
+    for _ in range(24):
         desk.page.mouse.wheel(0, 300)
         desk.painted()
     assert arrows.count() == 0, "now it is seen"
