@@ -129,7 +129,8 @@ export class Hand {
       return true;
     }
     if (!chosen) return false;
-    const act = { Escape: () => reach.chose(null), Delete: () => reach.removed(chosen.id), Backspace: () => reach.removed(chosen.id), Insert: () => reach.inserted(chosen.id) }[e.key];
+    const [leave, remove] = [() => reach.chose(null), () => reach.removed(chosen.id)];
+    const act = { Escape: leave, Delete: remove, Backspace: remove, Insert: () => reach.inserted(chosen.id) }[e.key];
     if (act) {
       act();
       return true;

@@ -313,8 +313,7 @@ class Stage implements Viewer, Reach {
   }
 
   gripUnder(x: number, y: number, reach: number): Grip | null {
-    const grips = (this.scene.grips ?? []).filter(({ look }) => look === "joint" || !this.hidden.has("way"));
-    return gripAt(grips, this.chosen, this.sight, x, y, reach);
+    return gripAt(this.scene.grips ?? [], this.chosen, this.sight, x, y, reach);
   }
 
   chose(id: string | null): void {

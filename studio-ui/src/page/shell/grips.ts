@@ -12,6 +12,9 @@ import type { Store } from "../state/store";
 /** Whether joints are dragged: of platforms on six legs, whose file says where they are. */
 const resizes = ({ panel$, study }: Store): boolean => panel$.value === "dimensions" && study.value !== null && !study.value.robot;
 
+/** Whether a way that is given is drawn. */
+const isOnShow = ({ timeline, space }: Store): boolean => timeline.given.value && space.layers.value.way;
+
 type Handlers = Required<Pick<Options, "onGrip" | "onChoose" | "onRemove" | "onInsert">>;
 
 export function gripHandlers(store: Store): Handlers {
@@ -81,7 +84,7 @@ export function showGrips(store: Store, viewer: Viewer): () => void {
     effect(() => {
       const shown = study.value;
       const joints = shown && resizes(store) ? jointGrips(shown, store) : [];
-      const given = shown !== null && timeline.given.value;
+      const given = shown !== null && isOnShow(store);
       const way = given ? wayGrips(shown, store, platformOf) : [];
       const line = given ? lineOf(shown, timeline.proof.value, way) : null;
       const [joint, stop] = [resizing.selected.value, timeline.chosen.value];
@@ -138,19 +141,22 @@ function wayGrips(shown: Study, { timeline }: Store, platformOf: PlatformOf): Gr
     const platform = platformOf(pose);
     if (!platform) return [];
     const at = add(shown.about, platform.translation);
-    return [{ id: `stop ${i}`, at, turn: platform.quaternion, label: String(i + 1), name: `Waypoint ${i + 1} of ${list.length}`, look: "stop" }];
+    const name = `Waypoint ${i + 1} of ${list.length}`;
+    return [{ id: `stop ${i}`, at, turn: platform.quaternion, label: String(i + 1), name, look: "stop" }];
   });
-  const between = proof === null ? [] : list.slice(1).flatMap((_, i): Grip[] => {
-    const platform = nearestSample(proof, i + 0.5);
-    return platform ? [{ id: `between ${i}`, at: add(shown.about, platform.translation), turn: platform.quaternion, label: "", name: "", look: "between" }] : [];
+  const between = list.slice(1).flatMap((_, i): Grip[] => {
+    const platform = proof && nearestSample(proof, i + 0.5);
+    if (!platform) return [];
+    const at = add(shown.about, platform.translation);
+    return [{ id: `between ${i}`, at, turn: platform.quaternion, label: "", name: "", look: "between" }];
   });
   return [...stops, ...between];
 }
 
 function nearestSample({ samples }: PathAnswer, parameter: number): Pose | null {
-  const known = samples.filter(({ platform }) => platform !== null);
-  const best = known.reduce<(typeof known)[number] | null>((a, b) => (a && Math.abs(a.parameter - parameter) <= Math.abs(b.parameter - parameter) ? a : b), null);
-  return best && Math.abs(best.parameter - parameter) < 0.4 ? best.platform : null;
+  const away = (sample: { parameter: number }): number => Math.abs(sample.parameter - parameter);
+  const known = samples.filter((sample) => sample.platform !== null && away(sample) < 0.4);
+  return known.sort((a, b) => away(a) - away(b))[0]?.platform ?? null;
 }
 
 /** The way of the platform's centre: as it was proved, else straight from waypoint to waypoint. */
@@ -165,10 +171,12 @@ function lineOf(shown: Study, proof: PathAnswer | null, grips: readonly Grip[]) 
 }
 
 /** The platform in the pose of the chosen waypoint, pale. */
-export function ghostNow({ timeline, study }: Store): Record<string, Vec3> | undefined {
+export function ghostNow(store: Store): Record<string, Vec3> | undefined {
+  const { timeline, study } = store;
   const [shown, index] = [study.value, timeline.chosen.value];
-  const pose = index === null || !timeline.given.value ? undefined : timeline.stops.value[index];
+  const pose = index === null || !isOnShow(store) ? undefined : timeline.stops.value[index];
   if (!shown || shown.kind !== "platform" || !pose) return undefined;
   const { points, about } = sceneOf(shown);
-  return Object.fromEntries(shown.platform.flatMap((name) => (points[name] ? [[name, carried(points[name], IDENTITY, pose, about)]] : [])));
+  const there = (name: string): [string, Vec3][] => (points[name] ? [[name, carried(points[name], IDENTITY, pose, about)]] : []);
+  return Object.fromEntries(shown.platform.flatMap(there));
 }

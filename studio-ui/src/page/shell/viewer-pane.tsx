@@ -34,9 +34,9 @@ export function ViewerPane() {
 
 /** The waypoint that is held in the picture, and what can be done with it. */
 function ChosenWaypoint() {
-  const { timeline } = useStore();
+  const { timeline, space } = useStore();
   const [index, count] = [timeline.chosen.value, timeline.stops.value.length];
-  if (index === null || !timeline.given.value) return null;
+  if (index === null || !timeline.given.value || !space.layers.value.way) return null;
   const last = index + 1 === count;
   return (
     <span class="waypoint" role="group" aria-label={`Waypoint ${index + 1}`} data-testid="waypoint">
