@@ -124,6 +124,8 @@ export interface Recipe {
   /** −1 where the legs are turned round with respect to those that the user wrote. */
   sign: 1 | -1;
   thresholds: Thresholds;
+  /** The length of which `near` and `met` are shares. */
+  size: number;
 }
 
 /** A sum of points or directions: name and factor. */
@@ -818,6 +820,8 @@ export interface Study {
   schematic: string;
   stages: Stage[];
   entities: Entity[];
+  /** How what is constructed follows from the joints of a platform that moves, for poses that are drawn in passing. */
+  recipe: Recipe | null;
   condition: Condition;
   readings: Condition[];
   robot: Robot | null;
@@ -1078,6 +1082,8 @@ export interface PathSample {
   margin: number;
   /** null where it is not known that the sliders lead to this configuration from home. */
   pose: Pose | null;
+  /** Where the platform is then, from home, turned about `about` of the study: of a platform on six legs, its pose. */
+  platform: Pose | null;
 }
 
 /** A singular place on a path, with what happens there, why, and what is gained, in sentences. */

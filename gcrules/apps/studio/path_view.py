@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from functools import partial
 from typing import Any
 
 import numpy as np
 
 from gcrules.apps.studio.items import fact
 from gcrules.apps.studio.kept import kept
+from gcrules.apps.studio.moving import displacement
 from gcrules.apps.studio.numbers import exact_pose
 from gcrules.apps.studio.protocol.motion_views import (
     DetourView,
@@ -20,7 +22,7 @@ from gcrules.apps.studio.protocol.motion_views import (
 from gcrules.apps.studio.protocol.requests import PoseJson
 from gcrules.apps.studio.subject import Subject
 from gcrules.apps.studio.thresholds import threshold_of
-from gcrules.apps.studio.whereabouts import poses_of_limbs, reached
+from gcrules.apps.studio.whereabouts import poses_of_limbs, reached, solved_at
 from gcrules.core.budget import checkpoint, report
 from gcrules.core.dataclass import dataclass
 from gcrules.core.english import as_sentence
@@ -67,7 +69,8 @@ def path_view(
     """
     way = way_of(subject, start, goal, to, limit, around=around, through=through)
     _, posed = method(_ENDS, subject.mechanism, "a path")(start, goal, to, through)
-    return _view(way.path, posed(way.path), None if way.plan is None else _detour(way.plan))
+    platform = partial(_PLATFORM[type(way.path)], subject)
+    return _view(way.path, posed(way.path), platform, None if way.plan is None else _detour(way.plan))
 
 
 @dataclass(frozen=True)
@@ -138,7 +141,21 @@ _ENDS: Methods[tuple[list[Any], Callable[[Any], PosedAt]]] = {SixLegs: _of_legs,
 """The poses of a path, and what tells the page's pose of a sample of what was found."""
 
 
-def _view(found: Found, posed: PosedAt, detour: DetourView | None) -> PathAnswer:
+def _displaced(subject: Subject, pose: PoseJson) -> PoseJson:
+    assert subject.limbs is not None
+    return displacement(subject.limbs.linkage, solved_at(subject.limbs, pose), subject.about)
+
+
+_PLATFORM: dict[type[Found], Callable[[Subject, PoseJson], PoseJson]] = {
+    PathReport: lambda _, pose: pose,
+    RobotPath: _displaced,
+}
+"""Where the platform is in a pose of the page."""
+
+
+def _view(
+    found: Found, posed: PosedAt, platform: Callable[[PoseJson], PoseJson], detour: DetourView | None
+) -> PathAnswer:
     a: PathAccount = shown(found, "account")
     margins = found.numbers.margin if isinstance(found, PathReport) else found.margins
     places = [p.parameter for p in a.places[:_MOST]]
@@ -151,7 +168,9 @@ def _view(found: Found, posed: PosedAt, detour: DetourView | None) -> PathAnswer
         at = float(found.parameters[k])
         poses[at] = posed(k) if lost < _LOST else None
         lost = 0 if poses[at] else lost + 1
-        samples.append({"parameter": at, "margin": float(margins[k]), "pose": poses[at]})
+        there = poses[at]
+        where = None if there is None else platform(there)
+        samples.append({"parameter": at, "margin": float(margins[k]), "pose": there, "platform": where})
     left, right, top, bottom = FRAME
     return {
         "verdict": a.verdict,

@@ -39,7 +39,7 @@ _PART = 0.2  # of a shift
 
 def study(subject: Subject) -> Study:
     """Everything about the structure, for the page."""
-    a, bodies = subject.analysis, subject.mechanism.bodies
+    a, bodies, scenery = subject.analysis, subject.mechanism.bodies, subject.scenery
     report("stages")
     ranges = method(_RANGES, subject.mechanism, "a map")(subject)
     return {
@@ -66,6 +66,7 @@ def study(subject: Subject) -> Study:
         "schematic": schematic(a.structure) if a and a.structure.joined and a.structure.rank == 4 else "",
         "stages": stage_views(subject),
         "entities": entity_views(a) if a else [],
+        "recipe": scenery.recipe if subject.moving and scenery and scenery.movable else None,
         "condition": condition_view(a.structure, a.condition) if a else _none(subject),
         "readings": [condition_view(a.structure, r) for r in a.readings] if a else [],
         "robot": robot_view(subject.robot, subject.mechanism.mobility, subject.home) if subject.robot else None,

@@ -10,7 +10,7 @@ from typing import Annotated, Literal, NotRequired, TypedDict
 from gcrules.apps.studio.protocol.requests import SourceJson
 from gcrules.core.shapes import OneOf
 from gcrules.views.report.stage_ids import STAGE_IDS
-from gcrules.views.scene_data import EntityView, LegEnds, LimbView, Vec3
+from gcrules.views.scene_data import EntityView, LegEnds, LimbView, RecipeView, Vec3
 
 __all__ = [
     "AccountView",
@@ -311,6 +311,8 @@ class Study(TypedDict):
     """SVG of the legs as a graph. Elements carry data-point="a" and data-leg="ab"."""
     stages: list[StageView]
     entities: list[EntityView]
+    recipe: RecipeView | None
+    """How what is constructed follows from the joints of a platform that moves, for poses that are drawn in passing."""
     condition: ConditionView
     readings: list[ConditionView]
     robot: RobotView | None

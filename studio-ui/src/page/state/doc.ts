@@ -48,6 +48,10 @@ export interface Doc {
   /** Files of rules that hold on the bench. */
   rules: readonly RuleFile[];
   tour: Tour;
+  /** The way that is given by waypoints; none where it is empty. */
+  way: readonly Pose[];
+  /** The way that was driven, as the fewest poses. */
+  driven: readonly Pose[];
   making: Making;
   /** What is being drawn, if anything. */
   sketch: Sketch | null;
@@ -77,13 +81,15 @@ export const EMPTY: Doc = {
   bench: "",
   rules: [],
   tour: TOUR,
+  way: [],
+  driven: [],
   making: "legs",
   sketch: null,
   limbs: null,
 };
 
-/** The fields that say where the user is rather than what was made: changing them is no step to undo. */
-export const NAVIGATION = ["panel", "stage", "making"] as const satisfies readonly (keyof Doc)[];
+/** The fields that say where the user is, and how it was come there, rather than what was made: changing them is no step to undo. */
+export const NAVIGATION = ["panel", "stage", "making", "driven"] as const satisfies readonly (keyof Doc)[];
 
 export function sameSource(a: Source | null, b: Source | null): boolean {
   return JSON.stringify(a) === JSON.stringify(b);

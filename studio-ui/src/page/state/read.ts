@@ -1,6 +1,7 @@
 // Reads a document that comes from outside (a link): every field is checked, what is not understood is left out.
 import {
-  FARTHEST, LONGEST_FILE, LONGEST_RULES, MOST_COMMANDS, MOST_COORDINATES, MOST_LEGS, MOST_POINTS, MOST_RULES, MOST_RULE_FILES, STAGE_IDS,
+  FARTHEST, LONGEST_FILE, LONGEST_RULES, MOST_COMMANDS, MOST_COORDINATES, MOST_LEGS, MOST_POINTS, MOST_RULES, MOST_RULE_FILES,
+  MOST_WAYPOINTS, STAGE_IDS,
   type Pose, type RuleFile, type Sketch, type Source, type Vec3,
 } from "../../protocol";
 import { EMPTY, FINENESS, HOME, NODES, TOUR, type Doc, type Making, type PanelId, type Range, type Tour } from "./doc";
@@ -45,6 +46,13 @@ export function readPose(x: unknown): Pose {
     quaternion: unit ? [w, a, b, c] : [w / size, a / size, b / size, c / size],
   };
   return listOf(isPlace)(x.coordinates) && x.coordinates.length <= MOST_COORDINATES ? { ...pose, coordinates: x.coordinates } : pose;
+}
+
+/** A way is read as a whole or not at all: without one of its poses it would be another. */
+function readWay(x: unknown): Pose[] {
+  if (!Array.isArray(x) || x.length > MOST_WAYPOINTS) return [];
+  const found = x.map(readPose);
+  return found.includes(HOME) ? [] : found; // that one stands for a pose that cannot be read
 }
 
 function readSketch(x: unknown): Sketch | null {
@@ -101,6 +109,8 @@ export function readDoc(x: unknown): Doc {
     bench: isText(x.bench) ? x.bench : "",
     rules: readRules(x.rules),
     tour: readTour(x.tour),
+    way: readWay(x.way),
+    driven: readWay(x.driven),
     making: among(MADE)(x.making) ? x.making : EMPTY.making,
     sketch: readSketch(x.sketch),
     limbs: isText(x.limbs) && x.limbs.length <= LONGEST_FILE ? x.limbs : null,
