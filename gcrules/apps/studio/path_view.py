@@ -19,8 +19,8 @@ from gcrules.apps.studio.protocol.motion_views import (
 from gcrules.apps.studio.protocol.requests import PoseJson
 from gcrules.apps.studio.subject import Subject
 from gcrules.apps.studio.thresholds import threshold_of
-from gcrules.apps.studio.whereabouts import poses_of_limbs, reached
-from gcrules.core.budget import checkpoint, report
+from gcrules.apps.studio.whereabouts import all_reached, poses_of_limbs
+from gcrules.core.budget import report
 from gcrules.core.english import as_sentence
 from gcrules.mechanisms.kinematics.leading import leading
 from gcrules.mechanisms.limbs import Limbs
@@ -42,10 +42,9 @@ __all__ = ["ends", "path_view"]
 
 _SHOWN = {PathReport: 100, RobotPath: 40}  # samples to which it can be moved; the loops of a robot are closed for each
 _MOST = 100  # places that are listed
-_LOST = 3  # in a row to which the sliders do not lead: as a rule they do not to the rest either, and trying takes long
 
 Found = PathReport | RobotPath
-PosedAt = Callable[[int], PoseJson | None]
+PosedAt = Callable[[Sequence[int]], list[PoseJson | None]]
 
 
 def path_view(
@@ -94,7 +93,8 @@ def _of_legs(
     first = Pose() if start is None else exact_pose(start)
 
     def posed(r: PathReport) -> PosedAt:
-        return lambda k: {"translation": r.translations[k].tolist(), "quaternion": r.quaternions[k].tolist()}
+        shifts, turns = r.translations, r.quaternions
+        return lambda chosen: [{"translation": shifts[k].tolist(), "quaternion": turns[k].tolist()} for k in chosen]
 
     return [first, *map(exact_pose, through), exact_pose(goal) if to is None else to], posed
 
@@ -104,29 +104,26 @@ def _of_limbs(
 ) -> tuple[list[Any], Callable[[Any], PosedAt]]:
     def posed(r: RobotPath) -> PosedAt:
         lead = [r.actuators.index(a) for a in leading(m.linkage)]
-        return lambda k: reached(m, r.actuator_values[k][lead], r.names, r.coordinates[k])
+        return lambda chosen: all_reached(m, r.actuator_values[chosen][:, lead], r.names, r.coordinates[chosen])
 
     return poses_of_limbs(m, start, goal, to, through), posed
 
 
 _ENDS: Methods[tuple[list[Any], Callable[[Any], PosedAt]]] = {SixLegs: _of_legs, Limbs: _of_limbs}
-"""The poses of a path, and what tells the page's pose of a sample of what was found."""
+"""The poses of a path, and what tells the page's poses of samples of what was found."""
 
 
 def _view(found: Found, posed: PosedAt, detour: DetourView | None) -> PathAnswer:
     a: PathAccount = shown(found, "account")
     margins = found.numbers.margin if isinstance(found, PathReport) else found.margins
     places = [p.parameter for p in a.places[:_MOST]]
-    poses: dict[float, PoseJson | None] = {}
-    samples: list[PathSampleView] = []
-    lost = 0
-    for k in _chosen(found.parameters, places, _SHOWN[type(found)]):
-        checkpoint()
-        report(f"setting the robot at parameter {found.parameters[k]:.2f}")
-        at = float(found.parameters[k])
-        poses[at] = posed(k) if lost < _LOST else None
-        lost = 0 if poses[at] else lost + 1
-        samples.append({"parameter": at, "margin": float(margins[k]), "pose": poses[at]})
+    report("setting the robot along the path")
+    chosen = _chosen(found.parameters, places, _SHOWN[type(found)])
+    samples: list[PathSampleView] = [
+        {"parameter": float(found.parameters[k]), "margin": float(margins[k]), "pose": pose}
+        for k, pose in zip(chosen, posed(chosen), strict=True)
+    ]
+    poses = {s["parameter"]: s["pose"] for s in samples}
     left, right, top, bottom = FRAME
     return {
         "verdict": a.verdict,

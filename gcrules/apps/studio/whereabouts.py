@@ -8,24 +8,29 @@ from math import radians
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from gcrules.apps.studio.moving import amounts_at, displaced, posed, solved
 from gcrules.apps.studio.protocol.motion_views import PlacedPose
 from gcrules.apps.studio.protocol.requests import PoseJson
 from gcrules.apps.studio.subject import Subject
+from gcrules.core.budget import checkpoint
 from gcrules.core.errors import InputError
 from gcrules.mechanisms.kinematics.coordinates import coordinates, wrapped
 from gcrules.mechanisms.kinematics.linkage import Configuration
-from gcrules.mechanisms.kinematics.solve import beside, free_coordinates, solve
+from gcrules.mechanisms.kinematics.rigid_motions import Floats
+from gcrules.mechanisms.kinematics.solve import beside, check_target, free_coordinates, solve
 from gcrules.mechanisms.kinematics.targets import Target, actuators_target, written
 from gcrules.mechanisms.limbs import Limbs
 from gcrules.poses.limbs.around import actuator_values
+from gcrules.poses.limbs.many import numbers_at
 from gcrules.poses.limbs.pose_report import target_of
 from gcrules.screws.pose import Pose
-from gcrules.screws.pose_text import ANGLES, HOME, pose_of
+from gcrules.screws.pose_text import ANGLES, COORDINATES, HOME, pose_of
 
 __all__ = [
     "SHORT",
+    "all_reached",
     "at_coordinates",
     "at_home",
     "coordinates_at",
@@ -42,6 +47,7 @@ SHORT = 0.0, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2
 stop, and the closer they are, the worse they tell the pose."""
 
 _NEAR = 1e-6  # radians, and parts of the robot's size
+_LOST = 3
 
 
 def at_home(pose: PoseJson) -> bool:
@@ -93,8 +99,37 @@ def reached(limbs: Limbs, amounts: Sequence[float], names: Sequence[str], wanted
         there = coordinates(names, solved_at(limbs, found).platform, limbs.linkage.centre)
     except InputError:
         return None
-    away = np.abs(wrapped(names, there - np.asarray(wanted)))
-    return found if away.max() <= _NEAR * max(1.0, limbs.linkage.size) else None
+    return found if _is_near(limbs, names, there - np.asarray(wanted)) else None
+
+
+def all_reached(limbs: Limbs, amounts: Floats, names: Sequence[str], wanted: Floats) -> list[PoseJson | None]:
+    """The poses (N,) that `reached` gives for amounts (N, leading) and values (N, names): where the whole way of the
+    actuators is proved many at once, else one after the other. After `_LOST` in a row to which they do not lead these
+    are given up: as a rule they do not to the rest either, and trying takes long.
+    """
+    m = limbs.linkage
+    there, proved = np.zeros(wanted.shape), np.zeros(len(wanted), dtype=bool)
+    with suppress(InputError):
+        check_target(m, target := actuators_target(m, amounts[-1].tolist()))
+        several = numbers_at(limbs, target, amounts, ("coordinates", "proved"))
+        there, proved = several["coordinates"][:, [COORDINATES.index(n) for n in names]], several["proved"]
+    near = _is_near(limbs, names, there - wanted)
+    found: list[PoseJson | None] = []
+    lost = 0
+    for k, given in enumerate(amounts):
+        checkpoint()
+        if proved[k]:
+            found.append(posed(limbs, given) if near[k] else None)
+        else:
+            found.append(reached(limbs, given, names, wanted[k]) if lost < _LOST else None)
+        lost = 0 if found[-1] else lost + 1
+    return found
+
+
+def _is_near(limbs: Limbs, names: Sequence[str], off: Floats) -> NDArray[np.bool_]:
+    """Whether coordinates that are `off` (..., names) are the same but for rounding, (...,)."""
+    away = np.abs(wrapped(names, off)).max(axis=-1)
+    return np.asarray(away <= _NEAR * max(1.0, limbs.linkage.size))
 
 
 def at_coordinates(limbs: Limbs, names: Sequence[str], values: Any, driven: bool) -> PoseJson:

@@ -29,7 +29,7 @@ bounds are derived here.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from functools import cache, cached_property
+from functools import cached_property
 from itertools import pairwise
 
 import numpy as np
@@ -114,20 +114,17 @@ class Spread:
         """
         d = reach @ self.parts.T
         speeds = self.speeds.copy()
-        for k in range(speeds.shape[-1] - 2, -1, -1):  # motions after k carry the point away from its axis
-            speeds[..., k] += self.turns[..., k] * (d[..., k + 1 :] * speeds[..., k + 1 :]).sum(axis=-1)
-        low, middle, high = _sorted(speeds.shape[-1])
-        weights = self.turns[..., low] * self.turns[..., middle] * d[..., :, None, None] * d[..., None, :, None]
-        turned = (weights * self.turns[..., high]).sum(axis=(-3, -2))
-        moved = (weights * speeds[..., high]).sum(axis=(-3, -2))
-        return turned @ self.parts, moved @ self.parts
-
-
-@cache
-def _sorted(number: int) -> tuple[Places, Places, Places]:
-    """The least, middle and largest of all three places (number, number, number)."""
-    low, middle, high = np.sort(np.indices((number,) * 3), axis=0)
-    return low, middle, high
+        after = np.zeros(d.shape[:-1])
+        for k in range(speeds.shape[-1] - 1, -1, -1):  # motions after k carry the point away from its axis
+            speeds[..., k] += self.turns[..., k] * after
+            after = after + d[..., k] * speeds[..., k]
+        far = d * self.turns
+        up_to = np.cumsum(far, axis=-1)  # sums over all pairs of motions, sorted by which of three is the last one
+        pairs = d * speeds * (2 * up_to - far)
+        later = np.zeros(pairs.shape)
+        later[..., :-1] = np.cumsum(pairs[..., :0:-1], axis=-1)[..., ::-1]
+        moved = speeds * up_to**2 + self.turns * later
+        return (self.turns * up_to[..., -1:] ** 2) @ self.parts, moved @ self.parts
 
 
 def spreads(arms: Sequence[Arm]) -> tuple[Spread, ...]:
