@@ -65,7 +65,8 @@ def rotations(vectors: Floats) -> Floats:
 
 def exponential(screws: Floats, amounts: Floats | float) -> Floats:
     """The motions that the twists make in the given amounts (rad for unit turns, lengths for unit slides)."""
-    whole = np.moveaxis(screws * np.asarray(amounts)[..., None], -1, 0).copy()
+    whole = screws * np.asarray(amounts)[..., None]
+    whole = whole.transpose(whole.ndim - 1, *range(whole.ndim - 1)).copy()
     w, v = whole[:3], whole[3:]
     square = w[0] * w[0] + w[1] * w[1] + w[2] * w[2]
     along = w[0] * v[0] + w[1] * v[1] + w[2] * v[2]
