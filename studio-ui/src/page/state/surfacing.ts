@@ -25,7 +25,7 @@ export function createSurfacing(client: Client, editing: Editing): Surfacing {
     void editing.source$.value;
     box.value = nodes.value = null;
   });
-  return { ...createRefining(client, editing, "surface", "Looking for singular poses", 5), box, nodes };
+  return { ...createRefining(client, editing, "surface", "Looking for singular poses"), box, nodes };
 }
 
 /** Where joints are solved for, each pose takes longer. */

@@ -54,7 +54,7 @@ export interface Timeline {
 
 export const SPEEDS: readonly number[] = [0.25, 0.5, 1, 2, 4];
 
-const REST = 150; // milliseconds without a move before the way is proved
+const REST = 150; // milliseconds without a move before the way is proved, if the hand has not let go before
 const LASTS = 5000; // milliseconds of a way that is played
 const NONE: Driven = { stops: [], passed: [] };
 
@@ -143,16 +143,27 @@ export function createTimeline(client: Client, editing: Editing, studying: Study
     });
   });
 
-  // the proof, once the hand rests
+  // the proof, once the hand rests or lets go
   let timer = 0;
+  let waiting: (() => void) | null = null; // what the timer starts
   effect(() => {
     const [list, threshold] = [stops.value, threshold$.value];
     known.value = false;
     window.clearTimeout(timer);
+    waiting = null;
     const source = source$.peek();
     const [start, goal] = [list[0], list.at(-1)];
     if (!source || !start || !goal || list.length < 2) return untracked(runner.stop);
-    timer = window.setTimeout(() => void runner.start({ source, start, through: list.slice(1, -1), goal, threshold }), REST);
+    waiting = () => {
+      window.clearTimeout(timer);
+      waiting = null;
+      void runner.start({ source, start, through: list.slice(1, -1), goal, threshold });
+    };
+    timer = window.setTimeout(waiting, REST);
+  });
+  effect(() => {
+    void editing.settled.value;
+    untracked(() => waiting?.());
   });
 
   function lead(parameter: number): void {

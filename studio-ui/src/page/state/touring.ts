@@ -21,7 +21,7 @@ export function createTouring(client: Client, editing: Editing): Touring {
   const { doc, edit } = editing;
   return {
     path: createRunner(client, editing, "path", "Going along the path"),
-    map: createRefining(client, editing, "map", "Mapping", 7),
+    map: createRefining(client, editing, "map", "Mapping"),
     surface: createSurfacing(client, editing),
     place: createRunner(client, editing, "place", "Going there"),
     locus: createRunner(client, editing, "locus", "Working out the polynomial"),
