@@ -20,7 +20,7 @@ from gcrules.core.threads import with_one_thread
 __all__ = ["Pool", "WorkerFault"]
 
 _GONE = (asyncio.IncompleteReadError, ConnectionError)  # what is seen of a worker that has ended
-_STILL = 1.0  # seconds after which it is said that work goes on
+_STILL = 1.0  # seconds after which it is said that work goes on, and for how long it has
 _LATE = 5.0
 _GRACE = 0.4  # seconds in which a worker gives up what nobody waits for: to start another one takes longer
 _MOST = 16_000_000  # bytes of an answer that are taken in at once
@@ -161,16 +161,21 @@ class _Answer:
         try:
             await self.inward.drain()
             start, words = monotonic(), "working"
+
+            def told() -> str:
+                gone = monotonic() - start
+                return words if gone < _STILL else f"{words}, {gone:.0f} s"
+
             while True:
                 finished, _ = await asyncio.wait([self.frame], timeout=_STILL)
                 if not finished:
-                    tell(f"{words}, {monotonic() - start:.0f} s")
+                    tell(told())
                     continue
                 found = self.frame.result()
                 if found[0] != "progress":
                     return found
                 words = found[1]
-                tell(words)
+                tell(told())
                 self.frame = self._next()
         except asyncio.CancelledError:
             raise
