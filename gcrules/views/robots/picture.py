@@ -16,7 +16,7 @@ from gcrules.views.drawing.labels import Label, place_labels
 from gcrules.views.drawing.scene_pieces import Look
 from gcrules.views.drawing.solids import center, outline
 from gcrules.views.robots.forces import REACH, force
-from gcrules.views.robots.joint_chain import plus, unit_vector
+from gcrules.views.robots.joint_chain import DrawnLimb, plus, unit_vector
 from gcrules.views.robots.scene import HEIGHT, TOP, WIDTH, Scene, joint_names
 from gcrules.views.robots.symbols import SIGN, arrow, couple, sign
 
@@ -110,7 +110,6 @@ def _axes(s: Scene) -> tuple[list[Shape], list[Label]]:
     named: set[str] = set()
     for c in s.chains:
         placed = iter(p for p in c.places if p.kind != "pin")
-        round_about = any(one.look == "axis" for one in c.strokes) and len({p.kind for p in c.places}) == 1
         by_kind = {(p.kind, tuple(round(x, 9) for x in p.at)): p for p in placed}
         for j in c.joints:
             for place in by_kind.values():
@@ -120,17 +119,26 @@ def _axes(s: Scene) -> tuple[list[Shape], list[Label]]:
                     name = term[0][1]
                     if len(term) > 1 or name in named or name in "xyz":
                         continue
-                    if name not in s.a.structure.ideal and not round_about:
+                    if name not in s.a.structure.ideal and not c.around:
                         continue
                     if abs(dot(axis, s.ideal[name])) < 0.999999:
                         continue
                     named.add(name)
+                    if c.around:
+                        labels.append(_beside_joint(s, name, place.at, c))
+                        continue
                     u = axis if dot(axis, s.ideal[name]) > 0 else s.ideal[name]
                     start, tip = s.frame.place(place.at), s.frame.place(plus(place.at, u, _AXIS / s.frame.scale))
                     shapes.append(Stroke(start, tip, s.roles[c.limb.name], 1.2))
                     toward = (tip[0] - start[0], tip[1] - start[1])
                     labels.append(Label(name_runs(name), tip, toward, 1.0, fill=s.roles[c.limb.name]))
     return shapes, labels
+
+
+def _beside_joint(s: Scene, name: str, at: XYZ, c: DrawnLimb) -> Label:
+    """The name of an axis beside its joint, away from the point through which the axes pass."""
+    (x, y), (x0, y0) = s.frame.place(at), s.frame.place(c.around or s.heart)
+    return Label(name_runs(name), (x, y), (x - x0, y - y0), 9.0 * s.frame.size, fill=s.roles[c.limb.name])
 
 
 def dot_at(at: XY, platform: bool) -> Circle:
