@@ -33,8 +33,10 @@ def body_pieces(s: Scene, fill: float = 0.2) -> list[CutPolygon[Look]]:
     """Base and platform as areas; two corners as a bar."""
     pieces = []
     for role, corners in (("base", s.base), ("platform", s.plate)):
-        look = Look(role, fill=fill, edge=0.9, width=1.4)
-        pieces += [CutPolygon(polygon, look, edges) for polygon, edges in outline(corners)]
+        faces = outline(corners)
+        solid = len(faces) > 1 and all(all(edges) for _, edges in faces)
+        look = Look(role, fill=0.3 * fill if solid else fill, edge=0.9, width=1.4)
+        pieces += [CutPolygon(polygon, look, edges) for polygon, edges in faces]
         if len(corners) == 2:
             pieces.append(CutPolygon((corners[0], corners[1]), Look(role, width=3.0)))
     return pieces
