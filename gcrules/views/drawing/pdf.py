@@ -19,7 +19,7 @@ from matplotlib.text import Text as TextArtist
 from gcrules.views.drawing.drawing import Circle, Drawing, Polygon, Run, Shape, Stroke, Text, leader_stroke
 from gcrules.views.drawing.palette import LIGHT
 
-__all__ = ["pdf"]
+__all__ = ["artists", "pdf"]
 
 _SETTINGS: Any = {
     "pdf.fonttype": 42,
@@ -41,12 +41,18 @@ def pdf(drawing: Drawing) -> bytes:
         axes.set_xlim(0, drawing.width)
         axes.set_ylim(drawing.height, 0)
         axes.set_axis_off()
-        for layer, shape in enumerate(_with_leaders(drawing.shapes)):
-            artist = _artist(shape)
-            artist.set_zorder(layer + 1)
+        for artist in artists(drawing):
             axes.add_artist(artist)
         figure.savefig(out, format="pdf", metadata={"CreationDate": None, "Title": drawing.title or None})
     return out.getvalue()
+
+
+def artists(drawing: Drawing) -> Iterator[Any]:
+    """The artists of matplotlib for all shapes, one above the other, in points of the drawing."""
+    for layer, shape in enumerate(_with_leaders(drawing.shapes)):
+        artist = _artist(shape)
+        artist.set_zorder(layer + 1)
+        yield artist
 
 
 def _with_leaders(shapes: Sequence[Shape]) -> Iterator[Shape]:

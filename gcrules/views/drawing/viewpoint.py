@@ -22,6 +22,7 @@ _ROUNDING = 1e-6  # costs are compared in so large steps
 _CROSSED = 2.0  # what it costs that links of two limbs cross
 _LIMBS_APART = 0.33  # sizes of the picture between the middles of two limbs
 _SHORTENED = 0.5  # of its length a link is seen at least
+_LINK = 0.12  # of the size of the robot a link is long that counts
 _STEEP = 0.03  # what each degree from above costs, where limbs are seen
 _UPRIGHT = (0.0, 0.0, 1.0)
 
@@ -154,7 +155,7 @@ def _limb_clutter(
     seen = [[(view.flat(a), view.flat(b)) for a, b in links] for links in limbs]
     for links, flat in zip(limbs, seen, strict=True):
         for (a, b), (p, q) in zip(links, flat, strict=True):
-            if (length := dist(a, b)) > 0.1 * size:
+            if (length := dist(a, b)) > _LINK * size + _ROUNDING:
                 yield _near(dist(p, q) / length, _SHORTENED)
     middles = [_middle(flat) for flat in seen if flat]
     for p, q in combinations(middles, 2):
@@ -166,7 +167,7 @@ def _limb_clutter(
 def _foreign(points: Sequence[XYZ], limbs: Sequence[Sequence[Segment]]) -> Iterator[tuple[XYZ, XYZ, XYZ]]:
     """Joints, and the middles of links, with each link of the limbs on which they are not."""
     size = max((dist(points[0], p) for p in points), default=0.0)
-    middles = [_halfway(a, b) for own in limbs for a, b in own if dist(a, b) > 0.15 * size]
+    middles = [_halfway(a, b) for own in limbs for a, b in own if dist(a, b) > _LINK * size + _ROUNDING]
     for p in (*points, *middles):
         for own in limbs:
             if not _on_limb(p, own):

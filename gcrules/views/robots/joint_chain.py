@@ -28,6 +28,7 @@ _FOOT, _HEAD = 0.14, 0.16  # from the first and the last sphere to base and plat
 _RAIL = 0.3
 _BAR = 0.075  # half the distance of the bars of a parallelogram
 _SLEEVE = 0.42  # where on a link its sleeve is
+_TUBE = 0.62  # how much of a limb that only guides is a tube
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,7 +43,7 @@ class DrawnJoint:
 
 @dataclass(frozen=True, slots=True)
 class Rod:
-    """A link, a `bar` (thinner), a `rail` or an `axis` from one place to another."""
+    """A link, a `bar` (thinner), a `tube` (thicker), a `rail` or an `axis` from one place to another."""
 
     start: XYZ
     end: XYZ
@@ -309,6 +310,8 @@ class _Builder:
     def _slide(self, made: DrawnLimb, j: JointSpec, start: XYZ, end: XYZ) -> None:
         if j.kind != "Pa":
             made.strokes.append(Rod(start, end))
+            if not any(one.actuated for one in self.limb.joints):
+                made.strokes.append(Rod(start, plus(start, minus(end, start), _TUBE), "tube"))
             middle = plus(start, minus(end, start), _SLEEVE)
             made.places.append(DrawnJoint(j.kind, middle, (unit_vector(minus(end, start)),), bool(j.actuated)))
             return

@@ -25,7 +25,7 @@ __all__ = ["CONSTRAINT_DASH", "body_pieces", "dot_at", "piece_shapes", "robot_sh
 CONSTRAINT_DASH = (4.0, 2.6)
 
 _AXIS = 27.0  # points
-_LINK = {"link": 4.4, "bar": 2.6, "rail": 2.2}
+_LINK = {"link": 4.4, "bar": 2.6, "rail": 2.2, "tube": 8.4}
 _CABLE = 1.5
 
 
