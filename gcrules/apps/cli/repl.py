@@ -7,8 +7,9 @@ import sys
 import click
 
 from gcrules.algebra.expand import MAX_TERMS
-from gcrules.apps.cli.base import ExpressionCommand, Output, mathematics_option
+from gcrules.apps.cli.base import ExpressionCommand
 from gcrules.apps.cli.limits import SECONDS, time_limit
+from gcrules.apps.cli.output import Output, mathematics_option
 from gcrules.apps.repl.answers import worst
 from gcrules.apps.repl.interpreter import Interpreter
 from gcrules.apps.repl.lines import run_pieces, stdin_pieces, tell_all

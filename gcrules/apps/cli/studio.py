@@ -5,6 +5,7 @@ from __future__ import annotations
 import click
 
 from gcrules.apps.cli.files import read_stdin
+from gcrules.apps.cli.naming import complete_source
 from gcrules.apps.cli.sources import mode_option
 from gcrules.apps.studio.needs import of_studio
 from gcrules.apps.studio.protocol.requests import SourceJson
@@ -17,7 +18,7 @@ _PORT = "The port, 8747 if not given; if it is taken, the next free one. 0 is an
 
 
 @click.command()
-@click.argument("source", metavar="[FILE|ID|LEGS]", required=False)
+@click.argument("source", metavar="[FILE|ID|LEGS]", required=False, shell_complete=complete_source)
 @mode_option
 @click.option("--port", type=click.IntRange(0, 65535), default=None, metavar="N", help=_PORT)
 @click.option("--no-browser", is_flag=True, help="Print the address only.")

@@ -142,7 +142,7 @@ def _whole(repl: PromptSession, found: Shown, verdict: str, note: str = "") -> A
     """A result with all that it says; options of the command line are none here."""
     settings = repl.settings
     text = found.latex() if settings.latex else found.text(unicode=settings.unicode)
-    shown = text.rstrip("\n").replace(" (shown with --all)", "")
+    shown = text.rstrip("\n").replace(" (shown with --full)", "")
     return Answer(shown if settings.latex else shown + note, verdict, wraps=False)
 
 

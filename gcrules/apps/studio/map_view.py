@@ -66,7 +66,7 @@ def map_view(
         "fixed": found.grid.fixed.replace("-", "−"),
         "guarantee": as_sentence(found.guarantee),
         "statement": found.sentence,
-        "facts": [fact(name, value) for name, value in account(found) if name != "proof"],
+        "facts": [fact(name, value) for name, value in account(found)],
     }
 
 
