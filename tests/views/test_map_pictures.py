@@ -1,4 +1,4 @@
-"""Pictures of maps: whose coordinates the axes are, what is fixed, the mechanism over them, thresholds without beads."""
+"""Pictures of maps: whose coordinates the axes are, what is fixed, the mechanism, thresholds without beads."""
 
 from __future__ import annotations
 
@@ -18,6 +18,7 @@ from matplotlib.figure import Figure
 from gcrules.views.plots.map_head import HEAD, mechanism_drawing
 from gcrules.views.plots.map_plot import figure
 
+YELLOW = (0.941, 0.894, 0.259)
 OCTAHEDRAL = EXAMPLES / "octahedral.yaml"
 
 
@@ -121,7 +122,7 @@ def threshold_lines(made: Figure) -> list[Any]:
 
 def _is_yellow(c: Collection) -> bool:
     colours = c.get_edgecolor()
-    return len(colours) > 0 and all(abs(a - b) < 0.01 for a, b in zip(colours[0][:3], (0.94, 0.894, 0.259), strict=True))
+    return len(colours) > 0 and colours[0][:3] == pytest.approx(YELLOW, abs=0.01)
 
 
 @pytest.mark.parametrize("nodes", [21, 33])

@@ -1,4 +1,4 @@
-r"""What stands over the picture of a map: the mechanism, small, its name, and what the coordinates are that no axis shows."""
+r"""What stands over the picture of a map: the mechanism, small, its name, and the coordinates that no axis shows."""
 
 from __future__ import annotations
 

@@ -97,9 +97,7 @@ def chains(family: Family, limbs: Sequence[LimbSpec], values: Values) -> tuple[U
     found: list[DrawnLimb] = []
     for limb in limbs:
         own = [
-            _Builder(
-                unit, family, values, limb, part, joints, center(ground) if ground else None, opposite
-            ).chain()
+            _Builder(unit, family, values, limb, part, joints, center(ground) if ground else None, opposite).chain()
             for part, joints in limb.parts
         ]
         _join_bodies(own)
