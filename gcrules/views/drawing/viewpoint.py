@@ -154,14 +154,14 @@ def _limb_clutter(
         yield _near(distance_to_stroke(view.flat(p), view.flat(a), view.flat(b)) / size, _OFF_LEGS)
     seen = [[(view.flat(a), view.flat(b)) for a, b in links] for links in limbs]
     for links, flat in zip(limbs, seen, strict=True):
-        for (a, b), (p, q) in zip(links, flat, strict=True):
+        for (a, b), (start, end) in zip(links, flat, strict=True):
             if (length := dist(a, b)) > _LINK * size + _ROUNDING:
-                yield _near(dist(p, q) / length, _SHORTENED)
+                yield _near(dist(start, end) / length, _SHORTENED)
     middles = [_middle(flat) for flat in seen if flat]
-    for p, q in combinations(middles, 2):
-        yield _near(dist(p, q) / size, _LIMBS_APART)
+    for one_middle, other_middle in combinations(middles, 2):
+        yield _near(dist(one_middle, other_middle) / size, _LIMBS_APART)
     for one, other in combinations(seen, 2):
-        yield _CROSSED * sum(_cross(p, q) for p in one for q in other)
+        yield _CROSSED * sum(_cross(stroke, against) for stroke in one for against in other)
 
 
 def _foreign(points: Sequence[XYZ], limbs: Sequence[Sequence[Segment]]) -> Iterator[tuple[XYZ, XYZ, XYZ]]:
