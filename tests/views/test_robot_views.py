@@ -10,13 +10,11 @@ import pytest
 
 from gcrules.mechanisms.analyze import analyze_robot
 from gcrules.mechanisms.conditions.checks import home_values
-from gcrules.mechanisms.description.robot_file import parse_robot
 from gcrules.mechanisms.load import read_robot
 from gcrules.views.drawing.bsp import dot, minus
 from gcrules.views.drawing.solids import center, outline
 from gcrules.views.drawing.viewpoint import View, choose_view
 from gcrules.views.robots.joint_chain import DrawnLimb, unit_vector, upright
-from gcrules.views.robots.picture import robot_shapes
 from gcrules.views.robots.scene import Scene, scene
 
 KNOWN = ["delta", "4-ruu", "exechon", "tricept", "3-rrr-spherical", "agile-eye", "orthoglide"]
@@ -134,10 +132,3 @@ def test_a_carriage_stands_where_its_rods_begin() -> None:
     assert len(carriages) == 3
     pins = [p.at for c in s.chains for p in c.places if p.kind in ("pin", "S")]
     assert all(min(dist(one.at, p) for p in pins) < 0.2 for one in carriages)
-
-
-def test_a_limb_of_one_joint_is_still_drawn() -> None:
-    """A pivot has no limb beside it that tells which way is up."""
-    source = "title: T\npoints:\n  O: free\nlimbs:\n  - joints: S(O)\nmobility: 3\nhome:\n  O: [0, 0, 0]\n"
-    a = analyze_robot(parse_robot(source, "t"))
-    assert robot_shapes(scene(a, home_values(a.robot)))

@@ -158,8 +158,8 @@ def _limb_clutter(
             if (length := dist(a, b)) > _LINK * size + _ROUNDING:
                 yield _near(dist(start, end) / length, _SHORTENED)
     middles = [_middle(flat) for flat in seen if flat]
-    for one_middle, other_middle in combinations(middles, 2):
-        yield _near(dist(one_middle, other_middle) / size, _LIMBS_APART)
+    for here, there in combinations(middles, 2):
+        yield _near(dist(here, there) / size, _LIMBS_APART)
     for one, other in combinations(seen, 2):
         yield _CROSSED * sum(_cross(stroke, against) for stroke in one for against in other)
 
