@@ -34,7 +34,7 @@ def texts_of(svg: str) -> Iterator[Text]:
         runs = tuple(Run(words, _style(piece)) for piece, words in pieces if words)
         place = (float(one.attrib["x"]), float(one.attrib["y"]))
         anchor = one.get("text-anchor", "start")
-        yield Text(place, runs, float(one.attrib["font-size"]), anchor)  # type: ignore[arg-type]
+        yield Text(place, runs, float(one.attrib["font-size"]), anchor)
 
 
 def _style(piece: ET.Element | None) -> Literal["upright", "italic", "subscript"]:

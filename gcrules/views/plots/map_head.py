@@ -2,7 +2,7 @@ r"""What stands over the picture of a map: the mechanism, small, its name, and t
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from textwrap import wrap
 from typing import Any
 
@@ -76,4 +76,4 @@ def _robot(task: LimbsTask) -> Drawing:
     return robot_thumbnail(a, a.robot.values_at())
 
 
-_DRAWN: Mapping[type, Callable[[Any], Drawing]] = FrozenMap({LegsTask: _platform, LimbsTask: _robot})
+_DRAWN = FrozenMap[type, Callable[[Any], Drawing]]({LegsTask: _platform, LimbsTask: _robot})
