@@ -76,4 +76,6 @@ def _robot(task: LimbsTask) -> Drawing:
     return robot_thumbnail(a, a.robot.values_at())
 
 
-_DRAWN = FrozenMap[type, Callable[[Any], Drawing]]({LegsTask: _platform, LimbsTask: _robot})
+_Draw = Callable[[Any], Drawing]
+_PAIRS: tuple[tuple[type, _Draw], ...] = ((LegsTask, _platform), (LimbsTask, _robot))
+_DRAWN = FrozenMap(_PAIRS)
