@@ -22,7 +22,9 @@ from gcrules.apps.studio.protocol import (
     limb_views,
     locus_views,
     motion_views,
+    report_requests,
     requests,
+    rule_views,
     study_views,
     where_views,
 )
@@ -37,6 +39,7 @@ MODULES = (
     glossary,
     scene_data,
     requests,
+    report_requests,
     limb_requests,
     study_views,
     answer_views,
@@ -45,6 +48,7 @@ MODULES = (
     where_views,
     limb_views,
     bench_words,
+    rule_views,
 )
 
 START = """\

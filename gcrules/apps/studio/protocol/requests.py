@@ -13,11 +13,14 @@ __all__ = [
     "FARTHEST",
     "HOME",
     "LONGEST_FILE",
+    "LONGEST_RULES",
     "MOST_BOXES",
     "MOST_COMMANDS",
     "MOST_COORDINATES",
     "MOST_LEGS",
     "MOST_POINTS",
+    "MOST_RULES",
+    "MOST_RULE_FILES",
     "MOST_WAYPOINTS",
     "THRESHOLD",
     "AlongArgs",
@@ -46,10 +49,10 @@ __all__ = [
     "PoseArgs",
     "PoseJson",
     "Quaternion",
-    "RepeatArgs",
     "ResizeArgs",
     "RobotSource",
-    "SaveArgs",
+    "RuleFile",
+    "RulesArgs",
     "ScriptArgs",
     "ShowArgs",
     "Sketch",
@@ -66,6 +69,9 @@ MOST_COMMANDS = 200
 MOST_BOXES = 2_000_000
 MOST_WAYPOINTS = 200
 LONGEST_FILE = 400_000
+LONGEST_RULES = 40_000
+MOST_RULES = 200
+MOST_RULE_FILES = 12
 THRESHOLD = DEFAULT.text
 """Closer than this is close, where nothing else is asked for."""
 
@@ -286,8 +292,27 @@ class ManualArgs(TypedDict):
     commands: Annotated[list[Annotated[str, text(500)]], EntryCount(0, MOST_COMMANDS)]
 
 
+class RuleFile(TypedDict):
+    """A file of rules (`.gca`) that the user has opened, as text; the rules `off` are left out."""
+
+    name: _Name
+    text: Annotated[str, text(LONGEST_RULES, empty=True)]
+    off: Annotated[list[_Name], EntryCount(0, MOST_RULES)]
+
+
+_RuleFiles = Annotated[list[RuleFile], EntryCount(0, MOST_RULE_FILES)]
+
+
+class RulesArgs(TypedDict):
+    """Files of rules, to be checked."""
+
+    files: _RuleFiles
+
+
 class BenchArgs(TypedDict):
     text: Annotated[str, text(20_000, empty=True)]
+    rules: NotRequired[_RuleFiles]
+    """Rules that hold from the start, those that are wrong left out."""
     source: NotRequired[SourceJson]
     pose: NotRequired[PoseJson]
 
@@ -311,26 +336,6 @@ class ComposeArgs(TypedDict):
 
 
 Format = Literal["html", "latex", "svg", "png", "pdf", "json", "yaml", "c", "cpp", "py", "rs"]
-
-
-class SaveArgs(PoseArgs):
-    what: Format
-
-
-def _object(value: Any, where: str) -> Any:
-    if not isinstance(value, dict):
-        raise InputError(f"{where} is no object")
-    return value
-
-
-class RepeatArgs(TypedDict):
-    """A method with its arguments, which are checked as if it were asked for."""
-
-    source: NotRequired[SourceJson]
-    what: Literal[
-        "open", "pose", "path", "map", "surface", "assemblies", "aspects", "free", "boxes", "certify", "manual", "bench"
-    ]
-    args: Annotated[dict[str, Any], _object]
 
 
 class FollowArgs(TypedDict):
