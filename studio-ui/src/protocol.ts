@@ -504,10 +504,11 @@ export interface CancelArgs {
   target: number;
 }
 
+/** Characters of a picture of the page that goes into a report. */
 export const LARGEST_PICTURE = 400000;
 
-/** Characters of a picture of the page, and of its link, that go into a report. */
-export const LONGEST_LINK = 100000;
+/** Characters of the state in a link that programs take whole; what makes it longer is left out, and the reader is told. */
+export const LONGEST_LINK = 65000;
 
 /** What a line repeats: methods, and the table of the actuators. */
 export type Repeatable = "open" | "pose" | "actuators" | "path" | "map" | "surface" | "locus" | "assemblies" | "aspects" | "free" | "boxes" | "certify" | "manual" | "bench";

@@ -22,8 +22,11 @@ __all__ = [
 ]
 
 LARGEST_PICTURE = 400_000
-LONGEST_LINK = 100_000
-"""Characters of a picture of the page, and of its link, that go into a report."""
+"""Characters of a picture of the page that goes into a report."""
+LONGEST_LINK = 65_000
+"""Characters of the state in a link that programs take whole; what makes it longer is left out, and the reader is told.
+"""
+_ADDRESS = 300  # characters before the state
 
 _Title = Annotated[str, text(200)]
 
@@ -70,7 +73,7 @@ def _image(value: Any, where: str) -> Any:
 
 
 def _link(value: Any, where: str) -> Any:
-    found = text(LONGEST_LINK, empty=True)(value, where)
+    found = text(LONGEST_LINK + _ADDRESS, empty=True)(value, where)
     if found and not re.fullmatch(r"http://[\w.\[\]:-]+/?(#[sz]=[\w-]+)?", found):
         raise InputError(f"{where} is no address of a state of the studio")
     return found

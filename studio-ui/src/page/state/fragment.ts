@@ -1,12 +1,11 @@
 // The document in the fragment of the address: base64url of JSON, deflated where that is shorter. Only what differs from
 // the empty document is written, so that the link of a class is short. The fragment never leaves the browser.
+import { LONGEST_LINK } from "../../protocol";
 import { EMPTY, HOME, samePose, type Doc } from "./doc";
 import { readDoc } from "./read";
 import { isReload } from "./tab-memory";
 
 const LONGEST = 4_000_000; // bytes of JSON that a link may hold: a file of the largest size, each letter escaped, fits well
-/** Characters of a link that programs take whole; what makes it longer is not written, or the reader of the page is told. */
-export const LONGEST_LINK = 65_000;
 const LARGE = 240; // characters of JSON above which deflating pays
 
 export interface Link {

@@ -1,13 +1,14 @@
 // What a report shows of the state of the page: the answers of its panels, the picture as it stands, notes, and the link.
 import { LARGEST_PICTURE, LONGEST_LINK, type Note, type State } from "../../protocol";
-import { writeFragment } from "./fragment";
+import { linkOf } from "./fragment";
 import { repeatables } from "./repeating";
 import type { Store } from "./store";
 
 export async function stateOf(store: Store): Promise<State> {
   const answers = repeatables(store).map(({ title, what, args: { source: _, ...args } }) => ({ title, what, args }));
-  const link = location.origin + location.pathname + (await writeFragment(store.doc.peek()));
-  return { answers, picture: await pictureOf(store), notes: notesOf(store), link: link.length <= LONGEST_LINK ? link : "" };
+  const { fragment } = await linkOf(store.doc.peek());
+  const link = fragment.length <= LONGEST_LINK ? location.origin + location.pathname + fragment : "";
+  return { answers, picture: await pictureOf(store), notes: notesOf(store), link };
 }
 
 /** The picture in 3D in the colours of paper, as vectors where these are few; "" where there is none. */

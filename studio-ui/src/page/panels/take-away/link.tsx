@@ -2,7 +2,8 @@
 import { useEffect, useState } from "preact/hooks";
 import { useStore } from "../../parts/context";
 import { Icon } from "../../parts/icon";
-import { LONGEST_LINK, linkOf } from "../../state/fragment";
+import { LONGEST_LINK } from "../../../protocol";
+import { linkOf } from "../../state/fragment";
 
 export function Link() {
   const { doc } = useStore();
