@@ -1158,6 +1158,8 @@ export interface MapAnswer {
   index: ((number | null)[])[];
   /** Of the cells between them. */
   status: CellStatus[][];
+  /** What the coordinates are that no axis shows; empty where there are none. */
+  fixed: string;
   guarantee: string;
   statement: string;
   facts: FactItem[];
