@@ -62,3 +62,25 @@ def test_axe_finds_nothing(desk: Any, theme: str, width: str, robots: tuple[tupl
             desk.page.keyboard.press("Escape")
             desk.page.locator("dialog[open]").wait_for(state="detached")
     assert found == []
+
+
+RULES = "rule pierce: ab /\\ cde => [acde] b - [bcde] a\nrule wrong: ab /\\ cd => [abdc]\n"
+BENCH = "let p = ab /\\ cde\nrewrite p\n[abcd] == [bacd]\n:analyze Aa Ab Ac Ba Bd Ce"
+
+
+@pytest.mark.parametrize(("theme", "width"), [("light", "wide"), ("dark", "phone")])
+def test_axe_finds_nothing_on_a_full_bench(desk: Any, theme: str, width: str) -> None:
+    desk.page.set_viewport_size(WIDTHS[width])
+    desk.run("theme => void (gcrules.taste.chosen.value = theme)", theme)
+    desk.open(*OCTAHEDRAL)
+    rules = [{"name": "mine.gca", "text": RULES, "off": []}]
+    desk.run("([bench, rules]) => gcrules.edit({panel: 'bench', bench, rules})", [BENCH, rules])
+    desk.one("bench-applied").nth(1).wait_for()
+    desk.one("bench-repeat").nth(1).click()
+    desk.one("bench-more").last.click()
+    if desk.one("bench-rules").get_attribute("open") is None:
+        desk.one("bench-rules-open").click()
+    desk.one("plugin-legs-meet").wait_for()
+    desk.one("rule-wrong").locator("mark").wait_for()
+    assert findings(desk, f"bench, {theme}, {width}") == []
+    assert desk.run("document.documentElement.scrollWidth") <= WIDTHS[width]["width"]

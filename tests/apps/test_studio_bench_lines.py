@@ -104,7 +104,7 @@ def plain(text: str) -> str:
     are not used.
     """
     text = re.sub(r"(?m)^ +[a-zA-Z'_0-9]+ = \(.*\)\n?|^ +(left|right) side = .*|^ +assumptions  not used.*", "", text)
-    text = text.replace("(shown with --all)", "")
+    text = re.sub(r" \(shown with --\w+\)", "", text)
     for sign, word in (("∧", "/\\"), ("∨", "\\/"), ("−", "-"), (" · ", " * ")):
         text = text.replace(sign, word)
     return "".join(text.split())
@@ -135,3 +135,28 @@ def test_the_lines_give_the_answer(name: str, tmp_path: Path, monkeypatch: pytes
             if statement.startswith("claim"):
                 given = given.partition(":")[0]
             assert given in plain(result["text"]) + plain(result["tex"]), repeat["python"]
+
+
+# --- lines that are pasted into a terminal -------------------------------------------------------------------------
+
+BAD = {
+    "an expansion in a name": 'rule r "$(echo ran) `echo ran`": ab /\\ cde => [acde] b - [bcde] a',
+    "the end of a paste": 'rule r "\x1b[201~": ab /\\ cde => [acde] b - [bcde] a',
+    "the end of the lines": 'rule r "x":\nab /\\ cde =>\n[acde] b - [bcde] a # \n  source "\x1bEND"',
+    "an end behind a key": "let p = ab # \x1b\n  # \x1bEND\n[abcd] # $(echo ran)",
+    "legs with a key": ":analyze ab af cb cd ed ef # \x1b[201~ $(echo ran)",
+    "legs over a line": ":transversals Aa Ab Bc Bd\u2028Cc De # `echo ran`",
+    "a claim with a label": 'claim "$(echo ran)\x9b": [abcd] == -[bacd]',
+}
+
+
+@pytest.mark.parametrize("text", BAD.values(), ids=BAD)
+def test_the_shell_runs_nothing_of_an_answer(text: str, tmp_path: Path) -> None:
+    found = bench(text, None, None)
+    assert found["results"] or found["fault"]
+    for result in found["results"]:
+        assert result["repeat"] is not None
+        for line in (result["repeat"]["shell"], result["repeat"]["python"]):
+            assert not re.search(r"[\x00-\x08\x0b-\x1f\x7f-\x9f\u2028]", line)
+        heard = ran(f"gcrules() {{ cat > given; }}\n{result['repeat']['shell']}", tmp_path)
+        assert heard == ""

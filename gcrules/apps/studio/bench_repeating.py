@@ -15,6 +15,7 @@ from __future__ import annotations
 import json
 import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import replace
 from itertools import count
 
 from gcrules.algebra.language.syntax import Context
@@ -27,7 +28,7 @@ from gcrules.apps.studio.protocol.requests import RuleFile
 from gcrules.apps.studio.rule_files import saved_names, switched
 from gcrules.core.dataclass import dataclass
 
-__all__ = ["Rules", "answer_lines", "prompt_lines"]
+__all__ = ["Rules", "answer_lines", "pasted", "prompt_lines"]
 
 LONGEST = 20_000
 """Characters of a line that is given."""
@@ -59,8 +60,18 @@ class Rules:
         return [Option("--plugins", "plugins", self.folders)] if self.folders else []
 
 
+_CONTROLS = re.compile(r"[\x00-\x08\x0e-\x1f\x7f-\x9f]")
+"""What a terminal may take for a key, where a line is pasted into it."""
+
+
+def pasted(text: str) -> str:
+    """A text without what a terminal may take for a key or for the end of a line; blanks of other kinds are spaces."""
+    return _CONTROLS.sub("", re.sub(r"[^\S\n\t ]", " ", text))
+
+
 def answer_lines(question: Question, rules: Rules, limit: int | None = None) -> Repeated | None:
     """The lines for one question, in `limit` terms where it was given up there; None where they would be too long."""
+    question = replace(question, text=pasted(question.text))
     found = _LINES.get(question.function, _prompted)(question, rules)
     if limit is not None and question.function in _LIMITED:
         found = _called(question.function, question, [*_space(question), Option("--limit", "limit", limit)])
@@ -174,6 +185,7 @@ def prompt_lines(lines: Sequence[str], rules: Rules | None = None) -> str:
     """The prompt that is given these lines, ended by a word that is none of them: whatever they hold, the shell runs
     nothing of it.
     """
+    lines = [pasted(line) for whole in lines for line in whole.split("\n")]
     end = next(word for n in count() if (word := f"END{n or ''}") not in {line.strip() for line in lines})
     before = rules or Rules()
     options = "".join(f" {word}" for option in (*before.of_files, *before.of_plugins) for word in option.words())

@@ -11,7 +11,7 @@ from gcrules.algebra.language.syntax import Context
 from gcrules.algebra.language.text import SHORT_NAME
 from gcrules.apps.repl.reading import first_word, is_blank, split_command
 from gcrules.apps.repl.tables import STATEMENTS, meant
-from gcrules.apps.studio.bench_repeating import Rules, prompt_lines
+from gcrules.apps.studio.bench_repeating import Rules, pasted, prompt_lines
 from gcrules.apps.studio.boxes_view import rest_at
 from gcrules.apps.studio.calls import Call, Option
 from gcrules.apps.studio.locus_view import asked_locus
@@ -228,15 +228,12 @@ _CALLS: Mapping[str, Callable[[Subject, Args], Call]] = {
 _OF = {"actuators": "pose"}
 """The method whose arguments it has, where that is another one."""
 
-_CONTROLS = re.compile(r"[^\S\n\t ]|[\x00-\x08\x0e-\x1f\x7f-\x9f]")
-"""What a terminal may take for a key, where a line is pasted into it."""
-
 
 def _bench(subject: Subject | None, text: str, rules: Rules) -> Repeated:
     """The prompt takes what the bench takes; an expression or a claim alone is a call of Python too."""
     s = subject.structure if subject else None
     declared = {"points": [n for n in s.names if not SHORT_NAME.fullmatch(n)], "ideal": list(s.ideal)} if s else {}
-    text = _CONTROLS.sub("", re.sub(r"\r\n?", "\n", text))
+    text = pasted(re.sub(r"\r\n?", "\n", text))
     if not text.strip():
         raise InputError("the bench is empty")
     ranks = [f"rank {s.rank}"] if s and s.rank != Context().rank else []
