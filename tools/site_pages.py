@@ -1,7 +1,7 @@
 """The pages of the guide as the site is built from them: docs/ with what its Markdown only asks for.
 
-* `<!-- drawing: NAME | caption -->` becomes a drawing of site_drawings.py, `<!-- generated: NAME -->` a part of
-  site_grammar.py. Both are comments, so that the pages read well where they are not built.
+* `<!-- generated: NAME -->` becomes a part of site_grammar.py.
+* An image and the paragraph after it become a figure with its caption if all of the paragraph is emphasised.
 * Figures of gcrules that a page shows as images are put into the page, so that they follow its light and dark colours.
 * The first use of each term of the glossary leads there (site_glossary.py).
 * A link to a file of the repository outside docs/ leads to a page that shows the file.
@@ -19,7 +19,6 @@ from html import escape, unescape
 from pathlib import Path
 from typing import Any
 
-import site_drawings
 import site_glossary
 import site_grammar
 from site_parts import PLACE
@@ -31,11 +30,11 @@ __all__ = ["Guide"]
 ROOT = Path(__file__).resolve().parent.parent
 
 OVERVIEWS = ("catalog/README.md", "robots/index.md")
-DRAWING = re.compile(r"^<!-- drawing: ([\w-]+)(?: \| (.*?))?\s*-->$", re.MULTILINE | re.DOTALL)
+CAPTIONED = re.compile(r"^(!\[[^\n]*\]\([^)\s]+\))\n\n\*([^*\n](?:[^*\n]|\n(?!\n))*)\*$(?=\n\n|\s*\Z)", re.MULTILINE)
 GENERATED = re.compile(r"^<!-- generated: ([\w-]+) -->$", re.MULTILINE)
 SESSION = re.compile(r"^```python\n>>> ", re.MULTILINE)
 LINK = re.compile(r"(\]\()((?:\.\./)+[^)#\s]+)((?:#[^)\s]*)?\))")
-IMAGE = re.compile(r"!\[([^\]]*)\]\(([^):\s]+\.svg)\)")
+IMAGE = re.compile(r"!\[((?:[^\[\]]|\[[^\[\]]*\])*)\]\(([^):\s]+\.svg)\)")
 LANGUAGES = {".gca": "gca", ".lark": "text", ".yaml": "yaml", ".py": "python", ".toml": "toml", ".md": "markdown"}
 
 
@@ -111,13 +110,10 @@ class Guide:
             shown = self._shown(name, match[2])
             return match[0] if shown is None else f"{match[1]}{posixpath.relpath(shown, folder or '.')}{match[3]}"
 
-        def drawing(match: re.Match[str]) -> str:
-            if match[1] not in site_drawings.DRAWINGS:
-                self.faults.append(f"{name}: no such drawing in tools/site_drawings.py: {match[1]}")
-                return ""
-            place = self._place(site_drawings.DRAWINGS[match[1]]().svg())
-            words = f"\n<figcaption markdown>{' '.join(match[2].split())}</figcaption>" if match[2] else ""
-            return f'<figure class="gc-drawing" markdown>\n{place}{words}\n</figure>'
+        def captioned(match: re.Match[str]) -> str:
+            image, caption = match.groups()
+            words = f"<figcaption markdown>{' '.join(caption.split())}</figcaption>"
+            return f'<figure class="gc-drawing" markdown>\n{image}\n{words}\n</figure>'
 
         def generated(match: re.Match[str]) -> str:
             if match[1] not in site_grammar.PARTS:
@@ -135,9 +131,9 @@ class Guide:
             return self._place(svg.strip())
 
         text = site_glossary.link(self.pages[name], name)
-        text = IMAGE.sub(figure, SESSION.sub("```pycon\n>>> ", LINK.sub(inside, text)))
-        text = GENERATED.sub(generated, DRAWING.sub(drawing, text))
-        for left in re.findall(r"<!-- (?:drawing|generated):.*", text):
+        text = SESSION.sub("```pycon\n>>> ", LINK.sub(inside, text))
+        text = GENERATED.sub(generated, IMAGE.sub(figure, CAPTIONED.sub(captioned, text)))
+        for left in re.findall(r"<!-- generated:.*", text):
             self.faults.append(f"{name}: not a line of its own, or not of the form that is read: {left}")
         return text
 

@@ -52,9 +52,8 @@ def site(tmp_path_factory: pytest.TempPathFactory) -> Path:
 ASKING = {
     "a page": ("[broken](nowhere.md)", "page does not exist"),
     "a heading": ("[broken](#nowhere)", "anchor does not exist"),
-    "a drawing": ("<!-- drawing: nothing -->", "no such drawing in tools/site_drawings.py: nothing"),
     "a part": ("<!-- generated: nothing -->", "no such part in tools/site_grammar.py: nothing"),
-    "a form": ("See <!-- drawing: bracket -->", "not a line of its own"),
+    "a form": ("See <!-- generated: rules -->", "not a line of its own"),
 }
 
 
@@ -102,7 +101,7 @@ def test_no_marker_is_left(site: Path) -> None:
     for path in site.rglob("*.html"):
         text = path.read_text(encoding="utf-8")
         assert "@@gcrules" not in text, path
-        assert not re.search(r"<!-- (drawing|generated):", text), path
+        assert "<!-- generated:" not in text, path
 
 
 @pytest.mark.browser
@@ -218,12 +217,30 @@ DRAWINGS = tool("site_drawings").DRAWINGS
 ASKED = [
     (page.relative_to(ROOT).as_posix(), name)
     for page in PAGES
-    for name in re.findall(r"^<!-- drawing: ([\w-]+)", page.read_text(encoding="utf-8"), re.MULTILINE)
+    for name in re.findall(
+        r"^!\[.*\]\(\S*assets/drawings/([\w-]+)\.svg\)$", page.read_text(encoding="utf-8"), re.MULTILINE
+    )
 ]
 
 
-def test_drawings_that_are_asked_for_are_those_that_are_made() -> None:
+def test_drawings_that_are_shown_are_those_that_are_made() -> None:
+    """That the files are up to date is part of `tools/check_docs.py`."""
     assert {name for _, name in ASKED} == set(DRAWINGS)
+    assert {path.stem for path in (ROOT / "docs" / "assets" / "drawings").iterdir()} == set(DRAWINGS)
+
+
+def test_an_image_with_its_caption_is_a_figure_in_the_colours_of_the_page(tmp_path: Path) -> None:
+    (tmp_path / "docs").mkdir()
+    (tmp_path / "docs" / "a.svg").write_text('<svg class="gc-figure" role="img"></svg>', encoding="utf-8")
+    text = "![A [ab]](a.svg)\n\n![B](a.svg)\n\n*Two\nlines.*\n\n![C](b.png)\n\n*Not all* of it.\n"
+    (tmp_path / "docs" / "index.md").write_text(text, encoding="utf-8")
+    guide = tool("site_pages").Guide(tmp_path)
+    alone, figure, *rest = guide.page("index.md").split("\n\n")
+    assert re.fullmatch(r"@@gcrules:\w+@@", alone)
+    assert figure.startswith('<figure class="gc-drawing" markdown>\n@@gcrules:')
+    assert figure.endswith("\n<figcaption markdown>Two lines.</figcaption>\n</figure>")
+    assert rest == ["![C](b.png)", "*Not all* of it.\n"]
+    assert {re.search(r'aria-label="(.*?)"', part)[1] for part in guide.parts.values()} == {"A [ab]", "B"}
 
 
 @pytest.mark.parametrize("name", DRAWINGS)
