@@ -269,6 +269,24 @@ def test_the_crossing_legs_are_singular() -> None:
     assert gc.evaluate("[[ab, af, cb, cd, ed, ef]]", at) == 0
 
 
+# --- pictures of answers ---------------------------------------------------------------------------------------------
+
+PICTURES = tool("answer_pictures").PICTURES
+
+
+@pytest.mark.parametrize("name", PICTURES)
+def test_the_command_of_a_picture_stands_on_its_page(name: str) -> None:
+    (page,) = (text for text in (p.read_text(encoding="utf-8") for p in PAGES) if f"assets/{name})" in text)
+    assert (ROOT / "docs" / "assets" / name).is_file()
+    assert f"gcrules {PICTURES[name][0]}" in " ".join(page.split())
+
+
+@pytest.mark.parametrize("name", [n for n, (_, option) in PICTURES.items() if option == "--figure"])
+def test_the_picture_of_an_answer_is_what_is_drawn(name: str, tmp_path: Path) -> None:
+    tool("answer_pictures").draw(name, tmp_path / name)
+    assert (tmp_path / name).read_bytes() == (ROOT / "docs" / "assets" / name).read_bytes()
+
+
 # --- grammar and messages --------------------------------------------------------------------------------------------
 
 
