@@ -20,6 +20,7 @@ sys.path.insert(0, str(ROOT / "tests"))
 from browsing import chromium  # noqa: E402
 from studio_page import Desk, studio  # noqa: E402
 
+SLOW = 600_000  # milliseconds that an answer may take
 SIZE: ViewportSize = {"width": 1280, "height": 800}
 
 PICTURES: dict[str, dict[str, Any]] = {
@@ -74,17 +75,20 @@ def take(desk: Desk, wanted: dict[str, Any]) -> bytes:
         desk.one("panel-motion").click()
         desk.run("over => gcrules.touring.change({over, nodes: 61})", wanted["map"])
         desk.one("map-go").click()
-        desk.one("map-plot").wait_for()
+        finest = "() => gcrules.touring.map.shown.value?.result.margin.length === 61"
+        desk.page.wait_for_function(finest, timeout=SLOW)
         desk.page.locator(".motion .map").evaluate("map => map.scrollIntoView()")
         box = desk.one("map-plot").bounding_box()
         x, y = wanted["place"]
         desk.one("map-plot").click(position={"x": x * box["width"], "y": y * box["height"]})
-        desk.page.wait_for_timeout(3000)
+        desk.page.wait_for_function("() => gcrules.touring.place.now.value.state === 'found'", timeout=SLOW)
+        desk.one("map-readout").evaluate("words => words.scrollIntoView({block: 'end'})")
+        desk.page.wait_for_timeout(3000)  # until the robot has gone there
     if "surface" in wanted:
         desk.one("panel-motion").click()
         desk.one("surface-go").click()
         levels = "n => gcrules.touring.surface.shown.value?.result.nodes[0] === n"
-        desk.page.wait_for_function(levels, arg=wanted["surface"])
+        desk.page.wait_for_function(levels, arg=wanted["surface"], timeout=SLOW)
         desk.one("surface-nearest").click()
         desk.verdict("singular", timeout=30_000)
         desk.page.locator(".motion .surface").evaluate("section => section.scrollIntoView()")
@@ -92,7 +96,7 @@ def take(desk: Desk, wanted: dict[str, Any]) -> bytes:
         desk.one("panel-where").click()
         for name, last in (("aspects", "aspect"), ("assemblies", "assembly")):
             desk.one(f"{name}-go").click()
-            desk.page.get_by_test_id(last).last.wait_for()
+            desk.page.get_by_test_id(last).last.wait_for(timeout=SLOW)
         desk.page.get_by_test_id("assembly").nth(wanted["mode"]).click()
         desk.page.wait_for_timeout(3000)
     if "certify" in wanted:
@@ -100,7 +104,7 @@ def take(desk: Desk, wanted: dict[str, Any]) -> bytes:
         asked = {"kind": "certificate", "ranges": wanted["certify"]}
         desk.run("asked => { const w = gcrules.roaming.whole$; w.value = {...w.value, ...asked} }", asked)
         desk.one("boxes-go").click()
-        desk.one("certify-go").click()
+        desk.one("certify-go").click(timeout=SLOW)
         desk.page.wait_for_timeout(3000)
         desk.one("view-fit").click()
         desk.one("certify-verdict").evaluate("verdict => verdict.scrollIntoView()")

@@ -160,6 +160,8 @@ class RecipeView(TypedDict):
     sign: Literal[1, -1]
     """−1 where the legs are turned round with respect to those that the user wrote."""
     thresholds: Thresholds
+    size: float
+    """The length of which `near` and `met` are shares."""
 
 
 Terms = dict[str, float]

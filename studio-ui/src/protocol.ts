@@ -127,6 +127,8 @@ export interface Recipe {
   /** −1 where the legs are turned round with respect to those that the user wrote. */
   sign: 1 | -1;
   thresholds: Thresholds;
+  /** The length of which `near` and `met` are shares. */
+  size: number;
 }
 
 /** A sum of points or directions: name and factor. */
@@ -481,17 +483,6 @@ export interface ComposeArgs {
 
 export type Format = "html" | "latex" | "svg" | "png" | "pdf" | "json" | "yaml" | "c" | "cpp" | "py" | "rs";
 
-export interface SaveArgs extends PoseArgs {
-  what: Format;
-}
-
-/** A method with its arguments, which are checked as if it were asked for. */
-export interface RepeatArgs {
-  source?: Source;
-  what: "open" | "pose" | "path" | "map" | "surface" | "assemblies" | "aspects" | "free" | "boxes" | "certify" | "manual" | "bench";
-  args: Record<string, unknown>;
-}
-
 /** The pose that Python or another page brings after the one of this number; `page` is a name of the page's own. */
 export interface FollowArgs {
   page: string;
@@ -514,6 +505,47 @@ export interface ResizeArgs {
 
 export interface CancelArgs {
   target: number;
+}
+
+/** Characters of a picture of the page that goes into a report. */
+export const LARGEST_PICTURE = 400000;
+
+/** Characters of the state in a link that programs take whole; what makes it longer is left out, and the reader is told. */
+export const LONGEST_LINK = 65000;
+
+/** What a line repeats: methods, and the table of the actuators. */
+export type Repeatable = "open" | "pose" | "actuators" | "path" | "map" | "surface" | "locus" | "assemblies" | "aspects" | "free" | "boxes" | "certify" | "manual" | "bench";
+
+/** A method with its arguments, which are checked as if it were asked for. */
+export interface RepeatArgs {
+  source?: Source;
+  what: Repeatable;
+  args: Record<string, unknown>;
+}
+
+/** The same with a title, for a report; the source is that of the report. */
+export interface Reported {
+  title: string;
+  what: Repeatable;
+  args: Record<string, unknown>;
+}
+
+export interface Note {
+  title: string;
+  text: string;
+}
+
+/** What a report shows of the state of the page beside the analysis and the pose: answers of its panels, which lines repeat, the picture as it stands, notes, and the link that opens the state again. */
+export interface State {
+  answers: Reported[];
+  picture: string;
+  notes: Note[];
+  link: string;
+}
+
+export interface SaveArgs extends PoseArgs {
+  what: Format;
+  state?: State;
 }
 
 /** A change of a robot's sheet; which fields it needs `do` says. Places count from 0. */
@@ -566,6 +598,8 @@ export interface Hello {
   opened: Source | null;
   /** Whether Python shares the pose of what it has opened: the page follows it (`follow`), and tells it (`show`). */
   shared: boolean;
+  /** Whether the guide is served below `guide/`. */
+  guide: boolean;
 }
 
 export interface GalleryItem {
@@ -780,12 +814,18 @@ export interface Study {
   wholes: Axis[];
   /** What the bands of such a map can be, the margin first. */
   measures: Measure[];
+  /** Pairs of coordinates of the map over which the singular poses may have a formula. */
+  loci: string[][];
+  /** Why they have none over any coordinates; "" where they may have one. */
+  no_locus: string;
   /** The class of the catalog. */
   entry: Entry | null;
   /** SVG of the legs as a graph. Elements carry data-point="a" and data-leg="ab". */
   schematic: string;
   stages: Stage[];
   entities: Entity[];
+  /** How what is constructed follows from the joints of a platform that moves, for poses that are drawn in passing. */
+  recipe: Recipe | null;
   condition: Condition;
   readings: Condition[];
   robot: Robot | null;
@@ -1046,6 +1086,8 @@ export interface PathSample {
   margin: number;
   /** null where it is not known that the sliders lead to this configuration from home. */
   pose: Pose | null;
+  /** Where the platform is then, from home, turned about `about` of the study: of a platform on six legs, its pose. */
+  platform: Pose | null;
 }
 
 /** A singular place on a path, with what happens there, why, and what is gained, in sentences. */

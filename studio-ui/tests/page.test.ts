@@ -10,8 +10,9 @@ import { along, degreesOf } from "../src/page/lib/scale";
 import { splitBrackets, splitOperator } from "../src/page/lib/tex";
 import { tintOf } from "../src/page/lib/tint";
 import { chosen } from "../src/page/start/filter";
-import { EMPTY, HOME, TOUR, atHome, isHome, samePose, type Doc, type Range } from "../src/page/state/doc";
-import { plainFragment, readFragment, writeFragment } from "../src/page/state/fragment";
+import { EMPTY, HOME, TOUR, atHome, isHome, samePose, type Doc, type Range, type Tour } from "../src/page/state/doc";
+import { linkOf, plainFragment, readFragment } from "../src/page/state/fragment";
+import { LONGEST_LINK } from "../src/protocol";
 import { begin, closed, moved, record, redone, undone } from "../src/page/state/history";
 import { readDoc } from "../src/page/state/read";
 import { isProject, readProject, writeProject, NO_PROJECT, type Project } from "../src/page/state/project-file";
@@ -24,10 +25,14 @@ import { stepped, valueOf, within } from "../src/page/panels/motion/spots";
 import { latest } from "../src/page/net/latest";
 import { driven, liesBetween, type Driven } from "../src/page/lib/way";
 import { moved as shifted, poseAt } from "../src/page/state/timeline";
-import { isDrawn } from "../src/viewer/model";
+import { fileAt, seenAt, snapped } from "../src/page/state/joint-places";
+import { placeOf } from "../src/page/shell/warning-place";
+import { isDrawn, modelOf } from "../src/viewer/model";
+import { swung } from "../src/viewer/motion";
 import { contrast, legible, ROLES } from "../src/viewer/palette";
 import { sideBySide } from "../src/viewer/names";
 import { rotationVector } from "../src/viewer/pose";
+import { MOST_WAYPOINTS } from "../src/protocol";
 import type { Axis, Entity, GalleryItem, Numbers, Pose, Study, SurfaceAnswer, Vec3 } from "../src/protocol";
 
 const GRID = [-180, -135, -90, -37, 0, 12.5, 90, 179, 180];
@@ -68,20 +73,33 @@ const DOCS: Record<string, Doc> = {
     threshold: "20 mm",
     commands: ["plane a b c"],
     bench: "let p = a ∨ b",
-    tour: { start: TURNED, to: "z=1", over: [{ name: "x", low: -1, high: 2 }, { name: "roll", low: 0, high: 30 }], nodes: 41, measure: "isotropy" },
+    tour: { start: TURNED, to: "z=1", over: [{ name: "x", low: -1, high: 2 }, { name: "roll", low: 0, high: 30 }], nodes: 41, measure: "isotropy", box: [-1, 0, 1].map((low, i) => ({ name: "xyz".charAt(i), low, high: 2 })) as Tour["box"], fineness: 13 },
     sketch: { title: "t", points: { a: [0, 0, 1], b: [0, 0, 2] }, base: ["a"], platform: ["b"], legs: [["a", "b"]] },
     making: "limbs",
     limbs: "title: T\nlimbs: []\n",
   },
+  "a way": { ...EMPTY, source: { kind: "class", id: "3-3.3" }, pose: TURNED, way: [HOME, TURNED, { ...HOME, translation: [1, 2, 3] }] },
+  "a way that was driven": { ...EMPTY, source: { kind: "class", id: "3-3.3" }, pose: TURNED, driven: [HOME, TURNED] },
 };
 for (const [name, doc] of Object.entries(DOCS)) {
   test(`a link restores the document: ${name}`, async () => {
-    for (const link of [await writeFragment(doc), plainFragment(doc)]) {
+    for (const link of [(await linkOf(doc)).fragment, plainFragment(doc)]) {
       assert.match(link, /^(#[sz]=[\w-]+)?$/);
       if (link) assert.deepEqual(await readFragment(link), doc);
     }
   });
 }
+
+test("a link that would be too long with the way leaves it out, and says so; so does one of a broken way", async () => {
+  const noise = Array.from({ length: 72_000 }, (_, i) => Math.sin(i * i).toString(36).slice(-1)).join("");
+  const doc: Doc = { ...EMPTY, bench: noise, way: Array.from({ length: MOST_WAYPOINTS }, (_, i) => ({ ...HOME, translation: [Math.sin(i), Math.cos(i), Math.tan(i)] })) };
+  const { fragment, short } = await linkOf(doc);
+  assert.ok(short && fragment.length <= LONGEST_LINK);
+  assert.deepEqual(await readFragment(fragment), { ...doc, way: [] });
+  assert.equal((await linkOf({ ...doc, bench: "" })).short, false);
+  assert.deepEqual(readDoc({ way: [HOME, { translation: [0, 0], quaternion: [1, 0, 0, 0] }] }).way, []);
+  assert.deepEqual(readDoc({ way: Array.from({ length: MOST_WAYPOINTS + 1 }, () => HOME) }).way, []);
+});
 
 const HOSTILE = ["", "#s=", "#s=!!", "#z=AAAA", "#x=e30", `#s=${btoa("[]")}`, `#s=${btoa("null")}`, `#z=${btoa("{}")}`];
 test("a link that is no link, or a broken one, opens nothing", async () => {
@@ -98,7 +116,7 @@ test("what a link says is checked field by field", () => {
   assert.deepEqual(doc, EMPTY);
   assert.deepEqual(readDoc({ pose: { translation: [0, 0, 0], quaternion: [2, 0, 0, 0] } }).pose, HOME);
   assert.equal(readDoc({ panel: "guided" }).panel, "start");
-  const wrong = [7, { over: [{ name: "x", low: 0, high: 1 }] }, { nodes: 1e9, to: 3, start: "home" }, { over: [{ name: "x", low: "0" }, 1] }];
+  const wrong = [7, { over: [{ name: "x", low: 0, high: 1 }] }, { nodes: 1e9, to: 3, start: "home" }, { fineness: 10, box: [{ name: "x", low: 0, high: 1 }] }, { over: [{ name: "x", low: "0" }, 1] }];
   for (const tour of wrong) assert.deepEqual(readDoc({ tour }).tour, TOUR);
 });
 
@@ -113,6 +131,54 @@ test("a drag is undone as one step, navigation is none", () => {
   assert.equal(undone(history).present.stage, "planes");
   assert.equal(redone(redone(undone(undone(history)))).present.pose.translation[0], 4);
   assert.equal(record(undone(history), at(9), null).future.length, 0);
+});
+
+const TRIANGLE: Record<string, Vec3> = { a: [0, 0, 0], b: [1, 0, 0], c: [0, 1, 0], d: [0, 0, 1], e: [0.3, 0.2, 1], f: [0, 1, 1.5] };
+const SHAPE = { points: TRIANGLE, base: ["a", "b", "c"], platform: ["d", "e", "f"], size: 1 } as unknown as Study;
+test("a joint is under the pointer whatever the platform's turn, and the centroid goes along with it", () => {
+  for (const name of ["a", "e"]) {
+    const seen: Vec3 = [0.3, -2, 1.7];
+    const to = fileAt(SHAPE, {}, TURNED, name, seen);
+    const moved = { ...SHAPE, points: { ...TRIANGLE, [name]: to } };
+    seenAt(moved, {}, TURNED, name).forEach((c, i) => assert.ok(Math.abs(c - seen[i]!) < 1e-12, `${name} ${c}`));
+  }
+  assert.deepEqual(fileAt(SHAPE, {}, HOME, "e", [1, 0, 2]).map((c) => Number(c.toFixed(12))), [1, 0, 2]);
+  assert.deepEqual(snapped([1.26, 0.333, -7.01], [1, 1 / 3, -7], 0.5), [1.5, 1 / 3, -7]);
+});
+
+test("planes and the point in which they meet are drawn where the platform swings to", () => {
+  const recipe = {
+    lines: [],
+    points: [{ label: "M", of: [["join", "a", "b", "d"], ["join", "b", "c", "e"], ["join", "a", "c", "f"], ["join", "b", "a", "d"]], entities: ["p"] }],
+    sign: 1 as const,
+    size: 1,
+    thresholds: { close: 0.01, rounding: 1e-12, digits: 1e-15, near: 0.03, met: 1e-9 },
+  };
+  const scene = {
+    points: TRIANGLE, base: SHAPE.base, platform: SHAPE.platform, legs: [], about: [0, 0, 1] as Vec3, size: 1, unit: "m", recipe,
+    entities: [plane("p", "abd", 0)],
+    motion: { axis: [0, 1, 0] as Vec3, through: [0, 0, 0] as Vec3, pitch: 0.1, text: "" },
+    constructed: [{ kind: "point" as const, label: "M", at: [9, 9, 9] as Vec3, entities: ["p"] }],
+  } as unknown as Parameters<typeof modelOf>[0];
+  const state = { theme: "light" as const, highlight: null, hidden: new Set<never>(), swing: 0.5, centre: [0, 0, 1] as Vec3 };
+  const drawn = modelOf(scene, state);
+  const points = swung(scene, scene.motion!, 0.5);
+  const there = modelOf({ ...scene, points, motion: null, constructed: drawn.marks.map(({ at }) => ({ kind: "point", label: "M", at, entities: ["p"] })) }, { ...state, swing: null });
+  const planesOf = ({ faces }: typeof drawn) => faces.filter(({ entity }) => entity === "p").map(({ corners }) => corners);
+  assert.deepEqual(planesOf(drawn), planesOf(there));
+  assert.notDeepEqual(planesOf(drawn), planesOf(modelOf(scene, { ...state, swing: null })));
+  assert.deepEqual(drawn.marks.map(({ label }) => label), ["M"]);
+  assert.ok(Math.hypot(...drawn.marks[0]!.at) < 5, "it is worked out anew");
+});
+
+test("a warning gives way to what it would cover, and stays as long as it covers nothing", () => {
+  const at = (y: number): [number, number, number, number] => [100, y - 10, 120, y + 10];
+  assert.equal(placeOf("top", 300, 26, 500, 400, []), "top");
+  assert.equal(placeOf("top", 300, 26, 500, 400, [at(200)]), "top");
+  assert.equal(placeOf("top", 300, 26, 500, 400, [at(20)]), "bottom");
+  assert.equal(placeOf("bottom", 300, 26, 500, 400, [at(200)]), "bottom");
+  assert.equal(placeOf("bottom", 450, 26, 500, 400, [at(20), at(385)]), "below");
+  assert.equal(placeOf("below", 450, 26, 500, 400, [at(200)]), "top");
 });
 
 test("latest wins: one request under way, then the newest", async () => {

@@ -153,3 +153,26 @@ def test_a_function_with_roots_vanishes_at_the_nearest_singular_configuration(de
     assert abs(value(*at) / value(0, 0, 0)) < 1e-6
     assert abs(value(*at, 1, -1, 1) / value(0, 0, 0)) > 1e-3
     assert desk.faults == []
+
+
+@pytest.mark.parametrize(
+    ("name", "over", "offered"),
+    [
+        ("gough-stewart", ("x", "y"), True),
+        ("gough-stewart", ("x", "rx"), False),  # the turn of six legs has no angles among its variables
+        ("delta", ("x", "z"), True),
+        ("delta", ("roll", "pitch"), False),  # they follow from x, y and z
+        ("delta", ("q1", "q2"), False),
+        ("4-rpr", ("x", "y"), False),
+    ],
+)
+def test_a_formula_is_offered_over_coordinates_that_it_may_have(
+    desk: Desk, name: str, over: tuple[str, str], offered: bool
+) -> None:
+    desk.open("robot", name).one("panel-motion").click()
+    desk.run("over => gcrules.touring.change({over})", [{"name": n, "low": -0.1, "high": 0.1} for n in over])
+    desk.one("map-go").wait_for()
+    desk.painted()
+    assert desk.one("locus-slice").is_visible() == offered
+    assert desk.one("locus-position").is_visible() == (name != "4-rpr")
+    assert desk.one("locus-none").count() == (name == "4-rpr")

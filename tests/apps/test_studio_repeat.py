@@ -246,3 +246,37 @@ def test_a_question_alone_is_a_call_of_its_function(text: str, call: str) -> Non
     assert (call in python) if call else python == ""
     if call:
         subprocess.run([sys.executable, "-c", python], capture_output=True, check=True)
+
+
+ACTUATED = [(OCTAHEDRAL, MOVED), ({"kind": "robot", "id": "octahedral"}, NEAR), (THREE_RPS, driven(0.05, 0.1, -0.02))]
+
+
+@pytest.mark.parametrize(("source", "pose"), ACTUATED)
+def test_the_table_of_the_actuators(repeat: Repeat, source: Any, pose: Any) -> None:
+    rows = repeat.page.ask("pose", source=source, pose=pose)["actuators"]
+    found = repeat.lines("actuators", source, pose=pose)
+    shell = json.loads(repeat.run(*shlex.split(found["shell"])[1:]).stdout)
+    assert [a["value"] for a in shell["actuators"]] == pytest.approx([r["value"] for r in rows], rel=1e-9)
+    shown: list[Any] = []
+    exec(found["python"], {"print": shown.append})
+    values, amplification = shown
+    assert list(values.values()) == pytest.approx([r["value"] for r in rows], rel=1e-9)
+    assert [f"{speed:.4g}" for speed in amplification.speeds] == [r["speed"].split()[0] for r in rows]
+
+
+@pytest.mark.parametrize(
+    ("source", "pose", "over"),
+    [
+        (OCTAHEDRAL, MOVED, None),
+        (OCTAHEDRAL, MOVED, ["x", "z"]),
+        (THREE_RPS, driven(0.05, 0.1, -0.02), None),
+        (THREE_RPS, driven(0, 0, 0), ["roll", "pitch"]),
+    ],
+)
+def test_a_formula(repeat: Repeat, source: Any, pose: Any, over: Any) -> None:
+    args = {"pose": pose} | ({"over": over} if over else {})
+    shown = repeat.page.ask("locus", source=source, **args)
+    shell, python = repeat.both("locus", source, **args)
+    forms = [python.form] if source is OCTAHEDRAL else [part.form for part in python.parts]
+    assert [str(form) for form in forms] == [part["polynomial"]["plain"] for part in shown["parts"]]
+    assert shell["schema"] == 1

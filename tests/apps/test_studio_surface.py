@@ -30,7 +30,7 @@ def desk(sit_down: Callable[..., Desk]) -> Desk:
 
 def asked(desk: Desk, nodes: int) -> Any:
     """The surface with so many poses along each coordinate; the triangles in the picture."""
-    desk.run("n => gcrules.touring.surface.nodes.value = n", nodes)
+    desk.run("n => gcrules.touring.change({fineness: n})", nodes)
     desk.one("surface-go").click()
     desk.page.wait_for_function("n => gcrules.touring.surface.shown.value?.result.nodes[0] === n", arg=nodes)
     desk.painted()
@@ -98,3 +98,20 @@ def test_what_to_use_where_there_is_no_surface(desk: Desk) -> None:
     desk.open("robot", "3-rpr").one("panel-motion").click()
     assert "freedoms of this robot are x, y, yaw" in desk.text("surface-instead")
     assert desk.one("surface-go").count() == 0
+
+
+def test_its_ranges_stand_in_the_link_and_in_the_project(desk: Desk) -> None:
+    desk.open("example", "octahedral").one("panel-motion").click()
+    low = desk.one("surface-low-x")
+    low.fill("-123")
+    low.press("Enter")
+    desk.one("surface-nodes").select_option("13")
+    kept = "tour => tour.box?.[0].low === -123 && tour.fineness === 13"
+    desk.page.wait_for_function(f"() => ({kept})(gcrules.tour$.value)")
+    desk.run("gcrules.projecting.keep()")
+    assert desk.run(f"({kept})(JSON.parse(gcrules.projecting.text()).robots[0].state.tour)")
+    desk.page.reload()
+    desk.page.wait_for_function(f"() => window.gcrules && ({kept})(gcrules.tour$.value)")
+    desk.page.wait_for_function("() => document.querySelector('[data-testid=surface-low-x]')?.value.includes('123')")
+    desk.open("example", "platform-6-6")
+    assert desk.run("gcrules.tour$.value.box") is None

@@ -50,7 +50,10 @@ def test_words_by_mouse_and_keyboard(desk: Desk, kind: str, name: str) -> None:
     assert 0 <= box["x"] <= size["width"] - box["width"]
     assert 0 <= box["y"] <= size["height"] - box["height"]
     desk.one("term-more").click()
-    assert desk.page.locator("[data-wanted=true] dt").inner_text() == "value"
+    wanted = desk.page.locator("[data-wanted=true] dt")
+    assert wanted.inner_text() == "value"
+    desk.page.locator("[data-testid=entry-value] button.term").first.click()
+    desk.page.wait_for_function("() => document.querySelector('[data-wanted=true] dt').innerText === 'superbracket'")
     desk.one("glossary-search").fill("elbows")
     assert desk.page.locator(".glossary dt").all_inner_texts() == ["working mode"]
     desk.one("glossary-close").click()
@@ -72,5 +75,29 @@ def test_words_by_touch(desk: Desk) -> None:
         assert box["x"] + box["width"] <= 390
         phone.page.touchscreen.tap(200, 20)
         tip.wait_for(state="detached")
+    finally:
+        context.close()
+
+
+@pytest.mark.parametrize("touch", [False, True])
+def test_the_page_of_the_guide_is_a_link_where_the_guide_is_there(desk: Desk, touch: bool) -> None:
+    context = desk.page.context.browser.new_context(has_touch=touch, reduced_motion="reduce")
+    try:
+        phone = Desk(context.new_page(), desk.server).visit().open("example", "octahedral", "superbracket")
+        link = phone.one("guide-link")
+        for there in (False, True):
+            phone.run("there => gcrules.front.guide.value = there", there)
+            term = word(phone, "superbracket")
+            term.tap() if touch else term.click()
+            phone.one("term-tip").wait_for()
+            assert link.count() == there
+            assert "In the guide: Superbracket" in phone.one("term-tip").inner_text()
+            phone.page.keyboard.press("Escape")
+            phone.one("term-tip").wait_for(state="detached")
+        term.tap() if touch else term.click()
+        assert link.get_attribute("href") == "guide/course/superbracket.html"
+        with context.expect_page() as opened:
+            link.tap() if touch else link.click()
+        assert opened.value.url.endswith("/guide/course/superbracket.html")
     finally:
         context.close()

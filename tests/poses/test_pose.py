@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 import pytest
 from click.testing import CliRunner
+from places import EXAMPLES
 from poses.platforms import PLATFORMS
 from poses.structures import ANALYSES, OCTAHEDRON, STRUCTURES
 
@@ -285,3 +286,14 @@ def test_a_platform_is_a_value() -> None:
     assert hash(found) == hash(gc.pose(OCTAHEDRON, nearest=False))
     assert str(found).startswith(found.verdict)
     assert found._repr_html_().startswith("<pre>")
+
+
+def test_the_legs_are_as_long_as_their_ends_are_apart() -> None:
+    robot = gc.load(EXAMPLES / "octahedral.yaml")
+    here = gc.pose(robot, "10 0 -30; euler zyx 20 0 5 deg", nearest=False)
+    places = {n: [float(c) for c in p] for n, p in here.rig.exact(here.pose).items()}
+    apart = {f"{a}{b}": math.dist(places[a][:3], places[b][:3]) for a, b in robot.legs}
+    assert here.actuator_values == pytest.approx(apart)
+    told = here.to_json()["actuators"]
+    assert {one["name"]: one["value"] for one in told} == here.actuator_values
+    assert {one["unit"] for one in told} == {"mm"}

@@ -3,32 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from math import degrees, isfinite
+from math import degrees
 
 from gcrules.apps.studio.items import fact
 from gcrules.apps.studio.protocol.answer_views import ActuatorView
 from gcrules.apps.studio.protocol.study_views import FactItem
 from gcrules.mechanisms.kinematics.wrenches import WrenchJacobian
 from gcrules.mechanisms.mechanism import Mechanism
+from gcrules.views.results.actuators import reaches
 from gcrules.views.results.amplification import amplification_rows, conditioning, jacobian_numbers
 
-__all__ = ["actuator_views", "jacobian_facts", "reaches"]
-
-
-def reaches(m: Mechanism) -> dict[str, tuple[float | None, float | None]]:
-    """What the file says that each leg or actuator reaches: lengths, and degrees from home; None where there is no
-    limit.
-    """
-    if not m.limits:
-        return {}
-    found = m.read_limits(m.limits)
-    angles = found.angles or (False,) * len(found.names)
-
-    def shown(value: float, angle: bool) -> float | None:
-        return (degrees(value) if angle else value) if isfinite(value) else None
-
-    rows = zip(found.names, found.low, found.high, angles, strict=True)
-    return {name: (shown(low, angle), shown(high, angle)) for name, low, high, angle in rows}
+__all__ = ["actuator_views", "jacobian_facts"]
 
 
 def actuator_views(m: Mechanism, values: Mapping[str, float], j: WrenchJacobian) -> list[ActuatorView]:

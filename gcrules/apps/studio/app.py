@@ -11,7 +11,7 @@ from starlette.routing import Route, WebSocketRoute
 from starlette.websockets import WebSocket
 
 from gcrules.apps.studio.guard import Guard
-from gcrules.apps.studio.pages import Pages
+from gcrules.apps.studio.pages import Pages, guide_folder
 from gcrules.apps.studio.protocol.requests import SourceJson
 from gcrules.apps.studio.service import Service
 from gcrules.apps.studio.session import PageSession
@@ -34,8 +34,10 @@ def make_app(
     """The application that is served at http://127.0.0.1:port to whom the token, or one of the tickets, is known;
     `folders` are those of plugins.
     """
-    service = Service(opened, shared, folders)
+    guide = guide_folder()
+    service = Service(opened, shared, folders, guide=guide is not None)
     pages = Pages()
+    of_guide = [] if guide is None else [Route("/guide/{name:path}", Pages(guide).answer)]
 
     sessions: set[PageSession] = set()
 
@@ -57,7 +59,12 @@ def make_app(
         await service.close()
 
     return Starlette(
-        routes=[WebSocketRoute("/ws", talk), Route("/", pages.answer), Route("/{name:path}", pages.answer)],
+        routes=[
+            WebSocketRoute("/ws", talk),
+            *of_guide,
+            Route("/", pages.answer),
+            Route("/{name:path}", pages.answer),
+        ],
         middleware=[Middleware(Guard, port=port, token=token, tickets=set() if tickets is None else tickets)],
         lifespan=lifespan,
     )

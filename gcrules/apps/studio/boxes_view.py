@@ -7,6 +7,7 @@ from collections.abc import Iterable, Sequence
 from typing import Any
 
 from gcrules.apps.studio.accounts import account_view
+from gcrules.apps.studio.kept import kept
 from gcrules.apps.studio.moving import amounts_at
 from gcrules.apps.studio.numbers import exact_pose
 from gcrules.apps.studio.protocol.requests import PoseJson
@@ -27,7 +28,7 @@ from gcrules.views.forms import shown
 from gcrules.views.results.box_map import decided, leaves_nothing, parts, seen
 from gcrules.views.results.box_shares import Share
 
-__all__ = ["boxes_view", "range_view", "rest_at"]
+__all__ = ["boxes_of", "boxes_view", "range_view", "rest_at"]
 
 
 def boxes_view(
@@ -36,13 +37,21 @@ def boxes_view(
     """A map of so many boxes at most over the ranges, the other coordinates as they are at the pose. Raises InputError
     where there is none.
     """
-    report("proving boxes")
-    m = subject.mechanism
-    found = boxes_done(
-        box_task(m, over, rest_at(m, over, pose), limits or None, margin, *within_boxes(len(over), boxes))
-    )
+    found = boxes_of(subject, over, pose, margin, limits, boxes)
     share, drawn = found.summary.decided, not leaves_nothing(found)
     return range_view(found, parts(found), share, decided(found), seen(found), drawn=drawn)
+
+
+@kept
+def boxes_of(
+    subject: Subject, over: Sequence[str], pose: PoseJson, margin: float, limits: str | None, boxes: int
+) -> BoxMap:
+    """The same as a value of the library. Raises InputError likewise."""
+    report("proving boxes")
+    m = subject.mechanism
+    return boxes_done(
+        box_task(m, over, rest_at(m, over, pose), limits or None, margin, *within_boxes(len(over), boxes))
+    )
 
 
 def range_view(

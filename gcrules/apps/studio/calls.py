@@ -16,7 +16,6 @@ import json
 import re
 import shlex
 from collections.abc import Iterator, Sequence
-from typing import Literal
 
 from gcrules.core.dataclass import dataclass
 
@@ -39,14 +38,16 @@ def quoted(word: str) -> str:
 
 @dataclass(frozen=True)
 class Option:
-    """A flag of the command, and what the function calls it; a tuple repeats the flag, True needs no value."""
+    """A flag of the command, and what the function calls it, "" where it does not need it; a tuple repeats the flag,
+    True and False need no value.
+    """
 
     flag: str
     keyword: str
-    value: str | float | tuple[str, ...] | Literal[True]
+    value: str | float | tuple[str, ...] | bool
 
     def words(self) -> Iterator[str]:
-        if self.value is True:
+        if isinstance(self.value, bool):
             yield self.flag
             return
         for value in self.value if isinstance(self.value, tuple) else (self.value,):
@@ -55,16 +56,17 @@ class Option:
 
     def argument(self) -> str:
         value = list(self.value) if isinstance(self.value, tuple) else self.value
-        return f"{self.keyword}={value if value is True else json.dumps(value, ensure_ascii=False)}"
+        return f"{self.keyword}={value if isinstance(value, bool) else json.dumps(value, ensure_ascii=False)}"
 
 
 @dataclass(frozen=True)
 class Call:
-    """`command` of the shell and `function` of Python do the same."""
+    """`command` of the shell and `function` of Python do the same; of its result Python shows these `parts`, or all."""
 
     command: str
     function: str
     options: tuple[Option, ...] = ()
+    parts: tuple[str, ...] = ()
 
     def shell(self, word: str, mode: str | None = None) -> str:
         modes = [f"--mode={quoted(mode)}"] if mode else []
@@ -85,5 +87,10 @@ class Call:
         if not self.function:
             return ""
         loaded = ", ".join([json.dumps(word, ensure_ascii=False), *([f"mode={json.dumps(mode)}"] if mode else [])])
-        arguments = ", ".join(["robot", *(o.argument() for o in self.options)])
-        return f"import gcrules as gc\n\nrobot = gc.load({loaded})\nprint(gc.{self.function}({arguments}))"
+        arguments = ", ".join(["robot", *(o.argument() for o in self.options if o.keyword)])
+        lines = [f"robot = gc.load({loaded})"]
+        if self.parts:
+            lines += [f"found = gc.{self.function}({arguments})", *(f"print(found.{part})" for part in self.parts)]
+        else:
+            lines.append(f"print(gc.{self.function}({arguments}))")
+        return "\n".join(["import gcrules as gc", "", *lines])

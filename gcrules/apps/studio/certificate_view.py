@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from typing import Literal
 
 from gcrules.apps.studio.boxes_view import range_view, rest_at
+from gcrules.apps.studio.kept import kept
 from gcrules.apps.studio.protocol.requests import PoseJson
 from gcrules.apps.studio.protocol.where_views import CertificateAnswer, CertifiedPlaceView
 from gcrules.apps.studio.subject import Subject
@@ -20,7 +21,7 @@ from gcrules.poses.certificates.certify import certified
 from gcrules.screws.pose_text import pose_of
 from gcrules.views.results.certificate import check, decided, parts, place_text, seen
 
-__all__ = ["certificate_view"]
+__all__ = ["certificate_of", "certificate_view"]
 
 _TIME = 240.0  # s, after which the answer tells what is decided
 
@@ -39,10 +40,7 @@ def certificate_view(
     """A certificate of so many boxes at most over the ranges, the other coordinates as they are at the pose. Raises
     InputError for what makes no sense, and where something has no closed form.
     """
-    report("proving boxes")
-    m = subject.mechanism
-    question = asked(m, over, rest_at(m, over, pose), limits or None, cone or None, tilt or None, margin)
-    found = certified(question, _TIME, boxes)
+    found = certificate_of(subject, over, pose, margin, limits, boxes, cone=cone, tilt=tilt)
     return {
         **range_view(found, parts(found), found.decided, decided(found), seen(found), drawn=True),
         "answer": found.verdict,  # type: ignore[typeddict-item]  # those of certificates
@@ -56,6 +54,25 @@ def certificate_view(
         },
         "check": check(found),
     }
+
+
+@kept
+def certificate_of(
+    subject: Subject,
+    over: Sequence[str],
+    pose: PoseJson,
+    margin: float,
+    limits: str | None,
+    boxes: int,
+    *,
+    cone: str | None,
+    tilt: str | None,
+) -> Certificate:
+    """The same as a value of the library. Raises InputError likewise."""
+    report("proving boxes")
+    m = subject.mechanism
+    question = asked(m, over, rest_at(m, over, pose), limits or None, cone or None, tilt or None, margin)
+    return certified(question, _TIME, boxes)
 
 
 def _place(subject: Subject, c: Certificate) -> CertifiedPlaceView | None:

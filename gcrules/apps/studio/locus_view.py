@@ -8,6 +8,7 @@ from fractions import Fraction
 from typing import Any
 
 from gcrules.apps.studio.items import fact
+from gcrules.apps.studio.kept import kept
 from gcrules.apps.studio.protocol.locus_views import (
     LocusAnswer,
     LocusFactorView,
@@ -23,11 +24,12 @@ from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import LimitReached
 from gcrules.mechanisms.kinematics.solve import free_coordinates
 from gcrules.mechanisms.limbs import Limbs
+from gcrules.mechanisms.mechanism import Mechanism
 from gcrules.mechanisms.six_legs import SixLegs
 from gcrules.poses.loci.elimination import FormalRoot
 from gcrules.poses.loci.form import PolynomialForm
 from gcrules.poses.loci.limb_question import variable
-from gcrules.poses.loci.limb_report import LocusPart
+from gcrules.poses.loci.limb_report import LocusPart, RobotLocus
 from gcrules.poses.loci.locus import locus_of
 from gcrules.poses.loci.polynomial import degrees_of
 from gcrules.poses.loci.report import Locus, LocusFactor
@@ -38,7 +40,7 @@ from gcrules.views.results import locus as of_legs
 from gcrules.views.results import robot_locus as of_limbs
 from gcrules.views.results.locus import form_latex
 
-__all__ = ["locus_view"]
+__all__ = ["AskedLocus", "asked_locus", "locus_at", "locus_view"]
 
 _DENOMINATORS = 1000  # of quaternions: coefficients have their sixth powers
 _SAME = 1e-12  # radians, of rounding
@@ -46,10 +48,8 @@ _SAME = 1e-12  # radians, of rounding
 
 def locus_view(subject: Subject, pose: PoseJson, over: Sequence[str] | None) -> LocusAnswer:
     """Over these coordinates, or over the position, else over all. Raises InputError and LimitReached as `locus`."""
-    m = subject.mechanism
-    asked = method(_ASKED, m, "the locus")(pose, over)
-    report("eliminating the joints")
-    found = locus_of(m, asked.free, asked.fix, asked.at)
+    asked = asked_locus(subject.mechanism, pose, over)
+    found = locus_at(subject, pose, over)
     told: Any = of_legs if isinstance(found, Locus) else of_limbs
     roots = () if isinstance(found, Locus) or found.multiplied else found.roots
     numbered = [] if isinstance(found, Locus) else _numbered(found.parts)
@@ -63,11 +63,19 @@ def locus_view(subject: Subject, pose: PoseJson, over: Sequence[str] | None) -> 
     }
 
 
+@kept
+def locus_at(subject: Subject, pose: PoseJson, over: Sequence[str] | None) -> Locus | RobotLocus:
+    """The same as a value of the library. Raises InputError and LimitReached likewise."""
+    asked = asked_locus(subject.mechanism, pose, over)
+    report("eliminating the joints")
+    return locus_of(subject.mechanism, asked.free, asked.fix, asked.at)
+
+
 # --- what is asked -------------------------------------------------------------------------------------------------
 
 
 @dataclass(frozen=True)
-class _Asked:
+class AskedLocus:
     """The `free` coordinates, the others as `locus` takes them, `fix` and `at`, and how they were rounded."""
 
     free: tuple[str, ...]
@@ -76,11 +84,16 @@ class _Asked:
     notes: tuple[str, ...]
 
 
-def _of_legs(m: SixLegs, pose: PoseJson, over: Sequence[str] | None) -> _Asked:
+def asked_locus(m: Mechanism, pose: PoseJson, over: Sequence[str] | None) -> AskedLocus:
+    """Which polynomial is asked for at a pose of the page. Raises InputError where the robot does not assemble."""
+    return method(_ASKED, m, "the locus")(pose, over)
+
+
+def _of_legs(m: SixLegs, pose: PoseJson, over: Sequence[str] | None) -> AskedLocus:
     return _at(pose["translation"], pose["quaternion"], over)
 
 
-def _at(translation: Sequence[float], quaternion: Sequence[float], over: Sequence[str] | None) -> _Asked:
+def _at(translation: Sequence[float], quaternion: Sequence[float], over: Sequence[str] | None) -> AskedLocus:
     """At a turn with short numbers."""
     largest = max(quaternion, key=abs)
     w, x, y, z = (Fraction(c / largest).limit_denominator(_DENOMINATORS) for c in quaternion)
@@ -88,10 +101,10 @@ def _at(translation: Sequence[float], quaternion: Sequence[float], over: Sequenc
     near = [float(n) * math.copysign(1.0, largest) for n in (w, x, y, z)]
     apart = math.dist(*([n / math.hypot(*q) for n in q] for q in (quaternion, near)))
     notes = _away(f"the quaternion {w}, {x}, {y}, {z}", 4 * math.asin(apart / 2))
-    return _Asked(tuple(over or SHIFTS), None, Pose((a, b, c), (w, x, y, z)), notes)
+    return AskedLocus(tuple(over or SHIFTS), None, Pose((a, b, c), (w, x, y, z)), notes)
 
 
-def _of_limbs(m: Limbs, pose: PoseJson, over: Sequence[str] | None) -> _Asked:
+def _of_limbs(m: Limbs, pose: PoseJson, over: Sequence[str] | None) -> AskedLocus:
     if has_six_legs(m):
         there = pose_of(coordinates_at(m, pose, (*SHIFTS, *TURNS)))
         return _at([round(c, 9) for c in map(float, there.translation)], there.unit_quaternion, over)
@@ -108,7 +121,7 @@ def _of_limbs(m: Limbs, pose: PoseJson, over: Sequence[str] | None) -> _Asked:
         tangent = Fraction(math.tan(value / 2)).limit_denominator(_DENOMINATORS)
         fix[variable(n)] = tangent
         notes += _away(f"{variable(n)} = {tangent}", abs(2 * math.atan(tangent) - value))
-    return _Asked(free, fix or None, None, notes)
+    return AskedLocus(free, fix or None, None, notes)
 
 
 def _away(what: str, angle: float) -> tuple[str, ...]:
@@ -119,7 +132,7 @@ def _away(what: str, angle: float) -> tuple[str, ...]:
     return (f"So that coefficients are short, the turn is taken as {what}, {away}.",)
 
 
-_ASKED: Methods[_Asked] = {SixLegs: _of_legs, Limbs: _of_limbs}
+_ASKED: Methods[AskedLocus] = {SixLegs: _of_legs, Limbs: _of_limbs}
 """How it is asked of each kind of mechanism."""
 
 

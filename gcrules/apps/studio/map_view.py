@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 
 from gcrules.apps.studio.items import fact
+from gcrules.apps.studio.kept import kept
 from gcrules.apps.studio.moving import amounts_at
 from gcrules.apps.studio.numbers import exact_pose
 from gcrules.apps.studio.protocol.motion_views import CurveView, MapAnswer, PlacedPose
@@ -38,7 +39,7 @@ from gcrules.poses.methods import Methods, method
 from gcrules.screws.threshold import DEFAULT, Threshold
 from gcrules.views.results.map import account
 
-__all__ = ["map_view", "place_view", "planned_map", "rest_of_map"]
+__all__ = ["map_of", "map_view", "place_view", "planned_map", "rest_of_map"]
 
 MAX_NODES = 20_000
 """Poses of a map in the page."""
@@ -50,13 +51,7 @@ def map_view(
     """The map over two coordinates, the others as they are at the pose. Raises InputError where there is none,
     LimitReached for more than `MAX_NODES` poses.
     """
-    plan = planned_map(subject, over, pose, threshold_of(threshold, subject.unit), measure or "margin")
-    if plan.task.grid.size > MAX_NODES:
-        raise LimitReached(
-            f"{plan.task.grid.size:,} poses: more than {MAX_NODES:,} in a map of the page",
-            hint="take a coarser grid; `gcrules map` takes it",
-        )
-    found = done(plan)
+    found = map_of(subject, over, pose, threshold, measure)
     return {
         "axes": [_axis(a) for a in found.grid.axes],
         "curves": [stretch for c in found.curves for stretch in _stretches(c)],
@@ -67,6 +62,20 @@ def map_view(
         "statement": found.sentence,
         "facts": [fact(name, value) for name, value in account(found)],
     }
+
+
+@kept
+def map_of(
+    subject: Subject, over: Sequence[str], pose: PoseJson, threshold: str | None, measure: str | None = None
+) -> SingularMap:
+    """The same as a value of the library. Raises InputError and LimitReached likewise."""
+    plan = planned_map(subject, over, pose, threshold_of(threshold, subject.unit), measure or "margin")
+    if plan.task.grid.size > MAX_NODES:
+        raise LimitReached(
+            f"{plan.task.grid.size:,} poses: more than {MAX_NODES:,} in a map of the page",
+            hint="take a coarser grid; `gcrules map` takes it",
+        )
+    return done(plan)
 
 
 def place_view(subject: Subject, over: Sequence[str], pose: PoseJson, place: Sequence[float]) -> PlacedPose:

@@ -8,7 +8,7 @@ from math import degrees, isfinite, log10, radians
 
 import numpy as np
 
-from gcrules.apps.studio.actuators_view import actuator_views, jacobian_facts, reaches
+from gcrules.apps.studio.actuators_view import actuator_views, jacobian_facts
 from gcrules.apps.studio.protocol.answer_views import Numbers
 from gcrules.apps.studio.protocol.requests import PoseJson
 from gcrules.apps.studio.protocol.study_views import Axis
@@ -30,6 +30,7 @@ from gcrules.poses.numbers.motion import Twist
 from gcrules.poses.signs.of_limbs import DETERMINANT, signs_of_limbs
 from gcrules.screws.pose_text import ANGLES, SHIFTS, TURNS
 from gcrules.screws.threshold import DEFAULT, angle_threshold
+from gcrules.views.results.actuators import reaches
 from gcrules.views.results.amplification import actuator_notes
 from gcrules.views.results.singularity_types import in_words
 from gcrules.views.robots.limb_views import limb_views, unit_directions

@@ -11,10 +11,19 @@ from starlette.responses import PlainTextResponse, Response
 from gcrules.core.dataclass import dataclass
 from gcrules.views.viewer import FOLDER
 
-__all__ = ["STATIC", "Pages"]
+__all__ = ["STATIC", "Pages", "guide_folder"]
 
 STATIC = (Path(__file__).parent / "static", FOLDER)
 """The page, and the viewer that it shares with reports and notebooks."""
+
+
+def guide_folder() -> Path | None:
+    """The guide that `make docs` has built beside the package, in a checkout of the sources; None where there is none:
+    what is installed from a package comes without it.
+    """
+    built = Path(__file__).resolve().parents[3] / "build" / "site"
+    return built if (built / "index.html").is_file() else None
+
 
 _TYPES = {
     ".html": "text/html; charset=utf-8",
@@ -23,6 +32,10 @@ _TYPES = {
     ".woff2": "font/woff2",
     ".svg": "image/svg+xml",
     ".txt": "text/plain; charset=utf-8",
+    ".png": "image/png",
+    ".woff": "font/woff",
+    ".ttf": "font/ttf",
+    ".json": "application/json",
 }
 _KEPT = {".woff2": "max-age=604800"}
 """How long a browser keeps a file without asking; for others it asks each time whether they have changed."""
@@ -43,11 +56,12 @@ class Pages:
     def __init__(self, *folders: Path) -> None:
         self.folders = folders or STATIC
         self.known: dict[Path, _File] = {}
+        self.listed: dict[str, Path] = {}
 
     async def answer(self, request: Request) -> Response:
         """The file that is asked for."""
         name = request.path_params.get("name", "") or "index.html"
-        path = self._listed().get(name)
+        path = self._path(name)
         if path is None:
             missing = _NOT_BUILT if name == "index.html" else "There is no such file.\n"
             return PlainTextResponse(missing, 404)
@@ -56,6 +70,12 @@ class Pages:
         if request.headers.get("if-none-match") == file.tag:
             return Response(status_code=304, headers=headers)
         return Response(file.data, media_type=_TYPES[path.suffix], headers=headers)
+
+    def _path(self, name: str) -> Path | None:
+        """The file of this name; they are listed again where there is none, or it is gone."""
+        if name not in self.listed or not self.listed[name].is_file():
+            self.listed = self._listed()
+        return self.listed.get(name)
 
     def _listed(self) -> dict[str, Path]:
         """What there is, by the name in the address: nothing outside the folder has one."""

@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from functools import partial
 from typing import Any
 
 import numpy as np
 
 from gcrules.apps.studio.items import fact
+from gcrules.apps.studio.kept import kept
+from gcrules.apps.studio.moving import displacement
 from gcrules.apps.studio.numbers import exact_pose
 from gcrules.apps.studio.protocol.motion_views import (
     DetourView,
@@ -19,8 +22,9 @@ from gcrules.apps.studio.protocol.motion_views import (
 from gcrules.apps.studio.protocol.requests import PoseJson
 from gcrules.apps.studio.subject import Subject
 from gcrules.apps.studio.thresholds import threshold_of
-from gcrules.apps.studio.whereabouts import poses_of_limbs, reached
+from gcrules.apps.studio.whereabouts import poses_of_limbs, reached, solved_at
 from gcrules.core.budget import checkpoint, report
+from gcrules.core.dataclass import dataclass
 from gcrules.core.english import as_sentence
 from gcrules.mechanisms.kinematics.leading import leading
 from gcrules.mechanisms.limbs import Limbs
@@ -38,7 +42,7 @@ from gcrules.views.plots.path_plot import FRAME
 from gcrules.views.results.path_account import PathAccount, PathPlace, PathStretch
 from gcrules.views.results.plan import waypoint_text
 
-__all__ = ["ends", "path_view"]
+__all__ = ["Way", "ends", "path_view", "way_of"]
 
 _SHOWN = {PathReport: 100, RobotPath: 40}  # samples to which it can be moved; the loops of a robot are closed for each
 _MOST = 100  # places that are listed
@@ -63,17 +67,41 @@ def path_view(
 
     Raises InputError where there is no such path.
     """
+    way = way_of(subject, start, goal, to, limit, around=around, through=through)
+    _, posed = method(_ENDS, subject.mechanism, "a path")(start, goal, to, through)
+    platform = partial(_PLATFORM[type(way.path)], subject)
+    return _view(way.path, posed(way.path), platform, None if way.plan is None else _detour(way.plan))
+
+
+@dataclass(frozen=True)
+class Way:
+    """A path; where a way around singular poses was looked for, the `plan` that came of it too."""
+
+    path: PathReport | RobotPath
+    plan: Plan | None = None
+
+
+@kept
+def way_of(
+    subject: Subject,
+    start: PoseJson | None,
+    goal: PoseJson,
+    to: str | None,
+    limit: str | None,
+    *,
+    around: bool,
+    through: Sequence[PoseJson] = (),
+) -> Way:
+    """The same as values of the library. Raises InputError likewise."""
     m = subject.mechanism
-    poses, posed = method(_ENDS, m, "a path")(start, goal, to, through)
-    detour = None
+    poses, _ = method(_ENDS, m, "a path")(start, goal, to, through)
+    plan: Plan | None = None
     if around:
         report("looking for a way")
-        found = plan_of(m, poses[0], poses[-1])
-        detour = _detour(found)
-        poses = list(found.poses) or poses
+        plan = plan_of(m, poses[0], poses[-1])
+        poses = list(plan.poses) or poses
     report("going along the path")
-    path = path_of(m, poses, threshold=threshold_of(limit, m.unit))
-    return _view(path, posed(path), detour)
+    return Way(path_of(m, poses, threshold=threshold_of(limit, m.unit)), plan)
 
 
 def ends(
@@ -113,7 +141,21 @@ _ENDS: Methods[tuple[list[Any], Callable[[Any], PosedAt]]] = {SixLegs: _of_legs,
 """The poses of a path, and what tells the page's pose of a sample of what was found."""
 
 
-def _view(found: Found, posed: PosedAt, detour: DetourView | None) -> PathAnswer:
+def _displaced(subject: Subject, pose: PoseJson) -> PoseJson:
+    assert subject.limbs is not None
+    return displacement(subject.limbs.linkage, solved_at(subject.limbs, pose), subject.about)
+
+
+_PLATFORM: dict[type[Found], Callable[[Subject, PoseJson], PoseJson]] = {
+    PathReport: lambda _, pose: pose,
+    RobotPath: _displaced,
+}
+"""Where the platform is in a pose of the page."""
+
+
+def _view(
+    found: Found, posed: PosedAt, platform: Callable[[PoseJson], PoseJson], detour: DetourView | None
+) -> PathAnswer:
     a: PathAccount = shown(found, "account")
     margins = found.numbers.margin if isinstance(found, PathReport) else found.margins
     places = [p.parameter for p in a.places[:_MOST]]
@@ -126,7 +168,9 @@ def _view(found: Found, posed: PosedAt, detour: DetourView | None) -> PathAnswer
         at = float(found.parameters[k])
         poses[at] = posed(k) if lost < _LOST else None
         lost = 0 if poses[at] else lost + 1
-        samples.append({"parameter": at, "margin": float(margins[k]), "pose": poses[at]})
+        there = poses[at]
+        where = None if there is None else platform(there)
+        samples.append({"parameter": at, "margin": float(margins[k]), "pose": there, "platform": where})
     left, right, top, bottom = FRAME
     return {
         "verdict": a.verdict,

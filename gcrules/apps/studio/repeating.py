@@ -14,10 +14,11 @@ from gcrules.apps.repl.tables import STATEMENTS, meant
 from gcrules.apps.studio.bench_repeating import Rules, prompt_lines
 from gcrules.apps.studio.boxes_view import rest_at
 from gcrules.apps.studio.calls import Call, Option
-from gcrules.apps.studio.export import saved
+from gcrules.apps.studio.locus_view import asked_locus
 from gcrules.apps.studio.map_view import rest_of_map
 from gcrules.apps.studio.numbers import exact_pose
 from gcrules.apps.studio.path_view import ends
+from gcrules.apps.studio.posed import file_there
 from gcrules.apps.studio.protocol.answer_views import Repeated, RepeatedFile
 from gcrules.apps.studio.protocol.methods import METHODS
 from gcrules.apps.studio.protocol.requests import HOME, THRESHOLD, PoseJson
@@ -29,10 +30,11 @@ from gcrules.mechanisms.kinematics.leading import leading
 from gcrules.mechanisms.kinematics.solve import free_coordinates
 from gcrules.mechanisms.limbs import Limbs
 from gcrules.mechanisms.load import is_xml, kind_of_id
+from gcrules.poses.loci.variables import ROTATIONS
 from gcrules.poses.maps.axes import ACTUATOR, read_axes
 from gcrules.poses.plans.report import Waypoint
 from gcrules.screws.pose import Pose
-from gcrules.screws.pose_text import ANGLES
+from gcrules.screws.pose_text import ANGLES, SHIFTS
 from gcrules.views.results.plan import waypoint_text
 
 __all__ = ["repeated"]
@@ -44,7 +46,7 @@ def repeated(subject: Subject | None, what: str, args: Args, folders: Sequence[s
     """The lines for a method with these arguments, in a studio with these folders of plugins. Raises
     InputError for what is no such argument, and where nothing repeats it.
     """
-    asked = METHODS[what].check(args, "args")
+    asked = METHODS[_OF.get(what, what)].check(args, "args")
     if what == "bench":
         return _bench(subject, asked["text"], Rules.of(asked.get("rules", ()), folders))
     if subject is None:
@@ -75,8 +77,8 @@ def _named(subject: Subject, *, alone: bool) -> tuple[str, str | None, RepeatedF
         if name.startswith("<"):
             name = file_name(subject.title, "xml" if is_xml(text) else "yaml")
         return name, source.get("mode"), {"name": name, "text": text}
-    found = saved(subject, HOME, "yaml", None)
-    return found["name"], None, {"name": found["name"], "text": found["data"]}
+    name = file_name(subject.title, "yaml")
+    return name, None, {"name": name, "text": file_there(subject, HOME)}
 
 
 # --- poses in words --------------------------------------------------------------------------------------------------
@@ -129,6 +131,28 @@ def _pose(subject: Subject, args: Args) -> Call:
     else:
         options = [] if at_home(args["pose"]) else _at(_words(exact_pose(args["pose"])))
     return Call("pose", "pose", (*options, *_limit(args)))
+
+
+def _actuators(subject: Subject, args: Args) -> Call:
+    """The numbers of the pose as one object, in which the legs or actuators stand one by one."""
+    posed = _pose(subject, args)
+    of_legs = [Option("--accuracy", "accuracy", "0")] if subject.legs and subject.robot else []  # not of its slides
+    options = (*posed.options, *of_legs, Option("--no-nearest", "nearest", False), Option("--json", "", True))
+    return Call(posed.command, posed.function, options, ("actuator_values", "jacobian.amplification"))
+
+
+def _locus(subject: Subject, args: Args) -> Call:
+    asked = asked_locus(subject.mechanism, args["pose"], args.get("over"))
+    given = dict(asked.fix or {}) if asked.at is None else _exactly(asked.at, asked.free)
+    fixed = [Option("--fix", "fix", ", ".join(f"{n}={c}" for n, c in given.items()))] if given else []
+    return Call("locus", "locus", (Option("--over", "over", ", ".join(asked.free)), *fixed))
+
+
+def _exactly(at: Pose, free: Sequence[str]) -> dict[str, Any]:
+    """The other variables of a pose with all their digits; a quaternion there may have any length."""
+    shift = {n: c for n, c in zip(SHIFTS, at.translation, strict=True) if n not in free}
+    turn = dict(zip(ROTATIONS["quaternion"], at.quaternion, strict=True))
+    return shift | turn if any(at.quaternion[1:]) or any(shift.values()) else {}
 
 
 def _path(subject: Subject, args: Args) -> Call:
@@ -187,9 +211,11 @@ def _boxed(command: str, function: str) -> Callable[[Subject, Args], Call]:
 _CALLS: Mapping[str, Callable[[Subject, Args], Call]] = {
     "open": lambda subject, args: Call("analyze", "analyze"),
     "pose": _pose,
+    "actuators": _actuators,
     "path": _path,
     "map": _map,
     "surface": _map,
+    "locus": _locus,
     "assemblies": _assemblies,
     "aspects": lambda subject, args: Call("aspects", "aspects"),
     "free": _free,
@@ -198,6 +224,9 @@ _CALLS: Mapping[str, Callable[[Subject, Args], Call]] = {
     "manual": lambda subject, args: Call("analyze", "", (Option("--propose", "", tuple(args["commands"])),)),
 }
 
+
+_OF = {"actuators": "pose"}
+"""The method whose arguments it has, where that is another one."""
 
 _CONTROLS = re.compile(r"[^\S\n\t ]|[\x00-\x08\x0e-\x1f\x7f-\x9f]")
 """What a terminal may take for a key, where a line is pasted into it."""

@@ -47,13 +47,19 @@ def _load(alone: bool) -> None:
 
 class Service:
     """Answers for all pages; `opened` is the source that the command, or Python, was given, `shared` its pose where
-    Python follows it, `folders` those of plugins.
+    Python follows it, `folders` those of plugins; `guide` says whether the guide is served beside the page.
     """
 
     def __init__(
-        self, opened: SourceJson | None = None, shared: SharedPose | None = None, folders: tuple[str, ...] = ()
+        self,
+        opened: SourceJson | None = None,
+        shared: SharedPose | None = None,
+        folders: tuple[str, ...] = (),
+        *,
+        guide: bool = False,
     ) -> None:
         self.opened = opened
+        self.guide = guide
         self.shared = shared
         self.folders = folders
         self.instance = secrets.token_hex(8)
@@ -68,6 +74,7 @@ class Service:
             "instance": self.instance,
             "opened": self.opened,
             "shared": self.shared is not None,
+            "guide": self.guide,
         }
 
     async def follow(self, args: FollowArgs) -> Followed:

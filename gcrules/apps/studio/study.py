@@ -22,6 +22,7 @@ from gcrules.mechanisms.kinematics.leg_amplification import LEGS
 from gcrules.mechanisms.limbs import Limbs
 from gcrules.mechanisms.models.imported import Imported
 from gcrules.mechanisms.six_legs import SixLegs
+from gcrules.poses.loci.slices import slices, why_no_locus
 from gcrules.poses.maps.axes import TRANSLATION, TURNS
 from gcrules.poses.methods import Methods, method
 from gcrules.rules.condition import Condition
@@ -38,7 +39,7 @@ _PART = 0.2  # of a shift
 
 def study(subject: Subject) -> Study:
     """Everything about the structure, for the page."""
-    a, bodies = subject.analysis, subject.mechanism.bodies
+    a, bodies, scenery = subject.analysis, subject.mechanism.bodies, subject.scenery
     report("stages")
     ranges = method(_RANGES, subject.mechanism, "a map")(subject)
     return {
@@ -59,10 +60,13 @@ def study(subject: Subject) -> Study:
         "ranges": ranges,
         "wholes": method(_WHOLES, subject.mechanism, "a map of whole boxes")(subject) if ranges else [],
         "measures": _measures(subject) if ranges else [],
+        "loci": [list(pair) for pair in slices(subject.mechanism)] if ranges else [],
+        "no_locus": why_no_locus(subject.mechanism) if ranges else "",
         "entry": _entry(a) if a else None,
         "schematic": schematic(a.structure) if a and a.structure.joined and a.structure.rank == 4 else "",
         "stages": stage_views(subject),
         "entities": entity_views(a) if a else [],
+        "recipe": scenery.recipe if subject.moving and scenery and scenery.movable else None,
         "condition": condition_view(a.structure, a.condition) if a else _none(subject),
         "readings": [condition_view(a.structure, r) for r in a.readings] if a else [],
         "robot": robot_view(subject.robot, subject.mechanism.mobility, subject.home) if subject.robot else None,

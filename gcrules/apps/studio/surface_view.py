@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from gcrules.apps.studio.items import fact
+from gcrules.apps.studio.kept import kept
 from gcrules.apps.studio.map_view import planned_map
 from gcrules.apps.studio.protocol.motion_views import SurfaceAnswer
 from gcrules.apps.studio.protocol.requests import PoseJson
@@ -21,7 +22,7 @@ from gcrules.poses.maps.report import SingularMap
 from gcrules.screws.threshold import DEFAULT
 from gcrules.views.results.map import account
 
-__all__ = ["surface_view"]
+__all__ = ["surface_of", "surface_view"]
 
 MAX_NODES = 42**3
 """Poses of a surface in the page."""
@@ -31,15 +32,7 @@ def surface_view(subject: Subject, over: Sequence[str], pose: PoseJson) -> Surfa
     """The surface over x, y and z, the other coordinates as they are at the pose. Raises InputError where there is
     none, LimitReached for more than `MAX_NODES` poses.
     """
-    m = subject.mechanism
-    _check(m, [words.split()[0] for words in over])
-    plan = planned_map(subject, over, pose, DEFAULT, "margin")
-    if plan.task.grid.size > MAX_NODES:
-        raise LimitReached(
-            f"{plan.task.grid.size:,} poses: more than {MAX_NODES:,} in a surface of the page",
-            hint="take fewer poses along each coordinate",
-        )
-    found = done(plan)
+    found = surface_of(subject, over, pose)
     order = [found.mesh.names.index(n) for n in TRANSLATION]
     return {
         "vertices": [round(float(c), 9) for c in found.mesh.vertices[:, order].ravel()],
@@ -53,6 +46,19 @@ def surface_view(subject: Subject, over: Sequence[str], pose: PoseJson) -> Surfa
         "facts": [fact(name, value) for name, value in account(found)],
         "held": _held(found),
     }
+
+
+@kept
+def surface_of(subject: Subject, over: Sequence[str], pose: PoseJson) -> SingularMap:
+    """The same as a value of the library. Raises InputError and LimitReached likewise."""
+    _check(subject.mechanism, [words.split()[0] for words in over])
+    plan = planned_map(subject, over, pose, DEFAULT, "margin")
+    if plan.task.grid.size > MAX_NODES:
+        raise LimitReached(
+            f"{plan.task.grid.size:,} poses: more than {MAX_NODES:,} in a surface of the page",
+            hint="take fewer poses along each coordinate",
+        )
+    return done(plan)
 
 
 def _check(m: Mechanism, names: Sequence[str]) -> None:

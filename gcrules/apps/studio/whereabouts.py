@@ -35,6 +35,7 @@ __all__ = [
     "pose_json",
     "poses_of_limbs",
     "reached",
+    "solved_at",
 ]
 
 SHORT = 0.0, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2

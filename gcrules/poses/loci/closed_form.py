@@ -35,7 +35,7 @@ from gcrules.poses.compiling.tape import BINARY
 from gcrules.poses.compiling.vectors import Vector
 from gcrules.screws.pose_text import SHIFTS
 
-__all__ = ["ClosedFactor", "ClosedForm", "closed_form"]
+__all__ = ["ClosedFactor", "ClosedForm", "closed_form", "why_none"]
 
 _EQUAL = 1e-9  # of places, in parts of the robot's size
 
@@ -100,7 +100,7 @@ class ClosedForm:
 
 def closed_form(m: Limbs, coordinates: tuple[str, ...]) -> ClosedForm:
     """Its closed form. Raises InputError, with what there is instead, where none is found."""
-    reason = _unfit(m)
+    reason = why_none(m)
     if reason:
         raise InputError(f"{m.robot.id} has no locus as a polynomial: {reason}", hint=_INSTEAD)
     home = Target(coordinates, np.zeros(len(coordinates)))
@@ -137,7 +137,8 @@ def _names(m: Limbs) -> tuple[str, ...]:
     return tuple(dict.fromkeys(n for part in parts for e in (part.expression, part.over) for n in points_of(e)))
 
 
-def _unfit(m: Limbs) -> str:
+def why_none(m: Limbs) -> str:
+    """Why it has no locus as a polynomial, whatever the coordinates; "" where it may have one."""
     if m.analysis.lines is None:
         return "the wrenches of its limbs are no lines of its points, so that it has no condition"
     if m.robot.redundant:

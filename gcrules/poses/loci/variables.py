@@ -20,7 +20,7 @@ from gcrules.poses.numbers.pose_arguments import read_one
 from gcrules.screws.pose import Pose, exact, read_number
 from gcrules.screws.rotations import Quaternion, check_sequence, product
 
-__all__ = ["Question", "images", "question", "read_fixed", "read_free"]
+__all__ = ["ROTATIONS", "Question", "images", "question", "read_fixed", "read_free"]
 
 TRANSLATION = ("x", "y", "z")
 ROTATIONS = {"quaternion": ("e0", "e1", "e2", "e3"), "rodrigues": ("c1", "c2", "c3")}

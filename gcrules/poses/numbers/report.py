@@ -12,9 +12,11 @@ from gcrules.core.floats import as_float
 from gcrules.core.shown import Shown
 from gcrules.mechanisms.kinematics.wrenches import WrenchJacobian
 from gcrules.mechanisms.moving_platform import MovingPlatform
+from gcrules.poses.numbers.arrays import from_poses
 from gcrules.poses.numbers.motion import Dependence, Twist
 from gcrules.poses.numbers.nearest_pose import NearestPose
 from gcrules.rules.condition import Condition
+from gcrules.screws.margin import jacobian
 from gcrules.screws.pose import Pose
 from gcrules.screws.threshold import Threshold, degrees
 
@@ -90,6 +92,12 @@ class PoseReport(Shown):
         """The superbracket as a float, in the unit to the ninth power; infinite or 0 where a float cannot hold it."""
         return as_float(self.superbracket)
 
+    @property
+    def actuator_values(self) -> dict[str, float]:
+        """The lengths of the legs, by name."""
+        found = jacobian(self.rig.base, self.rig.ends(*from_poses([self.pose])))
+        return dict(zip(self.jacobian.actuators, found.lengths[0].tolist(), strict=True))
+
     def to_json(self) -> dict[str, Any]:
         """One JSON object; numbers that are infinite, beyond floats or not valid are null."""
         exact = str(self.superbracket)
@@ -101,6 +109,10 @@ class PoseReport(Shown):
             "platform": list(self.rig.structure.platform),
             "about": [float(c) for c in self.rig.centre],
             "pose": self.pose.to_json(),
+            "actuators": [
+                {"name": name, "unit": self.rig.unit or "length", "value": value}
+                for name, value in self.actuator_values.items()
+            ],
             "value": self.value if math.isfinite(self.value) and (self.value or not self.superbracket) else None,
             "exact": exact if len(exact) <= _LONGEST else None,
             "margin": self.margin,

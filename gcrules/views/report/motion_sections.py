@@ -27,14 +27,14 @@ picture = deferred("gcrules.views.plots.map_plot:picture")  # matplotlib, an ext
 _MOST = 100  # places that are listed; the JSON object of `gcrules path` holds all
 
 
-def path_html(r: PathReport | RobotPath, m: SixLegs | Limbs, *, live: bool) -> str:
+def path_html(r: PathReport | RobotPath, m: SixLegs | Limbs, *, live: bool, title: str = "Along a path") -> str:
     """Verdict and reason, the margin along the path, a table of the singular places and of what is not decided; in a
     page that is `live` a 3D view that goes along it.
     """
     a: PathAccount = shown(r, "account")
     words = "The margin along the path" + ("; singular places bear the numbers of the table." if a.places else ".")
     figure = f'<figure class="plot">{shown(r, "svg")}<figcaption>{words}</figcaption></figure>'
-    head = f'<h2>Along a path</h2><p class="verdict">{escape(a.verdict.capitalize())}</p>'
+    head = f'<h2>{escape(title)}</h2><p class="verdict">{escape(a.verdict.capitalize())}</p>'
     reason = f'<p class="why">{escape(a.reason)}</p>'
     view = path_lead(r, m) if live else ""
     return (
@@ -69,12 +69,12 @@ def _paragraphs(*words: str) -> str:
     return "".join(f"<p>{escape(one)}</p>" for one in words)
 
 
-def map_html(r: SingularMap, m: SixLegs | Limbs, *, live: bool) -> str:
+def map_html(r: SingularMap, m: SixLegs | Limbs, *, live: bool, title: str = "") -> str:
     """The picture, the sentence that says what is proved, and what was computed."""
-    over = " and ".join(a.name for a in r.grid.axes)
+    title = title or f"Map over {listed([a.name for a in r.grid.axes])}"
     facts = account(r)
     proof = f'<p class="proof">{escape(as_sentence(r.guarantee))}</p>'
-    head = f"<h2>Map over {escape(over)}</h2>"
+    head = f"<h2>{escape(title)}</h2>"
     return f'<section class="motion">{head}{proof}{_picture(r)}{facts_html(facts)}</section>'
 
 

@@ -16,6 +16,9 @@
     stage.remove();
     throw fault;
   }
+  const { pose, drive } = scene.start ?? {};
+  if (pose) window.robot.setPose(pose);
+  if (drive) window.robot.drive(drive);
 
   const SAME = 1e-3; // margins that differ by more are those of different configurations
   const calm = matchMedia("(prefers-reduced-motion: reduce)");

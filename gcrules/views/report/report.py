@@ -9,7 +9,7 @@ from typing import Any
 from gcrules.algebra import expr as ex
 from gcrules.algebra.expr import Expr
 from gcrules.conditions.analysis import Analysis
-from gcrules.conditions.pose_value import Coordinates, PoseValue
+from gcrules.conditions.pose_value import Coordinates
 from gcrules.core.deferred import deferred
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.rules.derivation import Step
@@ -20,7 +20,10 @@ from gcrules.views.report.parts import answer_html
 from gcrules.views.report.report_page import footer, page, robot_figure_html
 from gcrules.views.report.robot_report import moves, robot_report
 from gcrules.views.report.scene_json import drawable, scene
-from gcrules.views.report.stages import Stage, leading_sentences, stages, verdict_of
+from gcrules.views.report.stages import Stage, leading_sentences, stages
+from gcrules.views.report.standing import Standing
+from gcrules.views.report.standing_sections import notes_html, numbers_here_html, repeating_html, started, view_html
+from gcrules.views.report.value_section import value_html
 from gcrules.views.results.derivation import reasons
 
 __all__ = ["fragment", "report"]
@@ -34,33 +37,39 @@ def report(
     interactive: bool = True,
     answers: Sequence[Any] = (),
     about: Any = "centroid",
+    standing: Standing | None = None,
 ) -> str:
     """The HTML page of an analysis; of a platform with coordinates also the robot in its pose and the numbers there, of
     a robot with limbs these too; a section for each answer of `gcrules.poses.questions` for the same robot, with poses
     `about` the same centre.
 
-    `interactive` adds the 3D viewer (about 700 kB), in which the platform can be moved.
+    `interactive` adds the 3D viewer (about 700 kB), in which the platform can be moved. Where a robot is `standing`
+    somewhere, the page shows it there, with numbers, notes, and what repeats it; answers may be `Titled`.
     """
     live = interactive and (moves(analysis) if isinstance(analysis, RobotAnalysis) else drawable(analysis))
-    more = answers_html(analysis, answers, about, live=live) if answers else []
+    own = standing.mechanism if standing else None
+    more = answers_html(analysis, answers, about, live=live, own=own) if answers else []
     if isinstance(analysis, RobotAnalysis):
-        return robot_report(analysis, live=live, more=more)
+        return robot_report(analysis, live=live, more=more, standing=standing)
     platform = analysis.platform
     title = (platform.title if platform else "") or f"Legs {analysis.structure.text()}"
     sections = [
         _header(title, analysis, platform),
         f'<section class="answer">{_answer(analysis)}{_sure(analysis)}</section>',
-        _figures(analysis, live=live),
-        *([_numbers(analysis.pose)] if analysis.pose else []),
+        view_html(standing, title),
+        _figures(analysis, standing, live=live),
+        numbers_here_html(standing) if standing else value_html(analysis.pose) if analysis.pose else "",
+        notes_html(standing),
         *more,
         "<h2>Step by step</h2>",
         '<ol class="stages">',
         *(_stage(s) for s in stages(analysis) if s.id != "pose"),
         "</ol>",
         _derivation(analysis),
+        repeating_html(standing),
         footer(),
     ]
-    return page(title, sections, scene(analysis) if live else None)
+    return page(title, sections, started(scene(analysis) if live else None, standing))
 
 
 def fragment(analysis: Analysis) -> str:
@@ -92,32 +101,20 @@ def _sure(a: Analysis) -> str:
     return f'<p class="sure">{escape(a.condition.certificate.detail)}.</p>'
 
 
-def _figures(a: Analysis, *, live: bool) -> str:
+def _figures(a: Analysis, standing: Standing | None, *, live: bool) -> str:
     if not a.structure.joined:
         return ""
     graph = f"<figure>{graph_figure(a, key=False).svg()}<figcaption>The legs as a graph</figcaption></figure>"
     if not drawable(a):  # no sample shape has such points
         return f'<div class="figures">{graph}</div>'
     caption = "The robot in the pose of the file" if a.platform else "A sample shape (no coordinates were given)"
+    if standing and standing.drawing:
+        caption = "The robot as it stands" if a.platform else "A sample shape as it stands (no coordinates were given)"
     caption += ", with the entities of the condition"
     hint = "Drag to turn the view, shift and turn the platform."
-    robot = robot_figure_html(robot_figure(a).svg(), caption, live=live, hint=hint)
+    drawing = (standing and standing.drawing) or robot_figure(a).svg()
+    robot = robot_figure_html(drawing, caption, live=live, hint=hint)
     return f'<div class="figures">{robot}{graph}</div>'
-
-
-def _numbers(pose: PoseValue) -> str:
-    unit = f" {pose.unit}⁹" if pose.unit else ""
-    rows = [
-        ("Superbracket", f"{float(pose.superbracket):.6g}{unit}", "the determinant of the six lines; 0 means singular")
-    ]
-    if pose.cofactor != 1:
-        rows.append(("Cofactor", f"{float(pose.cofactor):.6g}", "where it is 0 the condition says nothing"))
-        rows.append(("Condition", f"{float(pose.condition):.6g}", "cofactor times superbracket"))
-    meaning = "dimensionless, 0 (singular) to 1, the same in every frame and unit"
-    rows.append(("Margin", f"{pose.margin:.4g}", meaning))
-    body = "".join(f"<tr><th>{n}</th><td>{v}</td><td>{escape(w)}</td></tr>" for n, v, w in rows)
-    head = f'<h2>In this pose</h2><p class="verdict">{verdict_of(pose)}</p>'
-    return f'<section class="numbers {pose.verdict}">{head}<table>{body}</table></section>'
 
 
 def _stage(stage: Stage) -> str:

@@ -13,6 +13,7 @@ from gcrules.core.errors import InputError
 from gcrules.mechanisms.conditions.factor_causes import KINDS, FactorCause
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.mechanisms.limbs import Limbs
+from gcrules.mechanisms.six_legs import SixLegs
 from gcrules.poses.limbs.exact_values import lines_at
 from gcrules.poses.limbs.pose_report import report_of_limbs
 from gcrules.poses.limbs.singular_members import live_parts
@@ -22,9 +23,11 @@ from gcrules.views.drawing.solids import flat_normal
 from gcrules.views.formulas.terms import formula_html
 from gcrules.views.report.items import Formula
 from gcrules.views.report.parts import answer_html
+from gcrules.views.report.pose_section import pose_html
 from gcrules.views.report.report_page import footer, page, robot_figure_html
-from gcrules.views.report.robot_numbers import numbers_html
 from gcrules.views.report.scene_json import scene
+from gcrules.views.report.standing import Standing
+from gcrules.views.report.standing_sections import notes_html, numbers_here_html, repeating_html, started, view_html
 from gcrules.views.results.robot import CONDITION, FACTORS, factor_kind, leading_sentences, sections
 from gcrules.views.robots.entities import DrawnFlat, entities
 from gcrules.views.robots.joint_chain import unit_vector
@@ -41,23 +44,33 @@ def moves(a: RobotAnalysis) -> bool:
     return a.robot.home is not None and bool(a.robot.limbs) and not a.robot.family.plane
 
 
-def robot_report(a: RobotAnalysis, *, live: bool = True, more: Sequence[str] = ()) -> str:
-    """The HTML page of a robot; drawn at home, if the file gives a home configuration, and in 3D in a page that is
-    `live`. `more` are sections of what else was computed.
+def robot_report(
+    a: RobotAnalysis, *, live: bool = True, more: Sequence[str] = (), standing: Standing | None = None
+) -> str:
+    """The HTML page of a robot; drawn at home, if the file gives a home configuration, or as it is `standing`, and in
+    3D in a page that is `live`. `more` are sections of what else was computed.
     """
+    home = a.robot.home is not None and bool(a.robot.limbs)
     parts = [
         _header(a),
         f'<section class="answer">{_answer(a)}<p class="sure">{escape(a.certificate)}</p></section>',
-        _figures(a, home=a.robot.home is not None and bool(a.robot.limbs), live=live),
-        numbers_html(report_of_limbs(Limbs.of(a))) if a.robot.home is not None and a.robot.limbs else "",
+        view_html(standing, a.robot.title),
+        _figures(a, standing, home=home, live=live),
+        numbers_here_html(standing) if standing else _at_home(Limbs.of(a)) if home else "",
+        notes_html(standing),
         *more,
         "<h2>Step by step</h2>",
         '<ol class="stages">',
         *(f"<li><h3>{escape(title)}</h3>{body}</li>" for title, body in _stages(a)),
         "</ol>",
+        repeating_html(standing),
         footer(),
     ]
-    return page(a.robot.title, parts, robot_scene(a) if live else None)
+    return page(a.robot.title, parts, started(robot_scene(a) if live else None, standing))
+
+
+def _at_home(m: Limbs) -> str:
+    return pose_html(report_of_limbs(m), m, "Numbers at home")
 
 
 def _answer(a: RobotAnalysis) -> str:
@@ -160,15 +173,19 @@ def _header(a: RobotAnalysis) -> str:
     return f"<header><h1>{escape(a.robot.title)}</h1>{sub}{note}</header>"
 
 
-def _figures(a: RobotAnalysis, *, home: bool, live: bool) -> str:
+def _figures(a: RobotAnalysis, standing: Standing | None, *, home: bool, live: bool) -> str:
     graph = ""
     if a.lines is not None and a.lines.structure.joined and a.lines.structure.rank == 4:
         drawing = graph_figure(a.lines, key=False).svg()
         graph = f"<figure>{drawing}<figcaption>The equivalent lines as a graph</figcaption></figure>"
     robot = ""
     if home:
-        words = "The robot at home with the wrenches of its limbs, and the lines that stand for them"
-        robot = robot_figure_html(draw_robot(a, a.robot.values_at()).svg(), words)
+        here = standing.drawing if standing else ""
+        where = "as it stands" if here else "at home"
+        words = f"The robot {where} with the wrenches of its limbs, and the lines that stand for them"
+        if here and standing and isinstance(standing.mechanism, SixLegs):
+            words = "The six legs as they stand, with the entities of the condition"
+        robot = robot_figure_html(here or draw_robot(a, a.robot.values_at()).svg(), words)
     if live:
         hint = "Drag to turn the view; the sliders move the robot."
         robot = robot_figure_html("", "The same in 3D", live=True, hint=hint) + robot

@@ -235,6 +235,7 @@ class Scenery:
                 "near": NEAR,
                 "met": MET,
             },
+            "size": self.size,
         }
 
 

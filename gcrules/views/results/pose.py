@@ -22,7 +22,7 @@ from gcrules.views.results.amplification import (
 )
 from gcrules.views.text_tables import ASCII, columns, table, wrapped
 
-__all__ = ["as_latex", "as_text"]
+__all__ = ["as_latex", "as_text", "motions", "reading_rows", "rows"]
 
 
 def as_text(r: PoseReport, *, unicode: bool = False) -> str:
@@ -38,23 +38,7 @@ def _lines(r: PoseReport) -> Iterator[str]:
     for sentence in r.causes:
         yield from wrapped(sentence, "  ")
     yield ""
-    yield from table(
-        [
-            ("pose", f"{_pose(r.pose)}, about {_about(r)}"),
-            ("margin", f"σ = {r.margin:.4g} (0 singular, at most 1; the same in every frame and unit)"),
-            *_meaning(r),
-            ("superbracket", f"{decimal(r.superbracket)}{f' {u}⁹' if u else ''}"),
-            ("Jacobian", jacobian_numbers(r.jacobian, u)),
-            ("actuators", conditioning(r.jacobian.amplification, u)),
-            (
-                "accuracy",
-                f"joints known up to {_length(r.accuracy, u)} move σ by at most {r.noise:.2g}"
-                if _inexact(r)
-                else f"coordinates taken as exact; rounding moves σ by at most {r.noise:.2g}",
-            ),
-            *((("note", note)) for note in r.notes),
-        ]
-    )
+    yield from table(list(rows(r)))
     yield from amplification_lines(r.jacobian.amplification, u)
     yield from transmission_lines(r.jacobian.amplification, u)
     if r.readings:
@@ -66,7 +50,23 @@ def _lines(r: PoseReport) -> Iterator[str]:
         yield "Nearest singular pose"
         yield from _nearest(r)
     yield ""
-    yield from _motion(r)
+    for sentence in motions(r):
+        yield from wrapped(sentence)
+
+
+def rows(r: PoseReport) -> Iterator[tuple[str, str]]:
+    """The pose and its numbers, names with what they say."""
+    u = r.rig.unit
+    yield "pose", f"{_pose(r.pose)}, about {_about(r)}"
+    yield "margin", f"σ = {r.margin:.4g} (0 singular, at most 1; the same in every frame and unit)"
+    yield from _meaning(r)
+    yield "superbracket", f"{decimal(r.superbracket)}{f' {u}⁹' if u else ''}"
+    yield "Jacobian", jacobian_numbers(r.jacobian, u)
+    yield "actuators", conditioning(r.jacobian.amplification, u)
+    exact = f"coordinates taken as exact; rounding moves σ by at most {r.noise:.2g}"
+    known = f"joints known up to {_length(r.accuracy, u)} move σ by at most {r.noise:.2g}"
+    yield "accuracy", known if _inexact(r) else exact
+    yield from (("note", note) for note in r.notes)
 
 
 def _meaning(r: PoseReport) -> Iterator[tuple[str, str]]:
@@ -93,36 +93,40 @@ def _inexact(r: PoseReport) -> bool:
 
 
 def _readings(r: PoseReport) -> Iterator[str]:
+    for part, readings in reading_rows(r).items():
+        yield f"  {part}"
+        yield from columns(readings, "    ")
+
+
+def reading_rows(r: PoseReport) -> dict[str, list[tuple[str, str, str]]]:
+    """Of each part of the condition its readings: name, value, and what it means where it comes first."""
     explained = set()
-    for part in dict.fromkeys(x.part for x in r.readings):
-        yield "  " + part.replace("/\\", "∧").replace("\\/", "∨")
-        rows = []
-        for x in r.readings:
-            if x.part == part:
-                value = f"not valid here: {x.why}" if x.value is None else f"{_small(x.value)} {x.unit}".rstrip()
-                meaning = "" if (x.name, x.meaning) in explained or x.value is None else x.meaning
-                explained.add((x.name, x.meaning))
-                rows.append((x.name, value, meaning))
-        yield from columns(rows, "    ")
+    found: dict[str, list[tuple[str, str, str]]] = {}
+    for x in r.readings:
+        value = f"not valid here: {x.why}" if x.value is None else f"{_small(x.value)} {x.unit}".rstrip()
+        meaning = "" if (x.name, x.meaning) in explained or x.value is None else x.meaning
+        explained.add((x.name, x.meaning))
+        found.setdefault(x.part.replace("/\\", "∧").replace("\\/", "∨"), []).append((x.name, value, meaning))
+    return found
 
 
 def _nearest(r: PoseReport) -> Iterator[str]:
     u = r.rig.unit
-    rows = []
+    found = []
     several = len(factors(r.condition.expression)) > 1
     for n in r.nearest:
         shown = degrees if n.kind == "rotation" else lambda x: _length(x, u)
         if n.never:
-            rows.append((n.kind, "none", f"proved: a {n.kind} alone leads to no singular pose"))
+            found.append((n.kind, "none", f"proved: a {n.kind} alone leads to no singular pose"))
         elif n.pose is None:
-            rows.append((n.kind, "none found", f"proved: none below {shown(n.lower)}"))
+            found.append((n.kind, "none found", f"proved: none below {shown(n.lower)}"))
         else:
-            rows.append((n.kind, shown(n.distance), _status(n, shown(n.lower))))
+            found.append((n.kind, shown(n.distance), _status(n, shown(n.lower))))
             if n.distance:
-                rows.append(("", "", f"at {_pose(n.pose)}"))
+                found.append(("", "", f"at {_pose(n.pose)}"))
             if several and n.distance:
-                rows += [("", "", cause) for cause in n.causes]
-    yield from columns(rows, "  ")
+                found += [("", "", cause) for cause in n.causes]
+    yield from columns(found, "  ")
     if any(n.kind == "combined" and n.pose for n in r.nearest) and r.verdict != "singular":
         yield from wrapped(
             f"combined: root of |shift|² + (ρ·angle)², ρ = {_length(r.jacobian.length, u)}, of the centroid of the"
@@ -139,24 +143,25 @@ def _status(n: NearestPose, lower: str) -> str:
     return f"best found; proved: none below {lower}"
 
 
-def _motion(r: PoseReport) -> Iterator[str]:
+def motions(r: PoseReport) -> Iterator[str]:
+    """What the platform can do or nearly do with its legs held, and which legs depend on each other, in sentences."""
     u = r.rig.unit
     d = r.dependence
     if r.verdict == "close":
-        yield from wrapped(f"Nearly dependent legs, forces in the ratio {_shares(r, r.stress)}.")
+        yield f"Nearly dependent legs, forces in the ratio {_shares(r, r.stress)}."
     if d is None:
-        yield from wrapped(
+        yield (
             f"Softest motion: the platform can {r.softest.text(u)}. The legs' lengths then "
             f"change only {r.margin:.3g} times as fast as the platform's joints move (root mean squares)."
         )
         return
     for m in d.motions:
-        yield from wrapped(f"Gained motion: the platform can {m.text(u)}; to first order no leg changes its length.")
+        yield f"Gained motion: the platform can {m.text(u)}; to first order no leg changes its length."
     if d.stress is not None:
-        yield from wrapped(f"Dependent legs: their forces balance in the ratio {_shares(r, d.stress)}.")
+        yield f"Dependent legs: their forces balance in the ratio {_shares(r, d.stress)}."
     else:
-        yield from wrapped(f"Dependent legs: {', '.join(d.legs)}, in {len(d.motions)} independent ways.")
-    yield from wrapped(f"Line variety: the dependent legs span {d.within.name}; all six span {d.all_legs.name}.")
+        yield f"Dependent legs: {', '.join(d.legs)}, in {len(d.motions)} independent ways."
+    yield f"Line variety: the dependent legs span {d.within.name}; all six span {d.all_legs.name}."
 
 
 def _shares(r: PoseReport, stress: Sequence[float]) -> str:

@@ -14,7 +14,7 @@ from gcrules.views.results.locus import form_latex
 from gcrules.views.results.polynomials import SHOWN, brief, counted, degrees_text, formula, number, size_text
 from gcrules.views.text_tables import WIDTH, table
 
-__all__ = ["account", "as_latex", "as_text", "headline"]
+__all__ = ["account", "as_latex", "as_text", "headline", "part_rows"]
 
 _HEAD = (
     "Each polynomial is the product of a factor of the condition over all {modes}. Every singular pose is a zero"
@@ -38,7 +38,7 @@ def as_text(found: RobotLocus, *, unicode: bool = False, digits: int | None = No
     lines = [fill(headline(found), WIDTH), "", *table(account(found, unicode=unicode))]
     for k, part in enumerate(found.parts, 1):
         name = _name(found, k)
-        lines += ["", *table(list(_part(part, name, found, unicode, digits)))]
+        lines += ["", *table(part_rows(part, name, found, unicode=unicode, digits=digits))]
         lines += [""] if part.form.terms else []
         if part.form.terms:
             lines.append(formula(name, part.form, digits))
@@ -99,6 +99,13 @@ def _short(form: PolynomialForm) -> str:
     if len(form.terms) <= SHOWN // 4 and form.digits <= SHOWN // 4:
         return str(form)
     return f"one of degree {form.degree} with {len(form.terms)} terms"
+
+
+def part_rows(
+    part: LocusPart, name: str, found: RobotLocus, *, unicode: bool = False, digits: int | None = None
+) -> list[tuple[str, str]]:
+    """What there is to say of one of them, whose polynomial has this name."""
+    return list(_part(part, name, found, unicode, digits))
 
 
 def _part(

@@ -26,7 +26,7 @@ from gcrules.views.results.amplification import (
 from gcrules.views.results.singularity_types import in_words
 from gcrules.views.text_tables import ASCII, columns, table, wrapped
 
-__all__ = ["as_latex", "as_text", "meaning", "motions", "signed", "small"]
+__all__ = ["amount_rows", "as_latex", "as_text", "meaning", "motions", "rows", "signed", "small"]
 
 _EXACT = 1e-12
 
@@ -43,28 +43,10 @@ def _lines(r: RobotPose) -> Iterator[str]:
         yield from wrapped(sentence, "  ")
     yield ""
     j = r.jacobian
-    yield from table(
-        [
-            ("robot", f"{r.title} ({r.robot}), at {r.target}"),
-            ("pose", _pose(r)),
-            ("margin", f"σ = {small(r.margin)} (0 singular, at most 1; the same in every frame and unit)"),
-            ("Jacobian", f"{len(j.labels)} wrenches, {jacobian_numbers(j, r.unit)}"),
-            ("actuators", conditioning(j.amplification, r.unit)),
-            (
-                "assembled",
-                f"loops open by {_off(r.residual)} of the robot's size, relations off by {_off(r.disagreement)}; "
-                f"{_counted(r.steps, 'step')} from home, {_counted(r.iterations, 'iteration')}",
-            ),
-            ("branch", r.assembly.branch),
-            ("mode", r.mode),
-            *(("note", note) for note in r.notes),
-        ]
-    )
+    yield from table([("robot", f"{r.title} ({r.robot}), at {r.target}"), *rows(r)])
     yield ""
     yield "Actuators, from home"
-    yield from columns(
-        [(a.name, _amount(value, a.angle, r.unit), f"{a.limb}: {a.joint}") for a, value in r.actuators], "  "
-    )
+    yield from columns(amount_rows(r), "  ")
     yield from amplification_lines(j.amplification, r.unit)
     yield from transmission_lines(j.amplification, r.unit)
     if j.amplification.cables:
@@ -84,8 +66,8 @@ def _lines(r: RobotPose) -> Iterator[str]:
     if r.verdict != "regular":
         yield ""
         yield f"{'Nearly d' if r.verdict == 'close' else 'D'}ependent wrenches, which balance in these ratios"
-        rows = [(limb.name, small(limb.share), limb.wrench(j.centre, j.length)) for limb in r.limbs]
-        yield from columns(rows, "  ")
+        shares = [(limb.name, small(limb.share), limb.wrench(j.centre, j.length)) for limb in r.limbs]
+        yield from columns(shares, "  ")
     yield ""
     for sentence in motions(r):
         yield from wrapped(sentence)
@@ -97,6 +79,28 @@ def _lines(r: RobotPose) -> Iterator[str]:
     if r.nearest:
         yield ""
         yield from _nearest(r.nearest, r.unit)
+
+
+def rows(r: RobotPose) -> Iterator[tuple[str, str]]:
+    """The pose and its numbers, names with what they say."""
+    j = r.jacobian
+    yield "pose", _pose(r)
+    yield "margin", f"σ = {small(r.margin)} (0 singular, at most 1; the same in every frame and unit)"
+    yield "Jacobian", f"{len(j.labels)} wrenches, {jacobian_numbers(j, r.unit)}"
+    yield "actuators", conditioning(j.amplification, r.unit)
+    yield (
+        "assembled",
+        f"loops open by {_off(r.residual)} of the robot's size, relations off by {_off(r.disagreement)}; "
+        f"{_counted(r.steps, 'step')} from home, {_counted(r.iterations, 'iteration')}",
+    )
+    yield "branch", r.assembly.branch
+    yield "mode", r.mode
+    yield from (("note", note) for note in r.notes)
+
+
+def amount_rows(r: RobotPose) -> list[tuple[str, str, str]]:
+    """Of each actuator its name, its amount from home, and where it is."""
+    return [(a.name, _amount(value, a.angle, r.unit), f"{a.limb}: {a.joint}") for a, value in r.actuators]
 
 
 def _cables(c: CableTensions, r: RobotPose) -> Iterator[str]:

@@ -46,12 +46,23 @@ export interface Tag {
   strong: boolean;
   upright: boolean;
 }
+/** A place that is pointed to where it is not seen. */
+export interface Mark {
+  at: Vec3;
+  label: string;
+  /** With its distance from the middle of the robot. */
+  words: string;
+  colour: string;
+  /** Whether it is drawn where it is. */
+  drawn: boolean;
+}
 export interface Model {
   faces: Face[];
   rods: Rod[];
   balls: Ball[];
   cones: Cone[];
   tags: Tag[];
+  marks: Mark[];
   /** A curved surface, translucent. */
   veil: Veil | null;
   /** Thin lines of the ground. */
@@ -88,6 +99,7 @@ export class Drawing implements Model {
   readonly balls: Ball[] = [];
   readonly cones: Cone[] = [];
   readonly tags: Tag[] = [];
+  readonly marks: Mark[] = [];
   readonly grid: [Vec3, Vec3][] = [];
   veil: Veil | null = null;
   gauge = "";

@@ -1,9 +1,10 @@
 // Pointer and keys on the surface: what is pointed at, what is picked, how the keys move platform and view.
+import { reachOf, type Graspable } from "./grasp";
+import { placeOf, poseOf } from "./grips";
 import { nudged } from "./keys";
 import { spoken } from "./names";
 import type { Rig } from "./rig";
-import type { Surface } from "./surface";
-import type { Mode, Pose, Scene } from "./types";
+import type { Grip, Pose } from "./types";
 
 export interface Pointed {
   point?: string;
@@ -11,15 +12,14 @@ export interface Pointed {
 }
 
 /** What the hand can reach. */
-export interface Reach {
-  readonly mode: Mode;
-  readonly scene: Scene;
+export interface Reach extends Graspable {
   readonly platform: Pose;
   readonly rig: Rig;
-  readonly surface: Surface;
-  /** Whether the platform may be moved, and whether the pointer is over a handle. */
+  /** Whether the platform may be moved. */
   readonly movable: boolean;
-  readonly grabbed: boolean;
+  readonly chosen: Grip | null;
+  removed(id: string): void;
+  inserted(id: string): void;
   under(x: number, y: number, reach: number): Pointed;
   hovered(found: Pointed | null): void;
   picked(name: string): void;
@@ -67,6 +67,8 @@ export class Hand {
   private hover(e: PointerEvent): void {
     if (e.buttons || this.reach.grabbed) return;
     const found = this.under(e);
+    const grip = this.reach.mode === "pick" ? null : this.reach.gripUnder(...this.reach.surface.place(e), reachOf(e));
+    if (this.reach.mode !== "pick") this.reach.surface.cursor = grip ? "move" : "grab";
     this.point(found.point || found.entity ? found : null);
     if (this.reach.mode === "pick") this.reach.surface.cursor = found.point ? "pointer" : "crosshair";
   }
@@ -82,6 +84,7 @@ export class Hand {
     this.pressed = null;
     const name = still && !this.reach.grabbed ? this.under(e).point : undefined;
     if (name) this.pick(name);
+    else if (still && !this.reach.grabbed && this.reach.chosen) this.reach.chose(null);
   }
 
   private pick(name: string): void {
@@ -94,6 +97,10 @@ export class Hand {
     const { reach } = this;
     const arrow = ARROWS[e.key];
     const picking = reach.mode === "pick";
+    if (!picking && !e.altKey && this.gripKey(e)) {
+      e.preventDefault();
+      return e.stopPropagation(); // the page has other uses for some of them
+    }
     if (picking && (arrow || e.key === "Enter") && !e.altKey) this.walk(arrow);
     else if (arrow && (e.altKey || !reach.movable)) reach.rig.turn(arrow[0] * 0.12, arrow[1] * 0.12);
     else if (e.key === "+" || e.key === "=") reach.rig.zoom(1 / 1.15);
@@ -107,6 +114,37 @@ export class Hand {
       this.rest = window.setTimeout(() => reach.done(), REST);
     }
     e.preventDefault();
+  }
+
+  /** Comma and full stop choose among what can be dragged; keys then move it. Whether the key was one of these. */
+  private gripKey(e: KeyboardEvent): boolean {
+    const { reach } = this;
+    const grips = (reach.scene.grips ?? []).filter(({ look }) => look !== "between");
+    const { chosen } = reach;
+    if ((e.key === "." || e.key === ",") && grips.length > 0) {
+      const now = grips.findIndex(({ id }) => id === chosen?.id);
+      const next = grips[e.key === "." ? (now + 1) % grips.length : (Math.max(now, 0) + grips.length - 1) % grips.length]!;
+      reach.chose(next.id);
+      reach.surface.say(next.name);
+      return true;
+    }
+    if (!chosen) return false;
+    const [leave, remove] = [() => reach.chose(null), () => reach.removed(chosen.id)];
+    const act = { Escape: leave, Delete: remove, Backspace: remove, Insert: () => reach.inserted(chosen.id) }[e.key];
+    if (act) {
+      act();
+      return true;
+    }
+    const step = 100 * (chosen.step ?? reach.scene.size / 100);
+    const turns = e.shiftKey && chosen.turn !== undefined;
+    const pose = nudged(poseOf(chosen, reach.scene.about), e.key, turns, e.shiftKey && !turns ? 10 * step : step);
+    if (!pose) return false;
+    const place = placeOf(pose, reach.scene.about);
+    reach.gripMoved(chosen.id, place);
+    reach.surface.say(`${chosen.name}: ${place.at.map((c) => Number(c.toPrecision(4))).join(", ")}`);
+    clearTimeout(this.rest);
+    this.rest = window.setTimeout(() => reach.gripDone(), REST);
+    return true;
   }
 
   /** Arrow keys walk through the points, Enter (no arrow) picks. */

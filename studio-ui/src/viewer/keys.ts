@@ -41,3 +41,7 @@ export function poseInWords(pose: Pose, unit: string): string {
 export const HELP =
   "Arrow keys shift the platform along x and y, Page Up and Page Down along z; with Shift they turn it. " +
   "With Alt the arrow keys turn the view. Plus and minus zoom, Home fits the view.";
+
+export const GRIPS =
+  "Full stop and comma choose what can be dragged, waypoints or joints; the keys above then move it. " +
+  "Delete takes a waypoint out, Insert puts one after it, Escape lets go.";

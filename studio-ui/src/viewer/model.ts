@@ -1,11 +1,14 @@
 // The robot, its surroundings and the entities of its condition, as a drawing.
 import { Drawing, SIZES, jointsOf, type Model, type State } from "./drawing";
+import { drawnWay } from "./grips";
 import { drawnLimbs } from "./limbs";
 import { drawnMesh } from "./mesh";
 import { drawnMotion, swung } from "./motion";
+import { constructedAt } from "./numbers";
+import { legible } from "./palette";
 import { body, disc, patch, stretched, throughBall, volume, type Outline } from "./solids";
 import type { Scene, SceneEntity, Vec3 } from "./types";
-import { along, centre, cross, distance, dot, sub, unit } from "./vectors";
+import { along, centre, cross, distance, dot, unit } from "./vectors";
 
 /** Letters of an entity's name that are written beside it; a longer one stands in the legend alone. */
 const LONGEST_LABEL = 20;
@@ -15,9 +18,14 @@ export function modelOf(scene: Scene, state: State): Model {
   if (d.shows("grid")) ground(d);
   bodies(d, scene.points, 0);
   if (d.shows("legs")) legs(d);
+  const carried = d.shows("motion") && scene.motion && state.swing !== null ? swung(scene, scene.motion, state.swing) : null;
   if (d.shows("entities")) {
-    scene.entities.forEach((entity) => entityShape(d, entity));
-    constructions(d);
+    // of a platform on six legs they follow from the places of the joints, and are those of the pose that is swung to
+    const { recipe } = scene;
+    const there = carried && recipe ? { ...scene, points: carried, constructed: constructedAt(scene, recipe, carried) } : scene;
+    const strength = carried && !recipe ? 0.4 : 1; // what moves comes first
+    there.entities.forEach((entity) => entityShape(d, there, entity, strength));
+    constructions(d, there);
   }
   if (d.shows("wrenches")) drawnLimbs(d);
   if (d.shows("surface") && scene.surface?.faces.length) {
@@ -29,8 +37,9 @@ export function modelOf(scene: Scene, state: State): Model {
   if (scene.ghost) bodies(d, { ...scene.points, ...scene.ghost }, 0.6, true);
   if (d.shows("motion") && scene.motion) {
     drawnMotion(d, scene.motion);
-    if (state.swing !== null) bodies(d, swung(scene, scene.motion, state.swing), 0.25, true);
+    if (carried) bodies(d, carried, 0.25, true);
   }
+  if (d.shows("way")) drawnWay(d, scene);
   joints(d);
   return d;
 }
@@ -86,8 +95,7 @@ export function isDrawn(scene: Placed, e: SceneEntity): boolean {
   return corners.length + ways.length === e.points.length && (corners.length > 0 || e.kind === "line");
 }
 
-function entityShape(d: Drawing, e: SceneEntity): void {
-  const { scene } = d;
+function entityShape(d: Drawing, scene: Scene, e: SceneEntity, calm: number): void {
   if (!isDrawn(scene, e)) return;
   const { corners, ways } = placesOf(scene, e);
   const strength = emphasis(d, e.id);
@@ -96,7 +104,6 @@ function entityShape(d: Drawing, e: SceneEntity): void {
     c.kind === "point" && c.entities.includes(e.id) && distance(c.at, d.middle) < SIZES.far * d.radius ? [c.at] : [],
   );
   const rim = SIZES.edge * scene.size * (strength > 1 ? 1.8 : 1);
-  const calm = d.state.swing !== null && scene.motion && d.shows("motion") ? 0.4 : 1; // what moves comes first
   const face = (outline: Outline, fill: number) =>
     d.faces.push({ ...outline, colour, fill: Math.min(0.55, fill * strength * calm), rim, entity: e.id });
   const label = (at: Vec3) => {
@@ -118,7 +125,7 @@ function entityShape(d: Drawing, e: SceneEntity): void {
     const ring = patch([...corners, ...strips(corners, ways, 0.35 * scene.size)], SIZES.margin * scene.size, marks, 0.04 * scene.size);
     if (!ring) return;
     face(all(ring), 0.24);
-    label(apart(d, ring));
+    label(apart(d, scene, ring));
   } else if (e.kind === "line" && corners.length === 0) {
     // a line at infinity is what all planes through its directions have in common: one of them, with its normal
     const normal = cross(ways[0]!, ways[1]!);
@@ -142,20 +149,23 @@ const strips = (points: readonly Vec3[], ways: readonly Vec3[], reach: number): 
   ways.flatMap((u) => points.flatMap((p) => [along(p, u, -reach), along(p, u, reach)]));
 
 /** The place on a ring that is farthest from the labels of other entities and from marks, rather outside than inside. */
-function apart(d: Drawing, ring: Vec3[]): Vec3 {
+function apart(d: Drawing, { constructed = [] }: Scene, ring: Vec3[]): Vec3 {
   const others = [
     ...d.tags.filter((t) => t.look === "entity").map((t) => t.at),
-    ...(d.scene.constructed ?? []).flatMap((c) => (c.kind === "point" ? [c.at] : [])),
+    ...constructed.flatMap((c) => (c.kind === "point" ? [c.at] : [])),
   ];
   const worth = (p: Vec3) => Math.min(d.radius, ...others.map((o) => distance(o, p))) + 0.5 * distance(p, d.middle);
   return ring.reduce((a, b) => (worth(b) > worth(a) + 1e-9 ? b : a));
 }
 
-function constructions(d: Drawing): void {
-  const { scene } = d;
+function constructions(d: Drawing, scene: Scene): void {
   (scene.constructed ?? []).forEach((c, i) => {
     if (c.kind === "point") {
-      if (distance(c.at, d.middle) > SIZES.far * d.radius) return pointedTo(d, c.at, c.label);
+      const away = distance(c.at, d.middle);
+      const near = away <= SIZES.far * d.radius;
+      const far = `${Number(away.toPrecision(3))}${scene.unit && ` ${scene.unit}`}`;
+      d.marks.push({ at: c.at, label: c.label, words: `${c.label}, ${far} away`, colour: legible(d.colour("mark"), d.state.theme), drawn: near });
+      if (!near) return;
       const radius = SIZES.joint * scene.size;
       d.ball(c.at, radius, d.colour("mark"), d.colour("paper"), 1.28);
       d.tag(c.label, c.at, d.colour("mark"), "construction", { clear: radius * 1.3, strong: true });
@@ -173,17 +183,8 @@ function constructions(d: Drawing): void {
     const ring = part ?? disc(plane.normal, plane.offset, d.middle, d.radius);
     if (distance(centre(ring), d.middle) > SIZES.far * d.radius) return;
     d.faces.push({ corners: ring, edges: ring.map(() => true), colour, fill: 0.2, rim: SIZES.edge * scene.size });
-    d.tag(plane.label, apart(d, ring), colour, "entity");
+    d.tag(plane.label, apart(d, scene, ring), colour, "entity");
   });
-}
-
-/** An arrow at the edge of the robot towards what is too far to be seen with it, and how far that is from its middle. */
-function pointedTo(d: Drawing, at: Vec3, label: string): void {
-  const way = unit(sub(at, d.middle));
-  const [from, tip] = [along(d.middle, way, 0.85 * d.radius), along(d.middle, way, 1.2 * d.radius)];
-  const far = Number(distance(at, d.middle).toPrecision(3));
-  d.arrow(from, tip, d.colour("mark"));
-  d.tag(`${label}, ${far}${d.scene.unit && ` ${d.scene.unit}`} away`, tip, d.colour("mark"), "construction", { strong: true, upright: true });
 }
 
 /** Joints of the base are filled, those of the platform are rings, as in the figures on paper. */
@@ -191,16 +192,18 @@ function joints(d: Drawing): void {
   const { scene } = d;
   const marked = new Set(d.state.highlight?.points ?? []);
   const ringed = new Map(scene.entities.flatMap((e) => (e.kind === "point" ? e.points.map((n) => [n, e.colour] as const) : [])));
+  const grips = new Map((scene.grips ?? []).flatMap(({ look, label, id }) => (look === "joint" ? [[label, id === scene.chosen]] : [])));
   const used = new Set([...scene.base, ...scene.platform, ...scene.legs.flat(), ...scene.entities.flatMap((e) => e.points)]);
   for (const name of used) {
     const at = scene.points[name];
     if (!at) continue;
     const strong = marked.has(name);
     const own = ringed.get(name);
-    const rim = strong ? d.colour("mark") : own !== undefined ? d.entityColour(own) : d.colour("ink");
+    const dragged = grips.has(name); // it is ringed, so that this is seen
+    const rim = strong || grips.get(name) ? d.colour("mark") : dragged ? d.colour("drive") : own !== undefined ? d.entityColour(own) : d.colour("ink");
     const radius = SIZES.joint * scene.size * (strong ? 1.35 : 1);
     const fill = scene.platform.includes(name) ? d.colour("paper") : strong ? d.colour("mark") : d.colour("ink");
-    d.ball(at, radius, fill, rim, strong ? 1.6 : 1.36);
+    d.ball(at, radius, fill, rim, strong || dragged ? 1.6 : 1.36);
     d.tag(name, at, strong ? d.colour("mark") : d.colour("ink"), "joint", { clear: radius * 1.4, strong });
   }
 }

@@ -112,13 +112,26 @@ function constructions(scene: Scene, recipe: Recipe): Constructed[] {
     if (at) found.push({ kind: "line", label: line.label, ...at, entities: [], colour: line.colour });
   }
   const small = Object.fromEntries(
-    Object.entries(scene.points).map(([n, p]) => [n, scale(sub(p, middle), 1 / scene.size)]),
+    Object.entries(scene.points).map(([n, p]) => [n, scale(sub(p, middle), 1 / recipe.size)]),
   );
   for (const one of recipe.points) {
     const place = common(one.of.map((part) => constructed(part, small)), met);
     if (!place || place.miss > near) continue;
-    const at = place.at.map((c, i) => c * scene.size + middle[i]!) as Vec3;
+    const at = place.at.map((c, i) => c * recipe.size + middle[i]!) as Vec3;
     found.push({ kind: "point", label: place.miss <= met ? one.label : `≈ ${one.label}`, at, entities: one.entities });
   }
   return found;
+}
+
+const plainName = (label: string): string => label.replace(/^≈ /, "");
+
+/** What a scene shows as constructed, with its points elsewhere: what does not follow from these stays, and what is not there any
+ * more is left out. */
+export function constructedAt(scene: Scene, recipe: Recipe, points: Record<string, Vec3>): Constructed[] {
+  const found = constructions({ ...scene, points }, recipe);
+  const known = new Set([...recipe.lines, ...recipe.points].map(({ label }) => label));
+  return (scene.constructed ?? []).flatMap((one) => {
+    if (!known.has(plainName(one.label))) return [one];
+    return found.filter(({ kind, label }) => kind === one.kind && plainName(label) === plainName(one.label));
+  });
 }

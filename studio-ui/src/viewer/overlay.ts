@@ -47,7 +47,7 @@ export function placeTags(model: Model, sight: Sight): Placed[] {
 let pen: CanvasRenderingContext2D | null = null;
 const widths = new Map<string, number>();
 
-function widthOf(tag: Tag, size: number): number {
+export function widthOf(tag: Pick<Tag, "text" | "upright">, size: number): number {
   const key = `${tag.upright}${size}${tag.text}`;
   let width = widths.get(key);
   if (width === undefined) {

@@ -11,6 +11,8 @@ export interface Sight {
   near: number;
   /** CSS pixels from the upper left corner, and the depth in front of the eye. */
   place(p: Vec3): [x: number, y: number, depth: number];
+  /** What a place at a depth goes through in space when it goes so many pixels to the right and down, in the plane of the view. */
+  shift(right: number, down: number, depth: number): Vec3;
   /** Pixels for a unit of length at a depth. */
   scale(depth: number): number;
 }
@@ -24,6 +26,10 @@ export function sightOf(camera: PerspectiveCamera, width: number, height: number
     width,
     height,
     near: camera.near,
+    shift: (right, down, depth) => {
+      const k = Math.max(depth, 1e-9) / focus;
+      return [0, 4, 8].map((i) => k * (right * view[i]! - down * view[i + 1]!)) as Vec3;
+    },
     scale: (depth) => focus / Math.max(depth, 1e-9),
     place: ([x, y, z]) => {
       const at = (i: number) => view[i]! * x + view[4 + i]! * y + view[8 + i]! * z + view[12 + i]!;

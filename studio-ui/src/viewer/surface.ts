@@ -2,15 +2,18 @@
 import type { PerspectiveCamera } from "three";
 import { Compass } from "./compass";
 import type { Model } from "./drawing";
-import { HELP } from "./keys";
+import { GRIPS, HELP } from "./keys";
+import { svgPointers, type Pointer } from "./marks";
 import { sideBySide, spoken } from "./names";
 import { LabelLayer, UPRIGHT, type Placed } from "./overlay";
 import { colourOf } from "./palette";
+import { element } from "./svg";
 import type { Scene, Theme } from "./types";
 
 export class Surface {
   readonly root = document.createElement("div");
   private readonly labels = new LabelLayer();
+  private readonly pointers = element("svg", { "aria-hidden": "true", "data-marks": "" });
   private readonly compass = new Compass();
   private readonly gauge = document.createElement("div");
   private readonly voice = document.createElement("div");
@@ -25,7 +28,8 @@ export class Surface {
     voice.setAttribute("aria-live", "polite");
     voice.style.cssText = "position:absolute;width:1px;height:1px;overflow:hidden;clip-path:inset(50%)";
     gauge.style.cssText = `position:absolute;left:4.6rem;bottom:.7rem;font:.75rem ${UPRIGHT};pointer-events:none`;
-    root.append(this.labels.node, this.compass.node, gauge, voice);
+    this.pointers.style.cssText = "position:absolute;inset:0;width:100%;height:100%;pointer-events:none";
+    root.append(this.pointers, this.labels.node, this.compass.node, gauge, voice);
     this.describe(null);
     host.append(root);
   }
@@ -40,7 +44,7 @@ export class Surface {
 
   /** What there is, and how to move it, for those who do not see it. */
   describe(scene: Scene | null): void {
-    this.root.setAttribute("aria-label", `${scene ? titleOf(scene) : "Robot"}, in three dimensions. ${this.help ? HELP : ""}`);
+    this.root.setAttribute("aria-label", `${scene ? titleOf(scene) : "Robot"}, in three dimensions. ${this.help ? HELP : ""}${scene?.grips?.length ? ` ${GRIPS}` : ""}`);
   }
 
   paint(theme: Theme): void {
@@ -53,10 +57,11 @@ export class Surface {
     this.compass.node.style.visibility = this.gauge.style.visibility = on ? "" : "hidden";
   }
 
-  show(model: Model, labels: readonly Placed[], camera: PerspectiveCamera, theme: Theme): void {
+  show(model: Model, labels: readonly Placed[], pointers: readonly Pointer[], camera: PerspectiveCamera, theme: Theme): void {
     this.gauge.textContent = model.gauge ? `grid ${model.gauge}` : "";
     this.compass.turn(camera, theme);
-    this.labels.show(labels, colourOf("paper", theme));
+    if (pointers.length > 0 || this.pointers.firstChild) this.pointers.replaceChildren(...svgPointers(pointers));
+    this.labels.show([...labels, ...pointers.map(({ label }) => label)], colourOf("paper", theme));
   }
 
   /** The place of a pointer, in pixels from the upper left corner. */

@@ -1,5 +1,5 @@
 // What the viewer is told and what it offers. It knows nothing of the page, the report or the notebook that hold it.
-import type { Entity, LegEnds, Pose, SceneData, Vec3 } from "../protocol";
+import type { Entity, LegEnds, Pose, Quaternion, SceneData, Vec3 } from "../protocol";
 
 export type { Constructed, Construction, Limb, Pose, Quaternion, Recipe, Thresholds, Vec3, Verdict } from "../protocol";
 
@@ -16,6 +16,26 @@ export interface TriangleMesh {
   stale: boolean;
 }
 
+/** Where something is, and how it is turned. */
+export interface Place {
+  at: Vec3;
+  turn: Quaternion;
+}
+
+/** What can be dragged by itself. */
+export interface Grip {
+  id: string;
+  at: Vec3;
+  /** How it is turned, if it can be. */
+  turn?: Quaternion;
+  /** A short name beside it, and one that is said aloud. */
+  label: string;
+  name: string;
+  look: "stop" | "between" | "joint";
+  /** How far an arrow key takes it; a hundredth of the size where it is not given. */
+  step?: number;
+}
+
 /** What the engine tells of a robot in a pose, and what the host adds. */
 export interface Scene extends SceneData {
   /** The pose at which `points` are given; the identity if missing (in `update`: the viewer's own pose). */
@@ -27,6 +47,11 @@ export interface Scene extends SceneData {
   plate?: Vec3[];
   /** Another pose of the platform, drawn pale. */
   ghost?: Record<string, Vec3>;
+  /** The way of the platform's centre, and where it is singular. */
+  way?: { line: Vec3[]; singular: Vec3[] } | null;
+  grips?: Grip[];
+  /** The grip that the handles and keys take; the platform where it is null. */
+  chosen?: string | null;
   /** Places of the platform's centre where the robot is singular. */
   surface?: TriangleMesh | null;
 }
@@ -34,7 +59,7 @@ export interface Scene extends SceneData {
 export type Mode = "orbit" | "translate" | "rotate" | "pick";
 export type View = "iso" | "front" | "side" | "top" | "fit";
 export type Theme = "light" | "dark";
-export type Layer = "entities" | "labels" | "legs" | "wrenches" | "grid" | "motion" | "surface";
+export type Layer = "entities" | "labels" | "legs" | "wrenches" | "grid" | "motion" | "surface" | "way";
 
 export interface Highlight {
   points?: string[];
@@ -61,6 +86,8 @@ export interface Viewer {
   animateMotion(on: boolean): void;
   /** Where a point is seen, in CSS pixels from the element's upper left corner; null if it is not in front. */
   toScreen(name: string): [number, number] | null;
+  /** The same of what can be dragged. */
+  gripAt(id: string): [number, number] | null;
   /** A data URL of a PNG picture, or the text of an SVG one. */
   snapshot(kind: "png" | "svg"): Promise<string>;
   /** Paints the view into a canvas, twice as fine as on the screen; with the gained motion swung so far, from −1 to 1. False where there are no pixels. */
@@ -72,8 +99,17 @@ export interface Viewer {
 export interface Options {
   /** The platform was moved by hand, or is to be; `done` at the end of a drag. At most once for each frame. */
   onPose?(pose: Pose, done: boolean): void;
+  /** A grip was dragged; `done` at the end of a drag. */
+  onGrip?(id: string, place: Place, done: boolean): void;
+  /** A grip was pressed, or all were let go. */
+  onChoose?(id: string | null): void;
+  /** The chosen grip is to go, or one is to come after it. */
+  onRemove?(id: string): void;
+  onInsert?(id: string): void;
   onPick?(name: string): void;
   onHover?(what: { point?: string; entity?: string } | null): void;
+  /** Where the points are seen in which planes meet, with their labels or the arrows towards them: boxes as left, top, right, bottom. */
+  onMarks?(boxes: readonly (readonly [number, number, number, number])[]): void;
   renderer?: "auto" | "svg";
   theme?: Theme;
   /** How many CSS pixels of the upper edge the host covers now; standard views and fits leave them free. */

@@ -2,17 +2,21 @@
 import type { Model } from "./drawing";
 import { newEasel, type Easel } from "./easel";
 import { Gizmo } from "./gizmo";
+import { Grasp } from "./grasp";
+import { gripAt, placeOf, poseOf } from "./grips";
 import { Hand, type Pointed, type Reach } from "./hand";
 import { poseInWords } from "./keys";
+import { boxesOf, pointersOf } from "./marks";
 import { modelOf } from "./model";
 import { placeTags } from "./overlay";
 import { entityAt, pointAt } from "./picking";
 import { paintPixels, pngPicture, svgPicture, type Shot } from "./picture";
 import { carried, IDENTITY } from "./pose";
 import { calm, Rig } from "./rig";
+import type { Sight } from "./sight";
 import { Surface, titleOf } from "./surface";
 import { splitDrawing } from "./svg";
-import type { Highlight, Layer, Mode, Options, Pose, Scene, Theme, Vec3, View, Viewer } from "./types";
+import type { Grip, Highlight, Layer, Mode, Options, Place, Pose, Scene, Theme, Vec3, View, Viewer } from "./types";
 import { add } from "./vectors";
 
 const SWING = 2400; // milliseconds for a swing to and fro
@@ -31,6 +35,7 @@ class Stage implements Viewer, Reach {
   private given = IDENTITY;
   private current = IDENTITY;
   private asked: Pose | null = null;
+  private moving: { id: string; place: Place } | null = null;
   private theme: Theme;
   private wish: Highlight | null = null;
   private pointed: Pointed | null = null;
@@ -60,13 +65,14 @@ class Stage implements Viewer, Reach {
     this.rig = new Rig(root, () => this.request(), options.covered ?? (() => 0));
     if (options.gizmo !== false) {
       this.gizmo = new Gizmo(this.rig.camera, root, {
-        moved: (pose) => this.moved(pose),
-        done: () => this.done(),
+        moved: (pose) => (this.held ? this.gripMoved(this.held.id, placeOf(pose, this.scene.about)) : this.moved(pose)),
+        done: () => (this.held ? this.gripDone() : this.done()),
         dragging: (on) => (this.rig.enabled = !on),
         changed: () => this.request(),
       });
       this.easel.hold(this.gizmo);
     }
+    new Grasp(this, this.stop.signal);
     this.hand = new Hand(this, this.stop.signal);
     if (options.wheel === "focused") {
       this.rig.wheel = false;
@@ -98,7 +104,7 @@ class Stage implements Viewer, Reach {
 
   update(part: Partial<Scene>): void {
     this.scene = { ...this.scene, ...part };
-    if (part.surface !== undefined) this.surface.describe(this.scene);
+    if (part.surface !== undefined || part.grips !== undefined) this.surface.describe(this.scene);
     if (part.pose) this.given = part.pose;
     else if (part.points) this.given = this.current;
     this.changed();
@@ -152,7 +158,14 @@ class Stage implements Viewer, Reach {
   }
 
   toScreen(name: string): [number, number] | null {
-    const at = this.posed().points[name];
+    return this.onScreen(this.posed().points[name]);
+  }
+
+  gripAt(id: string): [number, number] | null {
+    return this.onScreen(this.scene.grips?.find((grip) => grip.id === id)?.at);
+  }
+
+  private onScreen(at: Vec3 | undefined): [number, number] | null {
     if (!at) return null;
     this.fresh();
     const [x, y, depth] = this.rig.sight.place(at);
@@ -182,7 +195,9 @@ class Stage implements Viewer, Reach {
   private shot(): Shot {
     const model = this.fresh();
     const { sight } = this.rig;
-    return { model, split: this.split, sight, labels: placeTags(model, sight), theme: this.theme, title: titleOf(this.scene) };
+    const pointers = pointersOf(model, sight);
+    const labels = [...placeTags(model, sight), ...pointers.map(({ label }) => label)];
+    return { model, split: this.split, sight, labels, pointers, theme: this.theme, title: titleOf(this.scene) };
   }
 
   /** Paints the drawing without the handles of the platform. */
@@ -225,10 +240,13 @@ class Stage implements Viewer, Reach {
     if (this.swings) this.changed();
     const model = this.fresh(now);
     if (this.rig.advance(now, model.radius)) this.request();
-    this.gizmo?.place(this.platform, this.scene.about);
+    const { about } = this.scene;
+    this.gizmo?.place(this.held ? poseOf(this.held, about) : this.platform, about);
     const { sight, camera } = this.rig;
     this.easel.paint(camera, sight);
-    this.surface.show(model, placeTags(model, sight), camera, this.theme);
+    const [labels, pointers] = [placeTags(model, sight), pointersOf(model, sight)];
+    this.surface.show(model, labels, pointers, camera, this.theme);
+    this.options.onMarks?.(boxesOf(model, sight, labels, pointers));
   }
 
   private get swings(): boolean {
@@ -281,6 +299,43 @@ class Stage implements Viewer, Reach {
   }
   get grabbed(): boolean {
     return this.gizmo?.grabbed ?? false;
+  }
+
+  get sight(): Sight {
+    return this.rig.sight;
+  }
+  get chosen(): Grip | null {
+    return this.scene.grips?.find(({ id }) => id === this.scene.chosen) ?? null;
+  }
+  /** The grip that has the handles: the chosen one, if it can do what they do. */
+  private get held(): Grip | null {
+    return this.mode === "rotate" && !this.chosen?.turn ? null : this.chosen;
+  }
+
+  gripUnder(x: number, y: number, reach: number): Grip | null {
+    return gripAt(this.scene.grips ?? [], this.chosen, this.sight, x, y, reach);
+  }
+
+  chose(id: string | null): void {
+    this.options.onChoose?.(id);
+  }
+
+  removed(id: string): void {
+    this.options.onRemove?.(id);
+  }
+
+  inserted(id: string): void {
+    this.options.onInsert?.(id);
+  }
+
+  gripMoved(id: string, place: Place): void {
+    this.moving = { id, place };
+    this.options.onGrip?.(id, place, false);
+  }
+
+  gripDone(): void {
+    if (this.moving) this.options.onGrip?.(this.moving.id, this.moving.place, true);
+    this.moving = null;
   }
 
   under(x: number, y: number, reach: number): Pointed {

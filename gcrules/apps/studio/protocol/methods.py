@@ -16,6 +16,7 @@ from gcrules.apps.studio.protocol.limb_requests import LimbsArgs
 from gcrules.apps.studio.protocol.limb_views import LimbsAnswer
 from gcrules.apps.studio.protocol.locus_views import LocusAnswer
 from gcrules.apps.studio.protocol.motion_views import MapAnswer, PathAnswer, PlacedPose, SurfaceAnswer, WaypointsAnswer
+from gcrules.apps.studio.protocol.report_requests import RepeatArgs, SaveArgs
 from gcrules.apps.studio.protocol.rule_views import CheckedRules, PluginsAnswer
 from gcrules.apps.studio.protocol.shape_checks import check_of
 from gcrules.apps.studio.protocol.study_views import Gallery, Hello, Study
@@ -82,8 +83,8 @@ METHODS: Mapping[str, Method] = {
     "compose": Method(requests.ComposeArgs, answers.Composed),
     "resize": Method(requests.ResizeArgs, answers.Resized),
     "limbs": Method(LimbsArgs, LimbsAnswer),
-    "save": Method(requests.SaveArgs, answers.Saved),
-    "repeat": Method(requests.RepeatArgs, answers.Repeated, folders=True),
+    "save": Method(SaveArgs, answers.Saved, seconds=600),
+    "repeat": Method(RepeatArgs, answers.Repeated, folders=True),
     "follow": Method(requests.FollowArgs, answers.Followed, where="session"),
     "show": Method(requests.ShowArgs, answers.Shown, where="session"),
     "cancel": Method(requests.CancelArgs, answers.Cancelled, where="session"),

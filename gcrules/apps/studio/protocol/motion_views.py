@@ -40,6 +40,8 @@ class PathSampleView(TypedDict):
     margin: float
     pose: PoseJson | None
     """null where it is not known that the sliders lead to this configuration from home."""
+    platform: PoseJson | None
+    """Where the platform is then, from home, turned about `about` of the study: of a platform on six legs, its pose."""
 
 
 class PathPlaceView(TypedDict):

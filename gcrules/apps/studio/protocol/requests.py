@@ -49,12 +49,10 @@ __all__ = [
     "PoseArgs",
     "PoseJson",
     "Quaternion",
-    "RepeatArgs",
     "ResizeArgs",
     "RobotSource",
     "RuleFile",
     "RulesArgs",
-    "SaveArgs",
     "ScriptArgs",
     "ShowArgs",
     "Sketch",
@@ -338,26 +336,6 @@ class ComposeArgs(TypedDict):
 
 
 Format = Literal["html", "latex", "svg", "png", "pdf", "json", "yaml", "c", "cpp", "py", "rs"]
-
-
-class SaveArgs(PoseArgs):
-    what: Format
-
-
-def _object(value: Any, where: str) -> Any:
-    if not isinstance(value, dict):
-        raise InputError(f"{where} is no object")
-    return value
-
-
-class RepeatArgs(TypedDict):
-    """A method with its arguments, which are checked as if it were asked for."""
-
-    source: NotRequired[SourceJson]
-    what: Literal[
-        "open", "pose", "path", "map", "surface", "assemblies", "aspects", "free", "boxes", "certify", "manual", "bench"
-    ]
-    args: Annotated[dict[str, Any], _object]
 
 
 class FollowArgs(TypedDict):

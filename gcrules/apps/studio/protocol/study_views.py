@@ -10,7 +10,7 @@ from typing import Annotated, Literal, NotRequired, TypedDict
 from gcrules.apps.studio.protocol.requests import SourceJson
 from gcrules.core.shapes import OneOf
 from gcrules.views.report.stage_ids import STAGE_IDS
-from gcrules.views.scene_data import EntityView, LegEnds, LimbView, Vec3
+from gcrules.views.scene_data import EntityView, LegEnds, LimbView, RecipeView, Vec3
 
 __all__ = [
     "AccountView",
@@ -76,6 +76,8 @@ class Hello(TypedDict):
     """What the command line named: opened by a page that holds nothing else."""
     shared: bool
     """Whether Python shares the pose of what it has opened: the page follows it (`follow`), and tells it (`show`)."""
+    guide: bool
+    """Whether the guide is served below `guide/`."""
 
 
 class GalleryItem(TypedDict):
@@ -299,12 +301,18 @@ class Study(TypedDict):
     """Coordinates of its pose over which a map of whole boxes can go, with ranges to begin with."""
     measures: list[MeasureView]
     """What the bands of such a map can be, the margin first."""
+    loci: list[list[str]]
+    """Pairs of coordinates of the map over which the singular poses may have a formula."""
+    no_locus: str
+    """Why they have none over any coordinates; "" where they may have one."""
     entry: EntryView | None
     """The class of the catalog."""
     schematic: str
     """SVG of the legs as a graph. Elements carry data-point="a" and data-leg="ab"."""
     stages: list[StageView]
     entities: list[EntityView]
+    recipe: RecipeView | None
+    """How what is constructed follows from the joints of a platform that moves, for poses that are drawn in passing."""
     condition: ConditionView
     readings: list[ConditionView]
     robot: RobotView | None

@@ -14,6 +14,11 @@ export const PARTS: readonly PartKeys[] = [
       ["Alt Arrows", "Turn the view"],
       ["+", "Nearer; − further away"],
       ["Home", "Fit the robot into the picture"],
+      [".", "Choose the next waypoint, or joint of the shape; the keys above then move it, as its handles do"],
+      [",", "Choose the one before"],
+      ["Insert", "Put a waypoint after the chosen one"],
+      ["Delete", "Take the chosen waypoint out"],
+      ["Escape", "Let it go"],
     ],
   },
   {

@@ -26,6 +26,7 @@ export const LAYERS: readonly (readonly [Layer, string])[] = [
   ["grid", "Ground grid"],
   ["motion", "Gained motion"],
   ["surface", "Singular surface"],
+  ["way", "The way, with its waypoints"],
 ];
 
 /** Platforms are moved by the mouse in space: on six legs, and on limbs as far as their freedoms go. */

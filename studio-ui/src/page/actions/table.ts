@@ -2,7 +2,7 @@
 // of the header read it. To add an action, add a row; its keys then work, and are listed.
 import type { Store } from "../state/store";
 import { atHome, isHome } from "../state/doc";
-import { writeFragment } from "../state/fragment";
+import { linkOf } from "../state/fragment";
 import { panels } from "../panels";
 import { namesOf } from "./keys";
 import { limbActions } from "./limbs";
@@ -132,8 +132,9 @@ function pageActions(store: Store): Action[] {
   const { front, taste, space, lit, doc, study, bench$, projecting } = store;
   const dark = () => taste.theme.value === "dark";
   async function copyLink(): Promise<void> {
-    await navigator.clipboard.writeText(location.origin + location.pathname + (await writeFragment(doc.peek())));
-    front.tell("The link is copied");
+    const { fragment, short } = await linkOf(doc.peek());
+    await navigator.clipboard.writeText(location.origin + location.pathname + fragment);
+    front.tell(short ? "The link is copied without the way, with which it would be too long" : "The link is copied");
   }
   return [
     { id: "palette", title: "Commands", group: "Page", keys: ["Mod k"], everywhere: true, words: "palette", act: () => void (front.dialog.value = "palette") },

@@ -1,5 +1,5 @@
 // The dimensions of the robot on show, and another robot beside it.
-import { useEffect, useState } from "preact/hooks";
+import { useEffect } from "preact/hooks";
 import { editLimbs, limbsAtHand } from "../actions/limbs";
 import { FaultBox } from "../parts/fault-box";
 import { Comparison } from "./dimensions/comparison";
@@ -11,15 +11,16 @@ import "./dimensions/dimensions.css";
 
 export function Dimensions({ store }: PanelProps) {
   const { resizing } = store;
-  const [selected, select] = useState<string | null>(null);
+  const selected = resizing.selected.value;
+  const select = (name: string | null): void => void (resizing.selected.value = name);
   const study = store.study.value;
-  useEffect(() => store.settle, [store]);
+  useEffect(() => () => (store.settle(), select(null)), [store]);
   if (!study) return null;
   return (
     <div class="dimensions">
       <header>
         <h2>Dimensions</h2>
-        <p class="why">{study.robot ? "What is changed is seen beside what was." : "The condition depends on how the legs are joined, not on their places: it stays. The margin, the map and what is proved follow."}</p>
+        <p class="why">{study.robot ? "What is changed is seen beside what was." : "The condition depends on how the legs are joined, not on their places: it stays. The margin, the map and what is proved follow. Drag a joint in the picture or in the plan, or type its place."}</p>
       </header>
       {study.robot ? (
         <section aria-label="Joints">

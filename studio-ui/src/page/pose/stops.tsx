@@ -46,7 +46,7 @@ export function Stops() {
             {list.slice(0, LISTED).map((pose, i) => (
               <li
                 key={i}
-                class={held === i ? "held" : ""}
+                class={held === i ? "held" : given.value && timeline.chosen.value === i ? "chosen" : ""}
                 draggable
                 data-testid="way-stop"
                 onDragStart={() => hold(i)}
@@ -63,7 +63,10 @@ export function Stops() {
                   class="quiet name"
                   title="Go there; Alt and an arrow key moves it in the list"
                   onKeyDown={(event) => key(event, i)}
-                  onClick={() => timeline.lead(i)}
+                  onClick={() => {
+                    timeline.lead(i);
+                    if (given.value) timeline.choose(i);
+                  }}
                 >
                   <b>{i + 1}</b> {inWords(pose, shown)}
                 </button>

@@ -1,8 +1,10 @@
-// All terms with their meanings.
+// All terms with their meanings, in which other terms lead to theirs.
 import { useEffect, useRef, useState } from "preact/hooks";
 import { GLOSSARY } from "../../protocol";
 import { folded, holds, wordsOf } from "../lib/finding";
+import { inTerms, type GlossaryTerm } from "../lib/terms";
 import { useStore } from "../parts/context";
+import { GuideLink } from "../parts/guide-link";
 import { Icon } from "../parts/icon";
 import { Modal } from "../parts/modal";
 
@@ -12,7 +14,12 @@ export function Glossary({ onClose }: { onClose(): void }) {
   const list = useRef<HTMLDListElement>(null);
   const words = wordsOf(query);
   const found = GLOSSARY.filter(({ term, forms, meaning }) => words.every((word) => holds(folded(`${term} ${forms} ${meaning}`), word)));
-  useEffect(() => list.current?.querySelector("[data-wanted=true]")?.scrollIntoView({ block: "center" }), []);
+  const wanted = front.wanted.value;
+  useEffect(() => list.current?.querySelector("[data-wanted=true]")?.scrollIntoView({ block: "center" }), [wanted]);
+  const lead = (term: string): void => {
+    ask("");
+    front.glossary(term);
+  };
   return (
     <Modal label="Glossary" class="glossary" testid="glossary" onClose={onClose}>
       <header>
@@ -23,16 +30,36 @@ export function Glossary({ onClose }: { onClose(): void }) {
         </button>
       </header>
       <dl ref={list} tabIndex={0} aria-label="Terms">
-        {found.map(({ term, meaning, guide }) => (
-          <div key={term} data-wanted={front.wanted.value === term} data-testid={`entry-${term.replaceAll(" ", "-")}`}>
-            <dt>{term}</dt>
+        {found.map((entry) => (
+          <div key={entry.term} data-wanted={wanted === entry.term} data-testid={`entry-${entry.term.replaceAll(" ", "-")}`}>
+            <dt>{entry.term}</dt>
             <dd>
-              {meaning} <span class="guide">In the guide: {guide}</span>
+              <Meaning entry={entry} lead={lead} />
+              <span class="guide">
+                <GuideLink entry={entry} />
+              </span>
             </dd>
           </div>
         ))}
       </dl>
       {found.length === 0 && <p class="none">Nothing matches “{query}”.</p>}
     </Modal>
+  );
+}
+
+function Meaning({ entry, lead }: { entry: GlossaryTerm; lead(term: string): void }) {
+  const pieces = inTerms(entry.meaning, new Set([entry.term]));
+  return (
+    <>
+      {pieces.map(({ text, entry: other }) =>
+        other ? (
+          <button type="button" class="term" onClick={() => lead(other.term)}>
+            {text}
+          </button>
+        ) : (
+          text
+        ),
+      )}
+    </>
   );
 }

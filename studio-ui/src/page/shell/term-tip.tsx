@@ -2,6 +2,7 @@
 import { useEffect, useLayoutEffect, useRef } from "preact/hooks";
 import { entryOf } from "../lib/terms";
 import { useStore } from "../parts/context";
+import { GuideLink } from "../parts/guide-link";
 import type { Front } from "../state/front";
 
 const [SOON, AWHILE] = [250, 200]; // milliseconds before it comes, and before it goes when the mouse has left
@@ -23,9 +24,9 @@ export function TermTip() {
         <b>{entry.term.charAt(0).toUpperCase() + entry.term.slice(1)}</b>. {entry.meaning}
       </p>
       <p class="guide">
-        In the guide: {entry.guide}
+        <GuideLink entry={entry} />
         <button type="button" class="quiet" onClick={() => front.glossary(entry.term)} data-testid="term-more">
-          All words
+          In the glossary
         </button>
       </p>
     </div>

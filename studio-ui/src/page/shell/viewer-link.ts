@@ -7,6 +7,8 @@ import { samePose } from "../state/doc";
 import { foundBy, posedPart, sceneOf, withOverlay } from "../state/scene";
 import type { Store } from "../state/store";
 import { isStale, meshOf } from "../state/surfacing";
+import { IDENTITY } from "../../viewer/pose";
+import { ghostNow, gripHandlers, showGrips } from "./grips";
 import { createPace } from "./pace";
 
 export function connect(element: HTMLElement, store: Store): () => void {
@@ -23,7 +25,11 @@ export function connect(element: HTMLElement, store: Store): () => void {
       else if (robot) store.leading.to(pose);
       else store.edit({ pose }, "hand");
     },
-    covered: () => coveredBy(element.parentElement?.querySelector(".warning"), element),
+    covered: () => element.parentElement?.querySelector<HTMLElement>(".warning:not(.below)")?.offsetHeight ?? 0,
+    onMarks(boxes) {
+      if (JSON.stringify(boxes) !== JSON.stringify(space.marks.peek())) space.marks.value = boxes;
+    },
+    ...gripHandlers(store),
     onPick: (name) => void (space.pick(name) || lit.pin(pointTarget(name))),
     onHover: (what) => lit.hover(hovered(store, what)),
   });
@@ -34,12 +40,15 @@ export function connect(element: HTMLElement, store: Store): () => void {
       const shown = study.value;
       if (!shown) return;
       untracked(() => {
-        viewer.show({ ...sceneOf(shown), entities: entitiesNow(store) });
+        const scene = { ...sceneOf(shown), entities: entitiesNow(store) };
+        if (store.resizing.made.peek() === shown) viewer.update({ ...scene, pose: IDENTITY, constructed: [], motion: null }); // the view stays
+        else viewer.show(scene);
         viewer.setPose(pose$.peek());
       });
     }),
     effect(() => viewer.update({ entities: entitiesNow(store), ...extrasNow(store) })),
     followPose(store, viewer),
+    showGrips(store, viewer),
     drawSurface(store, viewer),
     keepInSight(store, viewer, element, () => held),
     effect(() => viewer.highlight(highlightOf(lit.current.value))),
@@ -53,10 +62,6 @@ export function connect(element: HTMLElement, store: Store): () => void {
     space.viewer.value = null;
     viewer.dispose();
   };
-}
-
-function coveredBy(strip: Element | null | undefined, element: HTMLElement): number {
-  return strip ? Math.max(0, strip.getBoundingClientRect().bottom - element.getBoundingClientRect().top) : 0;
 }
 
 const REST = 500; // milliseconds without a move
@@ -99,8 +104,8 @@ function followPose(store: Store, viewer: Viewer): () => void {
     const numbers = posing.numbers.peek();
     if (!samePose(pose, viewer.pose)) viewer.setPose(pose);
     if (numbers && numbers !== drawn) {
-      const part = posedPart(numbers, samePose(numbers.pose, pose));
-      viewer.update({ ...part, constructed: constructedNow(store, numbers) });
+      const dragged = Object.keys(store.resizing.wanted.peek()).length > 0; // the joints are elsewhere by now
+      if (!dragged) viewer.update({ ...posedPart(numbers, samePose(numbers.pose, pose)), constructed: constructedNow(store, numbers) });
     }
     drawn = numbers;
   });
@@ -148,7 +153,7 @@ function entitiesNow(store: Store) {
 function extrasNow(store: Store) {
   const extra = store.space.overlay.value;
   const numbers = store.posing.numbers.peek();
-  return { planes: extra?.planes ?? [], ghost: extra?.ghost, constructed: constructedNow(store, numbers) };
+  return { planes: extra?.planes ?? [], ghost: extra?.ghost ?? ghostNow(store), constructed: constructedNow(store, numbers) };
 }
 
 function constructedNow(store: Store, numbers: Numbers | null) {

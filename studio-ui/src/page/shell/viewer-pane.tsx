@@ -2,6 +2,7 @@
 import { useEffect, useRef } from "preact/hooks";
 import { useStore } from "../parts/context";
 import { EntityChip } from "../parts/entity-chip";
+import { Icon } from "../parts/icon";
 import { CrossingAlert } from "../pose/crossings";
 import { Toolbar } from "./toolbar";
 import { connect, foundNow } from "./viewer-link";
@@ -20,12 +21,51 @@ export function ViewerPane() {
   }, [large.value]);
   return (
     <section class={store.space.large.value ? "viewer-pane large" : "viewer-pane"} aria-label="Robot in 3D">
-      <div class="viewer" ref={box} data-testid="viewer" />
+      <div class="scene">
+        <div class="viewer" ref={box} data-testid="viewer" />
+        <Warning pane={box} />
+      </div>
       <Toolbar />
-      <Warning />
       <CrossingAlert />
       <Legend />
     </section>
+  );
+}
+
+/** The waypoint that is held in the picture, and what can be done with it. */
+function ChosenWaypoint() {
+  const { timeline, space } = useStore();
+  const [index, count] = [timeline.chosen.value, timeline.stops.value.length];
+  if (index === null || !timeline.given.value || !space.layers.value.way) return null;
+  const last = index + 1 === count;
+  return (
+    <span class="waypoint" role="group" aria-label={`Waypoint ${index + 1}`} data-testid="waypoint">
+      <b>
+        Waypoint {index + 1} of {count}
+      </b>
+      <button type="button" class="small" disabled={!timeline.proof.value} data-testid="waypoint-go" onClick={() => timeline.lead(index)}>
+        Go there
+      </button>
+      <button type="button" class="small" title="The pose on show takes its place" data-testid="waypoint-put" onClick={() => timeline.put(index)}>
+        Put here
+      </button>
+      <button
+        type="button"
+        class="small"
+        title="One in the middle between this waypoint and the next"
+        disabled={last || !timeline.proof.value}
+        data-testid="waypoint-insert"
+        onClick={() => (timeline.insert(index), timeline.done())}
+      >
+        One after it
+      </button>
+      <button type="button" class="small" data-testid="waypoint-remove" onClick={() => timeline.remove(index)}>
+        Take it out
+      </button>
+      <button type="button" class="quiet tool" aria-label="Let the waypoint go" onClick={() => timeline.choose(null)}>
+        <Icon name="close" size={14} />
+      </button>
+    </span>
   );
 }
 
@@ -39,7 +79,8 @@ function Legend() {
   const own = extra?.alone ? [] : shown.entities.filter(({ id }) => found === null || found.includes(id));
   return (
     <div class="legend" role="group" aria-label="Entities" tabIndex={0}>
-      {own.length === 0 && "Drag to look around. Point at a joint, a leg or a bracket: it lights up everywhere."}
+      <ChosenWaypoint />
+      {own.length === 0 && store.timeline.chosen.value === null && "Drag to look around. Point at a joint, a leg or a bracket: it lights up everywhere."}
       {own.map((entity) => (
         <EntityChip key={entity.id} entity={entity} named={false} />
       ))}

@@ -1,25 +1,35 @@
-// Over the picture, where the pose is close or singular: what has gone wrong in the geometry, and the motion that is gained.
-import { useEffect, useState } from "preact/hooks";
+// Where the pose is close or singular: what has gone wrong in the geometry, and the motion that is gained. It stands at an edge of
+// the picture where it covers no point in which planes meet; where both edges have one, below the picture.
+import type { RefObject } from "preact";
+import { useEffect, useLayoutEffect, useRef, useState } from "preact/hooks";
 import { useStore } from "../parts/context";
 import { Icon } from "../parts/icon";
 import { Prose } from "../parts/prose";
+import { placeOf, type Place } from "./warning-place";
 
-export function Warning() {
+export function Warning({ pane }: { pane: RefObject<HTMLElement | null> }) {
   const { posing, space } = useStore();
   const [open, unfold] = useState(false);
+  const bar = useRef<HTMLDivElement>(null);
+  const [place, put] = useState<Place>("top");
+  const marks = space.marks.value;
   const numbers = posing.numbers.value;
   const warns = numbers !== null && numbers.verdict !== "regular";
   const movable = warns && numbers.motion !== null;
   useEffect(() => {
     if (!movable) space.playing.value = false;
   }, [movable]);
+  useLayoutEffect(() => {
+    const [shown, picture] = [bar.current, pane.current];
+    if (shown && picture) put(placeOf(place, shown.offsetWidth, shown.offsetHeight, picture.clientWidth, picture.clientHeight, marks));
+  }, [marks, numbers, open, place]);
   if (!warns) return null;
   const causes = numbers.causes.flatMap((cause) => cause.split("\n"));
   const motion = numbers.motion ? [sentence(numbers.motion.text)] : [];
   const [first, ...others] = [...causes, ...motion];
   if (first === undefined) return null;
   return (
-    <div class={`warning ${numbers.verdict} ${open ? "open" : ""}`} data-testid="warning">
+    <div ref={bar} class={`warning ${numbers.verdict} ${place} ${open ? "open" : ""}`} data-testid="warning" data-place={place}>
       {movable && <Play />}
       <ul data-testid="causes">
         <li title={open ? undefined : first}>

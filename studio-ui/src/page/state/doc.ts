@@ -13,7 +13,9 @@ export interface Range {
   high: number;
 }
 
-/** What a path and a map are asked with. */
+export type Box = [Range, Range, Range];
+
+/** What a path, a map and a surface are asked with. */
 export interface Tour {
   /** Where the path begins; null for home. */
   start: Pose | null;
@@ -25,6 +27,10 @@ export interface Tour {
   nodes: number;
   /** What the bands of the map are. */
   measure: string;
+  /** The ranges of the surface over x, y and z; null for those to begin with. */
+  box: Box | null;
+  /** Poses along each of them; null for so many as are soon there. */
+  fineness: number | null;
 }
 
 export interface Doc {
@@ -42,6 +48,10 @@ export interface Doc {
   /** Files of rules that hold on the bench. */
   rules: readonly RuleFile[];
   tour: Tour;
+  /** The way that is given by waypoints; none where it is empty. */
+  way: readonly Pose[];
+  /** The way that was driven, as the fewest poses. */
+  driven: readonly Pose[];
   making: Making;
   /** What is being drawn, if anything. */
   sketch: Sketch | null;
@@ -54,9 +64,12 @@ export const HOME: Pose = { translation: [0, 0, 0], quaternion: [1, 0, 0, 0] };
 /** Poses along each coordinate of a map, to choose from. */
 export const NODES: readonly number[] = [11, 17, 25, 41, 61, 81];
 
+/** Poses along each coordinate of a surface, to choose from. */
+export const FINENESS: readonly number[] = [9, 13, 25, 41];
+
 export const MARGIN = "margin";
 
-export const TOUR: Tour = { start: null, to: "", over: null, nodes: 25, measure: MARGIN };
+export const TOUR: Tour = { start: null, to: "", over: null, nodes: 25, measure: MARGIN, box: null, fineness: null };
 
 export const EMPTY: Doc = {
   source: null,
@@ -68,13 +81,15 @@ export const EMPTY: Doc = {
   bench: "",
   rules: [],
   tour: TOUR,
+  way: [],
+  driven: [],
   making: "legs",
   sketch: null,
   limbs: null,
 };
 
-/** The fields that say where the user is rather than what was made: changing them is no step to undo. */
-export const NAVIGATION = ["panel", "stage", "making"] as const satisfies readonly (keyof Doc)[];
+/** The fields that say where the user is, and how it was come there, rather than what was made: changing them is no step to undo. */
+export const NAVIGATION = ["panel", "stage", "making", "driven"] as const satisfies readonly (keyof Doc)[];
 
 export function sameSource(a: Source | null, b: Source | null): boolean {
   return JSON.stringify(a) === JSON.stringify(b);

@@ -1,11 +1,11 @@
 // The document as a signal, its changes, undo and redo, and its copy in the address bar.
 import { batch, computed, effect, signal, type ReadonlySignal, type Signal } from "@preact/signals";
 import { EMPTY, HOME, TOUR, sameSource, type Doc, type Making, type PanelId } from "./doc";
-import { leave, plainFragment, readFragment, writeFragment } from "./fragment";
+import { leave, linkOf, plainFragment, readFragment } from "./fragment";
 import { closed, moved, record, redone, undone, type History } from "./history";
 import { isReload, recalled, remember } from "./tab-memory";
 import { readHistory, writeHistory } from "./undo-memory";
-import type { Source, StageId } from "../../protocol";
+import type { Pose, Source, StageId } from "../../protocol";
 
 export interface Editing extends Fields {
   doc: ReadonlySignal<Doc>;
@@ -17,6 +17,8 @@ export interface Editing extends Fields {
   edit(change: Partial<Doc>, key?: string): void;
   /** Ends a row of changes: the next one is a step of its own. */
   settle(): void;
+  /** The way that was driven up to here; no step to undo. */
+  drive(driven: readonly Pose[]): void;
   go(where: { panel?: PanelId; stage?: StageId; making?: Making }): void;
   /** Opens a structure at its home pose and shows it. */
   open(source: Source, panel?: PanelId): void;
@@ -38,6 +40,8 @@ function fieldsOf(doc: ReadonlySignal<Doc>): Fields {
     bench$: computed(() => doc.value.bench),
     rules$: computed(() => doc.value.rules),
     tour$: computed(() => doc.value.tour),
+    way$: computed(() => doc.value.way),
+    driven$: computed(() => doc.value.driven),
     making$: computed(() => doc.value.making),
     sketch$: computed(() => doc.value.sketch),
     limbs$: computed(() => doc.value.limbs),
@@ -53,7 +57,9 @@ export function createEditing(start: Doc | null): Editing {
   const doc = computed(() => history.value.present);
 
   const edit = (change: Partial<Doc>, key: string | null = null): void => {
-    history.value = record(history.peek(), change, key);
+    // what another robot does is another way
+    const leaves = change.source !== undefined && !sameSource(change.source, doc.peek().source);
+    history.value = record(history.peek(), leaves ? { way: [], driven: [], ...change } : change, key);
   };
 
   const editing: Editing = {
@@ -64,6 +70,7 @@ export function createEditing(start: Doc | null): Editing {
     unread: signal(start === null),
     edit,
     settle: () => void (history.value = closed(history.peek())),
+    drive: (driven) => void (history.value = moved(history.peek(), { driven })),
     go: (where) => void (history.value = moved(history.peek(), where)),
     open(source, panel = "guided") {
       const same = sameSource(source, doc.peek().source);
@@ -118,10 +125,10 @@ function keepInAddress({ doc, edit, go, panel$, making$, source$, unread }: Edit
     window.clearTimeout(timer);
     timer = window.setTimeout(async () => {
       timer = 0;
-      const fragment = await writeFragment(now);
+      const { fragment, short } = await linkOf(now);
       if (now !== doc.peek()) return;
       write(fragment, "replaceState");
-      kept = now;
+      kept = short ? null : now;
     }, PAUSE);
   });
   window.addEventListener("pagehide", () => {

@@ -1,5 +1,6 @@
 // The document in the fragment of the address: base64url of JSON, deflated where that is shorter. Only what differs from
 // the empty document is written, so that the link of a class is short. The fragment never leaves the browser.
+import { LONGEST_LINK } from "../../protocol";
 import { EMPTY, HOME, samePose, type Doc } from "./doc";
 import { readDoc } from "./read";
 import { isReload } from "./tab-memory";
@@ -7,7 +8,20 @@ import { isReload } from "./tab-memory";
 const LONGEST = 4_000_000; // bytes of JSON that a link may hold: a file of the largest size, each letter escaped, fits well
 const LARGE = 240; // characters of JSON above which deflating pays
 
-export async function writeFragment(doc: Doc): Promise<string> {
+export interface Link {
+  fragment: string;
+  /** The waypoints are left out, since with them the link would be too long. */
+  short: boolean;
+}
+
+/** The fragment, without the waypoints where these make it too long. */
+export async function linkOf(doc: Doc): Promise<Link> {
+  const fragment = await deflatedFragment(doc);
+  if (fragment.length <= LONGEST_LINK || (doc.way.length === 0 && doc.driven.length === 0)) return { fragment, short: false };
+  return { fragment: await deflatedFragment({ ...doc, way: [], driven: [] }), short: true };
+}
+
+async function deflatedFragment(doc: Doc): Promise<string> {
   const json = compact(doc);
   if (json === "{}") return "";
   if (json.length < LARGE || typeof CompressionStream === "undefined") return plainFragment(doc);
@@ -58,7 +72,8 @@ export function arriving(): string {
   return location.hash;
 }
 
-const compact = (doc: Doc): string => JSON.stringify(changedFields(doc));
+/** Of two ways the one that is on show. */
+const compact = (doc: Doc): string => JSON.stringify(changedFields(doc.way.length > 0 ? { ...doc, driven: [] } : doc));
 
 /** What differs from the empty document. */
 export function changedFields(doc: Doc): Partial<Doc> {

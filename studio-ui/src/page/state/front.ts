@@ -5,6 +5,8 @@ export interface Front {
   dialog: Signal<"palette" | "keys" | "repeat" | "glossary" | null>;
   /** The word whose meaning is shown; `pinned` until it is put away. */
   term: Signal<{ name: string; word: HTMLElement; pinned: boolean } | null>;
+  /** Whether the guide lies beside the page. */
+  guide: Signal<boolean>;
   /** The term that the glossary was opened for. */
   wanted: ReadonlySignal<string | null>;
   glossary(wanted?: string): void;
@@ -26,6 +28,7 @@ export function createFront(): Front {
   return {
     dialog,
     term,
+    guide: signal(false),
     wanted,
     tour: signal(null),
     glossary(one) {

@@ -45,5 +45,5 @@ export function redone(history: History): History {
 
 /** Stays where the user is, unless another structure comes back. */
 function arrived(from: Doc, to: Doc): Doc {
-  return sameSource(from.source, to.source) ? { ...to, panel: from.panel, stage: from.stage, making: from.making } : to;
+  return sameSource(from.source, to.source) ? { ...to, panel: from.panel, stage: from.stage, making: from.making, driven: from.driven } : to;
 }

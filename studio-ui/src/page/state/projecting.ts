@@ -65,8 +65,7 @@ export function createProjecting(editing: Editing, { study }: Studying, timeline
     show(index, pose) {
       const robot = project.peek().robots[index];
       if (!robot) return;
-      editing.edit(pose ? { ...robot.state, pose } : robot.state);
-      if (robot.way.length > 1) timeline.take(robot.way);
+      editing.edit({ ...robot.state, way: robot.way, ...(pose && { pose }) });
     },
     read(text, name) {
       const found = readProject(text, name);
@@ -79,4 +78,4 @@ export function createProjecting(editing: Editing, { study }: Studying, timeline
 }
 
 /** What is shown when it is opened again: the robot, not the list of robots. */
-const stateOf = (doc: Doc): Doc => (doc.panel === "project" || doc.panel === "start" ? { ...doc, panel: "guided" } : doc);
+const stateOf = (doc: Doc): Doc => ({ ...doc, way: [], driven: [], ...((doc.panel === "project" || doc.panel === "start") && { panel: "guided" }) });

@@ -1,9 +1,10 @@
 // Reads a document that comes from outside (a link): every field is checked, what is not understood is left out.
 import {
-  FARTHEST, LONGEST_FILE, LONGEST_RULES, MOST_COMMANDS, MOST_COORDINATES, MOST_LEGS, MOST_POINTS, MOST_RULES, MOST_RULE_FILES, STAGE_IDS,
+  FARTHEST, LONGEST_FILE, LONGEST_RULES, MOST_COMMANDS, MOST_COORDINATES, MOST_LEGS, MOST_POINTS, MOST_RULES, MOST_RULE_FILES,
+  MOST_WAYPOINTS, STAGE_IDS,
   type Pose, type RuleFile, type Sketch, type Source, type Vec3,
 } from "../../protocol";
-import { EMPTY, HOME, NODES, TOUR, type Doc, type Making, type PanelId, type Range, type Tour } from "./doc";
+import { EMPTY, FINENESS, HOME, NODES, TOUR, type Doc, type Making, type PanelId, type Range, type Tour } from "./doc";
 
 type Loose = Record<string, unknown>;
 
@@ -47,6 +48,13 @@ export function readPose(x: unknown): Pose {
   return listOf(isPlace)(x.coordinates) && x.coordinates.length <= MOST_COORDINATES ? { ...pose, coordinates: x.coordinates } : pose;
 }
 
+/** A way is read as a whole or not at all: without one of its poses it would be another. */
+function readWay(x: unknown): Pose[] {
+  if (!Array.isArray(x) || x.length > MOST_WAYPOINTS) return [];
+  const found = x.map(readPose);
+  return found.includes(HOME) ? [] : found; // that one stands for a pose that cannot be read
+}
+
 function readSketch(x: unknown): Sketch | null {
   if (!isObject(x) || !isText(x.title) || !isObject(x.points)) return null;
   const { title, base, platform, legs } = x;
@@ -73,14 +81,17 @@ function readRules(x: unknown): readonly RuleFile[] {
 
 function readTour(x: unknown): Tour {
   if (!isObject(x)) return TOUR;
-  const { start, to, over, nodes, measure } = x;
+  const { start, to, over, nodes, measure, box, fineness } = x;
   const [first, second] = listOf(isRange)(over) ? over : [];
+  const [a, b, c] = listOf(isRange)(box) ? box : [];
   return {
     start: isObject(start) ? readPose(start) : null,
     to: isText(to) ? to : "",
     over: first && second ? [first, second] : null,
     nodes: isNumber(nodes) && NODES.includes(nodes) ? nodes : TOUR.nodes,
     measure: isText(measure) ? measure : TOUR.measure,
+    box: a && b && c && [a, b, c].every(({ name }, i) => name === "xyz"[i]) ? [a, b, c] : null,
+    fineness: isNumber(fineness) && FINENESS.includes(fineness) ? fineness : null,
   };
 }
 
@@ -98,6 +109,8 @@ export function readDoc(x: unknown): Doc {
     bench: isText(x.bench) ? x.bench : "",
     rules: readRules(x.rules),
     tour: readTour(x.tour),
+    way: readWay(x.way),
+    driven: readWay(x.driven),
     making: among(MADE)(x.making) ? x.making : EMPTY.making,
     sketch: readSketch(x.sketch),
     limbs: isText(x.limbs) && x.limbs.length <= LONGEST_FILE ? x.limbs : null,

@@ -1,6 +1,6 @@
 // The platform on show with other dimensions. The robot changes when the new one is analysed, so that all that is on show stays
 // until then; what is dragged meanwhile comes with the next one.
-import { batch, signal, type ReadonlySignal } from "@preact/signals";
+import { batch, signal, type ReadonlySignal, type Signal } from "@preact/signals";
 import type { Fault, Source, Study } from "../../protocol";
 import type { Client } from "../net/client";
 import { latest } from "../net/latest";
@@ -15,6 +15,10 @@ export interface Resizing {
   fault: ReadonlySignal<Fault | null>;
   /** Where points are wanted, until the platform is so. */
   wanted: ReadonlySignal<Readonly<Record<string, Written>>>;
+  /** The joint in hand, in the plan, in the table and in the picture. */
+  selected: Signal<string | null>;
+  /** The last study that came of it: the same robot with other dimensions. */
+  made: ReadonlySignal<Study | null>;
   move(name: string, to: Written): void;
   limit(limits: string): void;
   /** What follows is a step of its own to undo. */
@@ -27,9 +31,11 @@ interface Asked {
   limits?: string;
 }
 
-export function createResizing(client: Client, { doc, source$, edit, settle }: Editing, studying: Studying): Resizing {
+export function createResizing(client: Client, { doc, source$, way$, driven$, edit, settle }: Editing, studying: Studying): Resizing {
   const fault = signal<Fault | null>(null);
   const wanted = signal<Record<string, Written>>({});
+  const selected = signal<string | null>(null);
+  const made = signal<Study | null>(null);
   let limits: string | undefined;
   let busy = false;
   let ending = false;
@@ -53,8 +59,9 @@ export function createResizing(client: Client, { doc, source$, edit, settle }: E
       if (!sameSource(asked.source, doc.peek().source)) return void (wanted.value = {});
       batch(() => {
         fault.value = null;
+        made.value = study;
         wanted.value = without(wanted.peek(), asked.points);
-        studying.swap(source, study, () => edit({ source }, "dimensions"));
+        studying.swap(source, study, () => edit({ source, way: way$.peek(), driven: driven$.peek() }, "dimensions"));
       });
       finish();
     },
@@ -81,6 +88,8 @@ export function createResizing(client: Client, { doc, source$, edit, settle }: E
   return {
     fault,
     wanted,
+    selected,
+    made,
     move(name, to) {
       const before = wanted.peek()[name] ?? [null, null, null];
       wanted.value = { ...wanted.peek(), [name]: [to[0] ?? before[0], to[1] ?? before[1], to[2] ?? before[2]] };

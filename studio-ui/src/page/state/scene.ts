@@ -13,8 +13,8 @@ export interface Overlay {
 }
 
 export function sceneOf(study: Study): Scene {
-  const { points, base, platform, legs, about, size, unit } = study;
-  return { points, base, platform, legs, about, size, unit, entities: study.entities, limbs: study.robot?.limbs ?? [] };
+  const { points, base, platform, legs, about, size, unit, entities, recipe } = study;
+  return { points, base, platform, legs, about, size, unit, entities, limbs: study.robot?.limbs ?? [], ...(recipe && { recipe }) };
 }
 
 /** The entities that the stages up to this one have found; all of them where no stage lists any. */

@@ -3,6 +3,9 @@ import { signal, type Signal } from "@preact/signals";
 import type { Layer, Mode, Viewer } from "../../viewer";
 import type { Overlay } from "./scene";
 
+/** Left, top, right, bottom. */
+export type Box = readonly [number, number, number, number];
+
 export interface Space {
   /** The viewer, while it is on show; tests reach it as `window.gcrules.viewer`. */
   viewer: Signal<Viewer | null>;
@@ -12,6 +15,8 @@ export interface Space {
   large: Signal<boolean>;
   /** Whether the gained motion is being played. */
   playing: Signal<boolean>;
+  /** Where the points are seen in which planes meet, in pixels of the picture; see `onMarks` of the viewer. */
+  marks: Signal<readonly Box[]>;
   /** What the panel that is open adds to the picture; it takes it back when it closes. */
   overlay: Signal<Overlay | null>;
   /** Points picked in 3D (mode "pick") and in the schematic go to the one that asked last. Returns how to stop. */
@@ -24,9 +29,10 @@ export function createSpace(): Space {
   return {
     viewer: signal(null),
     mode: signal<Mode>("orbit"),
-    layers: signal({ entities: true, labels: true, legs: true, wrenches: true, grid: true, motion: true, surface: true }),
+    layers: signal({ entities: true, labels: true, legs: true, wrenches: true, grid: true, motion: true, surface: true, way: true }),
     large: signal(false),
     playing: signal(false),
+    marks: signal<readonly Box[]>([]),
     overlay: signal(null),
     onPick(take) {
       takers = [...takers, take];

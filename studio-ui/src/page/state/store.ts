@@ -53,7 +53,9 @@ export function createStore(client: Client, start: Doc | null): Store {
   const gallery = signal<Gallery | null>(null);
   void client.ask("gallery", {}).then((found) => (gallery.value = found));
   const sharing = createSharing(client, editing);
-  void client.ask("hello", {}).then(({ opened, shared }) => {
+  const front = createFront();
+  void client.ask("hello", {}).then(({ opened, shared, guide }) => {
+    front.guide.value = guide;
     if (opened && !editing.doc.peek().source) editing.open(opened);
     if (opened && shared) sharing.begin(opened);
   });
@@ -78,7 +80,7 @@ export function createStore(client: Client, start: Doc | null): Store {
     roaming: createRoaming(client, editing),
     modes: createChoosing(client, editing),
     lit: createLit(),
-    front: createFront(),
+    front,
     space: createSpace(),
     taste: createTaste(),
   };

@@ -1,32 +1,8 @@
-// The singular surface over x, y and z: what it is asked with, where it lies in the scene, and whether it still holds.
-import { effect, signal, type Signal } from "@preact/signals";
+// The singular surface over x, y and z: the ranges that it begins with, where it lies in the scene, and whether it still holds.
 import type { Numbers, Pose, Study, SurfaceAnswer, Vec3 } from "../../protocol";
 import type { TriangleMesh } from "../../viewer";
-import type { Client } from "../net/client";
-import type { Range } from "./doc";
-import type { Editing } from "./editing";
-import { createRefining, type Refined, type Refining } from "./refining";
-
-export type Box = [Range, Range, Range];
-
-export interface Surfacing extends Refining<"surface"> {
-  /** The ranges that were chosen; null for those to begin with. */
-  box: Signal<Box | null>;
-  /** Poses along each of them; null for so many as are soon there. */
-  nodes: Signal<number | null>;
-}
-
-export const FINENESS: readonly number[] = [9, 13, 25, 41];
-
-export function createSurfacing(client: Client, editing: Editing): Surfacing {
-  const box = signal<Box | null>(null);
-  const nodes = signal<number | null>(null);
-  effect(() => {
-    void editing.source$.value;
-    box.value = nodes.value = null;
-  });
-  return { ...createRefining(client, editing, "surface", "Looking for singular poses", 5), box, nodes };
-}
+import type { Box } from "./doc";
+import type { Refined } from "./refining";
 
 /** Where joints are solved for, each pose takes longer. */
 export const finenessOf = ({ kind }: Study): number => (kind === "robot" ? 9 : 25);

@@ -1,10 +1,11 @@
 // The way that was driven, or that is given by waypoints: proved as soon as the hand rests, and led along.
 import { computed, effect, signal, untracked, type ReadonlySignal, type Signal } from "@preact/signals";
-import { MOST_WAYPOINTS, type Fault, type Numbers, type PathAnswer, type Pose, type Sign } from "../../protocol";
+import { MOST_WAYPOINTS, type Fault, type Numbers, type PathAnswer, type Pose, type Sign, type Source } from "../../protocol";
 import { driven, type Driven, type Scales } from "../lib/way";
 import { between } from "../lib/rotation";
 import type { Client } from "../net/client";
-import { samePose } from "./doc";
+import { latest } from "../net/latest";
+import { samePose, sameSource } from "./doc";
 import type { Editing } from "./editing";
 import type { Posing } from "./posing";
 import { createRunner, type Running } from "./running";
@@ -38,6 +39,16 @@ export interface Timeline {
   lead(parameter: number): void;
   play(): void;
   pause(): void;
+  /** The waypoint that is held in the picture and in the list; null for none. */
+  chosen: ReadonlySignal<number | null>;
+  choose(index: number | null): void;
+  /** A waypoint to where the platform is displaced so; a robot of joints is asked what its actuators do there. Moves of the same one
+   * are one step to undo, until the hand lets go (`done`). */
+  carry(index: number, platform: Pose): void;
+  done(): void;
+  /** A waypoint in the middle between this one and the next, on the way as it is; it is then chosen, and moves of it belong to the
+   * same step until it is `done`. False where there is none. */
+  insert(index: number): boolean;
   add(): void;
   remove(index: number): void;
   /** Puts a stop before another one. */
@@ -56,12 +67,11 @@ export const SPEEDS: readonly number[] = [0.25, 0.5, 1, 2, 4];
 
 const REST = 150; // milliseconds without a move before the way is proved
 const LASTS = 5000; // milliseconds of a way that is played
-const NONE: Driven = { stops: [], passed: [] };
 
 export function createTimeline(client: Client, editing: Editing, studying: Studying, posing: Posing): Timeline {
-  const { source$, pose$, threshold$, edit } = editing;
-  const way = signal<Driven>(NONE);
-  const given = signal(false);
+  const { source$, pose$, threshold$, way$, driven$, edit, drive } = editing;
+  const given = computed(() => way$.value.length > 0);
+  let passed: readonly Pose[] = []; // since the stop before the last
   const crossing = signal<Crossing | null>(null);
   const known = signal(false);
   const at = signal(0);
@@ -70,7 +80,9 @@ export function createTimeline(client: Client, editing: Editing, studying: Study
   const speed = signal(1);
   const fault = signal<Fault | null>(null);
   const runner = createRunner(client, editing, "path", "Proving the way", "timeline");
-  const stops = computed(() => way.value.stops);
+  const stops = computed(() => (given.value ? way$.value : driven$.value));
+  const held = signal<number | null>(null);
+  const chosen = computed(() => (held.value !== null && held.value < stops.value.length ? held.value : null));
   const proof = computed(() => {
     const now = runner.now.value;
     if (now.state !== "found") return null;
@@ -81,6 +93,7 @@ export function createTimeline(client: Client, editing: Editing, studying: Study
   });
   let leads = false; // the pose changes because the way is led along
   let led: Pose | null = null; // where the robot was led to, away from the end of the way
+  let wasNamed = false;
   let frame = 0;
   let seen: Numbers | null = null;
 
@@ -90,21 +103,22 @@ export function createTimeline(client: Client, editing: Editing, studying: Study
     return { length: study?.size ?? 1, coordinates: reach };
   };
 
-  function name(list: readonly Pose[]): void {
-    given.value = true;
+  function name(list: readonly Pose[], key?: string): void {
     crossing.value = null;
-    way.value = { stops: list.slice(0, MOST_WAYPOINTS), passed: [] };
+    edit({ way: list.slice(0, MOST_WAYPOINTS) }, key);
     at.value = Math.min(at.peek(), Math.max(list.length - 1, 0));
   }
 
   function begin(pose: Pose | null): void {
     pause();
-    given.value = false;
+    if (given.peek()) edit({ way: [] });
     led = null;
     crossing.value = null;
     fault.value = null;
     at.value = 0;
-    way.value = pose ? { stops: [pose], passed: [] } : NONE;
+    held.value = null;
+    passed = [];
+    drive(pose ? [pose] : []);
   }
 
   // another robot, another way
@@ -112,20 +126,34 @@ export function createTimeline(client: Client, editing: Editing, studying: Study
     void source$.value;
     untracked(() => {
       seen = null;
-      begin(null);
+      pause();
+      led = null;
+      passed = [];
+      crossing.value = null;
+      fault.value = null;
+      held.value = null;
+      const last = driven$.peek().at(-1);
+      if (last && !samePose(last, pose$.peek())) drive([]);
+      at.value = Math.max(stops.peek().length - 1, 0);
     });
   });
 
   // where the robot is driven to
   effect(() => {
-    const [pose, study] = [pose$.value, studying.study.value];
+    const [pose, study, named] = [pose$.value, studying.study.value, given.value];
     untracked(() => {
       if (!study || study.axes.length === 0 || leads) return;
       pause();
-      if (given.peek()) return;
-      if (led) begin(led);
-      way.value = driven(way.peek(), pose, scales(), MOST_WAYPOINTS);
-      at.value = Math.max(way.peek().stops.length - 1, 0);
+      const back = wasNamed && !named;
+      wasNamed = named;
+      if (named) return;
+      const last = driven$.peek().at(-1);
+      if (back && last && !samePose(last, pose)) begin(pose); // what was driven beside the waypoints is not known
+      else if (led) begin(led);
+      const way: Driven = driven({ stops: driven$.peek(), passed }, pose, scales(), MOST_WAYPOINTS);
+      passed = way.passed;
+      if (way.stops !== driven$.peek()) drive(way.stops);
+      at.value = Math.max(way.stops.length - 1, 0);
     });
   });
 
@@ -146,12 +174,12 @@ export function createTimeline(client: Client, editing: Editing, studying: Study
   // the proof, once the hand rests
   let timer = 0;
   effect(() => {
-    const [list, threshold] = [stops.value, threshold$.value];
+    const [list, threshold, source] = [stops.value, threshold$.value, source$.value];
+    const there = studying.study.value !== null;
     known.value = false;
     window.clearTimeout(timer);
-    const source = source$.peek();
     const [start, goal] = [list[0], list.at(-1)];
-    if (!source || !start || !goal || list.length < 2) return untracked(runner.stop);
+    if (!source || !there || !start || !goal || list.length < 2) return untracked(runner.stop);
     timer = window.setTimeout(() => void runner.start({ source, start, through: list.slice(1, -1), goal, threshold }), REST);
   });
 
@@ -191,6 +219,41 @@ export function createTimeline(client: Client, editing: Editing, studying: Study
     frame = requestAnimationFrame(step);
   }
 
+  interface Carried {
+    index: number;
+    source: Source;
+    pose: Pose;
+    to: Pose;
+  }
+  let awaited: Carried | null = null;
+  let ending = false;
+  const carried = latest(
+    ({ index: _, ...asked }: Carried) => client.ask("move", asked, { channel: "waypoint" }),
+    ({ pose }, asked) => {
+      if (!sameSource(asked.source, source$.peek())) return;
+      fault.value = null;
+      move(asked.index, pose);
+      arrived(asked);
+    },
+    (error, asked) => {
+      const why = faultOf(error);
+      if (why.kind === "superseded") return;
+      fault.value = why;
+      arrived(asked);
+    },
+  );
+
+  function arrived(asked: Carried): void {
+    if (asked !== awaited) return;
+    awaited = null;
+    if (ending) editing.settle();
+    ending = false;
+  }
+
+  function move(index: number, pose: Pose): void {
+    name(stops.peek().map((stop, i) => (i === index ? pose : stop)), `waypoint ${index}`);
+  }
+
   async function asked(args: { poses: Pose[] } | { table: string }) {
     const source = source$.peek();
     fault.value = null;
@@ -224,8 +287,33 @@ export function createTimeline(client: Client, editing: Editing, studying: Study
     lead,
     play,
     pause,
+    chosen,
+    choose: (index) => void (held.value = index),
+    carry(index, platform) {
+      const [source, pose] = [source$.peek(), stops.peek()[index]];
+      if (!source || !pose) return;
+      if (studying.study.peek()?.kind !== "robot") return move(index, platform);
+      awaited = { index, source, pose, to: platform };
+      ending = false;
+      carried(awaited);
+    },
+    done() {
+      if (awaited) ending = true;
+      else editing.settle();
+    },
+    insert(index) {
+      const [list, found] = [stops.peek(), proof.peek()];
+      const pose = found && index + 1 < list.length ? poseAt(found, index + 0.5) : null;
+      if (!pose || list.length >= MOST_WAYPOINTS) return false;
+      name([...list.slice(0, index + 1), pose, ...list.slice(index + 1)], `waypoint ${index + 1}`);
+      held.value = index + 1;
+      return true;
+    },
     add: () => name([...stops.peek(), pose$.peek()]),
-    remove: (index) => name(stops.peek().filter((_, i) => i !== index)),
+    remove(index) {
+      name(stops.peek().filter((_, i) => i !== index));
+      held.value = null;
+    },
     shift: (index, to) => name(moved(stops.peek(), index, to)),
     put: (index) => name(stops.peek().map((stop, i) => (i === index ? pose$.peek() : stop))),
     clear: () => begin(pose$.peek()),

@@ -5,12 +5,11 @@ import { MARGIN, type Range, type Tour } from "./doc";
 import type { Editing } from "./editing";
 import { createRefining, type Refining } from "./refining";
 import { createRunner, type Runner } from "./running";
-import { createSurfacing, type Surfacing } from "./surfacing";
 
 export interface Touring {
   path: Runner<"path">;
   map: Refining<"map">;
-  surface: Surfacing;
+  surface: Refining<"surface">;
   place: Runner<"place">;
   locus: Runner<"locus">;
   /** Changes what is asked; changes of the same field in a row are undone as one. */
@@ -22,7 +21,7 @@ export function createTouring(client: Client, editing: Editing): Touring {
   return {
     path: createRunner(client, editing, "path", "Going along the path"),
     map: createRefining(client, editing, "map", "Mapping", 7),
-    surface: createSurfacing(client, editing),
+    surface: createRefining(client, editing, "surface", "Looking for singular poses", 5),
     place: createRunner(client, editing, "place", "Going there"),
     locus: createRunner(client, editing, "locus", "Working out the polynomial"),
     change: (part) => edit({ tour: { ...doc.peek().tour, ...part } }, `tour ${Object.keys(part).join(" ")}`),

@@ -20,7 +20,7 @@ export function writeHistory({ past, present, future }: History): string {
   const short = (doc: Doc): [number, Partial<Doc>] => {
     const key = JSON.stringify(doc.source);
     if (!known.has(key)) known.set(key, sources.push(doc.source) - 1);
-    const { source: _, ...rest } = changedFields(doc);
+    const { source: _, driven: __, ...rest } = changedFields(doc); // the way that was driven is in the address
     return [known.get(key) ?? 0, rest];
   };
   const kept: Kept = {
@@ -38,7 +38,7 @@ export function readHistory(text: string | null, start: Doc): History {
   try {
     const { sources, past, present, future } = JSON.parse(text) as Kept;
     const long = ([source, rest]: [number, Partial<Doc>]): Doc => readDoc({ ...rest, source: sources[source] });
-    if (JSON.stringify(changedFields(long(present))) !== JSON.stringify(changedFields(start))) return begin(start);
+    if (JSON.stringify(changedFields(long(present))) !== JSON.stringify(changedFields({ ...start, driven: [] }))) return begin(start);
     return { past: past.map(long), present: start, future: future.map(long), open: null };
   } catch {
     return begin(start);

@@ -3,7 +3,7 @@ import type { Study } from "../../../protocol";
 import { useStore } from "../../parts/context";
 import { NumberField } from "../../parts/number-field";
 import { PointName } from "../../parts/point-name";
-import { placeOf, stepOf, written } from "./places";
+import { placeOf, stepOf, written } from "../../state/joint-places";
 
 const AXES = ["x", "y", "z"] as const;
 

@@ -4,7 +4,7 @@ import type { Study } from "../../../protocol";
 import { hull } from "../../lib/hull";
 import { useStore } from "../../parts/context";
 import { Tabs } from "../../parts/tabs";
-import { placeOf, stepOf, written } from "./places";
+import { onGrid, placeOf, stepOf, written } from "../../state/joint-places";
 
 const VIEWS = [
   { id: "top", label: "From above", title: "x to the right, y upwards", axes: [0, 1] },
@@ -39,7 +39,7 @@ export function Plan({ study, selected, select }: Props) {
   const names = [...study.base, ...study.platform];
   const { x, y, half } = dragged?.window ?? windowOf(names.map(flat)); // the picture stays still under the hand
   const step = stepOf(study);
-  const round = (value: number): number => Number((Math.round(value / step) * step).toPrecision(9));
+  const round = (value: number): number => onGrid(value, step);
 
   function move(name: string, to: readonly [number, number]): void {
     const [a, b] = [written(right, to[0]), written(up, to[1])];

@@ -9,8 +9,6 @@ import { rangesOf } from "../../state/touring";
 import { Facts } from "./facts";
 import "./locus.css";
 
-const POLYNOMIAL = new Set(["x", "y", "z", "roll", "pitch", "yaw"]); // in rotation vectors and actuators there is none
-
 const FORMS = [
   ["plain", "Text"],
   ["latex", "LaTeX"],
@@ -22,7 +20,7 @@ export function LocusSection({ study }: { study: Study }) {
   const { locus } = touring;
   const now = locus.now.value;
   const slice = rangesOf(study, tour$.value)?.map(({ name }) => name) ?? [];
-  const sliced = slice.length > 0 && slice.every((name) => POLYNOMIAL.has(name));
+  const sliced = study.loci.some((pair) => pair.every((name) => slice.includes(name)));
 
   function go(over?: string[]): void {
     const { source, pose } = doc.peek();
@@ -32,7 +30,12 @@ export function LocusSection({ study }: { study: Study }) {
   return (
     <section class="locus" aria-label="Locus">
       <h3>The singular poses as a formula</h3>
-      <div class="ask">
+      {study.no_locus && (
+        <p class="tip" data-testid="locus-none">
+          There is no such polynomial: {study.no_locus}.
+        </p>
+      )}
+      <div class="ask" hidden={study.no_locus !== ""}>
         <div class="row">
           <span class="told">The polynomial that is 0 at them, exactly, and its factors.</span>
           <button type="button" class="primary" disabled={now.state === "busy"} onClick={() => go()} data-testid="locus-position">

@@ -10,18 +10,20 @@ import { Icon } from "../../parts/icon";
 import { NumberField } from "../../parts/number-field";
 import { digitsOf } from "../../pose/axis-slider";
 import { Seeks } from "../../pose/nearest-view";
-import { FINENESS, boxOf, finenessOf, isStale, nearestCorner, type Box } from "../../state/surfacing";
+import { FINENESS, type Box } from "../../state/doc";
+import { boxOf, finenessOf, isStale, nearestCorner } from "../../state/surfacing";
 import { inWords } from "../../state/touring";
 import { Facts } from "./facts";
 import "./surface.css";
 
 export function SurfaceSection({ study }: { study: Study }) {
-  const { touring, doc } = useStore();
-  const { surface } = touring;
+  const { touring, doc, tour$ } = useStore();
+  const { surface, change } = touring;
   const now = surface.now.value;
   const shown = surface.shown.value;
-  const box = surface.box.value ?? boxOf(study);
-  const nodes = surface.nodes.value ?? finenessOf(study);
+  const standard = boxOf(study);
+  const box = standard && (tour$.value.box ?? standard);
+  const nodes = tour$.value.fineness ?? finenessOf(study);
   useEffect(() => surface.stop, [surface]); // nobody looks any more
 
   function go(): void {
@@ -43,7 +45,7 @@ export function SurfaceSection({ study }: { study: Study }) {
           }}
         >
           {box.map((range, i) => (
-            <Span key={range.name} box={box} index={i} study={study} onChange={(changed) => (surface.box.value = changed)} />
+            <Span key={range.name} box={box} index={i} study={study} onChange={(changed) => change({ box: changed })} />
           ))}
           <div class="row">
             <label>
@@ -52,7 +54,7 @@ export function SurfaceSection({ study }: { study: Study }) {
                 value={nodes}
                 aria-label="Poses of the surface, along each coordinate"
                 data-testid="surface-nodes"
-                onChange={(event) => (surface.nodes.value = Number(event.currentTarget.value))}
+                onChange={(event) => change({ fineness: Number(event.currentTarget.value) })}
               >
                 {FINENESS.map((n) => (
                   <option key={n} value={n}>

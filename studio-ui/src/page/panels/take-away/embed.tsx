@@ -26,7 +26,7 @@ export function Embed() {
     work(true);
     tell(null);
     try {
-      const page = await make(store, "html", new AbortController().signal, () => undefined);
+      const page = await make(store, "embedded", new AbortController().signal, () => undefined);
       download(page);
       show({ key, text: snippet(page.name, store.study.peek()?.title ?? "Robot") });
     } catch (error) {
@@ -45,7 +45,7 @@ export function Embed() {
   return (
     <section class="take-link">
       <h3>Within a page of your own</h3>
-      <p>The report at this pose, to lie beside the page, and the line that shows it there.</p>
+      <p>The report at this pose, without answers, notes and link, to lie beside the page, and the line that shows it there.</p>
       <div class="line">
         <input
           type="text"

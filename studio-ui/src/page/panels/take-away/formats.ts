@@ -1,7 +1,8 @@
 // What can be taken away, in words.
 import type { Format } from "../../../protocol";
 
-export type Thing = Exclude<Format, "png"> | "view-png" | "view-svg" | "view-way" | "view-motion";
+/** `embedded` is the report of the robot in its pose alone, without notes and links of this machine. */
+export type Thing = Exclude<Format, "png"> | "embedded" | "view-png" | "view-svg" | "view-way" | "view-motion";
 
 export interface Offer {
   thing: Thing;
@@ -21,7 +22,8 @@ export const SECTIONS: readonly { title: string; offers: readonly Offer[] }[] = 
         thing: "html",
         title: "Report",
         badge: "HTML",
-        words: "One file with the derivation, the condition and the robot in 3D. It opens anywhere, without a network.",
+        words:
+          "One page of everything as it stands: pose and numbers, picture, way, the answers of the panels, every step, notes, and what repeats it. It opens anywhere, without a network.",
       },
       {
         thing: "latex",

@@ -2,16 +2,22 @@
 import { useEffect, useState } from "preact/hooks";
 import { useStore } from "../../parts/context";
 import { Icon } from "../../parts/icon";
-import { writeFragment } from "../../state/fragment";
+import { LONGEST_LINK } from "../../../protocol";
+import { linkOf } from "../../state/fragment";
 
 export function Link() {
   const { doc } = useStore();
   const [link, write] = useState("");
+  const [short, shorten] = useState(false);
   const [said, say] = useState("");
   const now = doc.value;
   useEffect(() => {
     let current = true;
-    void writeFragment(now).then((fragment) => current && write(location.origin + location.pathname + fragment));
+    void linkOf(now).then((found) => {
+      if (!current) return;
+      write(location.origin + location.pathname + found.fragment);
+      shorten(found.short);
+    });
     return () => void (current = false);
   }, [now]);
 
@@ -28,13 +34,20 @@ export function Link() {
   return (
     <section class="take-link">
       <h3>Link</h3>
-      <p>Restores robot, pose, commands, expressions and drawing in a studio on this machine. The state is in the link itself.</p>
+      <p>Restores robot, pose, way, commands, expressions and drawing in a studio on this machine. The state is in the link itself.</p>
       <div class="line">
         <input type="text" class="mono" readOnly value={link} aria-label="Link" onFocus={(event) => event.currentTarget.select()} data-testid="link" />
         <button type="button" class="primary" onClick={() => void copy()} data-testid="link-copy">
           <Icon name="link" size={15} /> Copy
         </button>
       </div>
+      {(short || link.length > LONGEST_LINK) && (
+        <p class="tip" data-testid="link-long">
+          {short
+            ? `The way is not in the link, which would be longer than ${LONGEST_LINK.toLocaleString("en")} characters with it: a project keeps it, and so does a table (Along the way, Save CSV).`
+            : `The link has ${link.length.toLocaleString("en")} characters; programs may cut one of more than ${LONGEST_LINK.toLocaleString("en")}. A project keeps the same.`}
+        </p>
+      )}
       <p class="said" role="status">
         {said}
       </p>

@@ -2,6 +2,7 @@
 import type { Saved } from "../../../protocol";
 import type { Doc } from "../../state/doc";
 import { filmed } from "../../state/filming";
+import { stateOf } from "../../state/standing";
 import type { Store } from "../../state/store";
 import type { Thing } from "./formats";
 
@@ -11,6 +12,9 @@ export interface Made {
   /** null for what is no text. */
   text: string | null;
 }
+
+/** What is made of more than that, and so anew each time: what was turned, asked or noted since. */
+export const ALWAYS_NEW: readonly Thing[] = ["html", "view-png", "view-svg", "view-way", "view-motion"];
 
 /** What a file depends on. */
 export const keyOf = ({ source, pose, threshold }: Doc): string => JSON.stringify([source, pose, threshold]);
@@ -24,7 +28,9 @@ export async function make(store: Store, thing: Thing, signal: AbortSignal, tell
   }
   const { source, pose, threshold } = store.doc.peek();
   if (!source) throw new Error("nothing is open");
-  const saved = await store.client.ask("save", { source, pose, what: thing, threshold }, { signal, progress: tell });
+  const state = thing === "html" ? { state: await stateOf(store) } : {};
+  const what = thing === "embedded" ? "html" : thing;
+  const saved = await store.client.ask("save", { source, pose, what, threshold, ...state }, { signal, progress: tell });
   return madeOf(saved);
 }
 

@@ -7,7 +7,7 @@ import { Icon } from "../../parts/icon";
 import { faultOf } from "../../state/studying";
 import { UNSEEN, type Offer } from "./formats";
 import { download } from "../../lib/download";
-import { keyOf, make, sizeOf, type Made } from "./making";
+import { ALWAYS_NEW, keyOf, make, sizeOf, type Made } from "./making";
 import { Preview } from "./preview";
 
 type State =
@@ -28,8 +28,7 @@ export function OfferRow({ offer }: { offer: Offer }) {
   useEffect(() => show(false), [key]);
 
   async function get(): Promise<Made | null> {
-    // the view may have been turned since: it is taken anew each time
-    if (made && !thing.startsWith("view-")) return made;
+    if (made && !ALWAYS_NEW.includes(thing)) return made;
     const mine = new AbortController();
     stop.current = mine;
     set({ state: "busy", words: "Making it" });

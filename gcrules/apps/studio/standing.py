@@ -1,0 +1,150 @@
+"""The report of a robot as it stands in the studio: its pose, the answers that its panels show, what repeats them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from contextlib import suppress
+from typing import Any
+
+from gcrules.apps.studio.boxes_view import boxes_of
+from gcrules.apps.studio.certificate_view import certificate_of
+from gcrules.apps.studio.locus_view import locus_at
+from gcrules.apps.studio.map_view import map_of
+from gcrules.apps.studio.moving import amounts_at, configuration
+from gcrules.apps.studio.numbers import exact_pose
+from gcrules.apps.studio.path_view import way_of
+from gcrules.apps.studio.posed import analysis_of, drawing_there, platform_there
+from gcrules.apps.studio.protocol.methods import METHODS
+from gcrules.apps.studio.protocol.report_requests import ReportedJson, StateJson
+from gcrules.apps.studio.protocol.requests import PoseJson
+from gcrules.apps.studio.repeating import repeated
+from gcrules.apps.studio.subject import Subject
+from gcrules.apps.studio.surface_view import surface_of
+from gcrules.apps.studio.thresholds import threshold_of
+from gcrules.apps.studio.where_view import aspects_from, assemblies_from, free_around
+from gcrules.apps.studio.whereabouts import pose_json
+from gcrules.conditions.pose_value import PoseValue, pose_value
+from gcrules.core.budget import report as tell
+from gcrules.core.errors import InputError
+from gcrules.poses.limbs.path_report import RobotPath
+from gcrules.poses.limbs.report import RobotPose
+from gcrules.poses.numbers.report import PoseReport
+from gcrules.poses.paths.report import PathReport
+from gcrules.poses.pose_report import report_of_legs
+from gcrules.views.report.report import report
+from gcrules.views.report.standing import Repetition, Standing, Titled
+
+__all__ = ["report_there"]
+
+Args = Mapping[str, Any]
+
+
+def report_there(subject: Subject, pose: PoseJson, threshold: str | None, state: StateJson | None = None) -> str:
+    """The page; without a `state` that of the robot in its pose alone. Raises GcrulesError where an answer that is to
+    stand in it cannot be had any more.
+    """
+    analysis = subject.robot or analysis_of(subject)
+    asked: Sequence[ReportedJson] = state["answers"] if state else ()
+    answers = [_answered(subject, one) for one in asked if one["what"] in _ANSWERS]
+    tell("writing the report")
+    return report(analysis, answers=answers, standing=_standing(subject, pose, threshold, state, asked))
+
+
+def _standing(
+    subject: Subject, pose: PoseJson, threshold: str | None, state: StateJson | None, asked: Sequence[ReportedJson]
+) -> Standing:
+    drawing = ""
+    with suppress(InputError):  # it has no points to draw
+        drawing = drawing_there(subject, pose).svg()
+    return Standing(
+        mechanism=subject.mechanism,
+        numbers=_numbers(subject, pose, threshold),
+        drawing=drawing,
+        start=_start(subject, pose),
+        picture=state["picture"] if state else "",
+        notes=tuple((one["title"], one["text"]) for one in state["notes"]) if state else (),
+        link=state["link"] if state else "",
+        repetitions=tuple(found for one in asked if (found := _repetition(subject, one))),
+    )
+
+
+def _numbers(subject: Subject, pose: PoseJson, threshold: str | None) -> PoseReport | RobotPose | PoseValue | None:
+    """Those of the mechanism; of six lines alone their value. None where the robot does not move and has none."""
+    legs, limbs = subject.legs, subject.limbs
+    if limbs is not None:
+        with suppress(InputError):  # its joints cannot be moved
+            return configuration(limbs, pose, threshold)
+        return None
+    assert legs is not None
+    if subject.moving is not None:
+        return report_of_legs(legs, exact_pose(pose), threshold=threshold_of(threshold, legs.unit), nearest=False)
+    a, platform = analysis_of(subject), platform_there(subject, pose)
+    return pose_value(a.structure, a.condition, platform.homogeneous(), unit=platform.units)
+
+
+def _start(subject: Subject, pose: PoseJson) -> dict[str, Any]:
+    """What takes the 3D view of the page to the pose."""
+    if subject.limbs is None:
+        return {"pose": pose_json(exact_pose(pose))}
+    with suppress(InputError):  # its joints cannot be moved
+        amounts = amounts_at(subject.limbs, pose)
+        return {"drive": amounts} if amounts else {}
+    return {}
+
+
+# --- answers ---------------------------------------------------------------------------------------------------------
+
+
+def _answered(subject: Subject, asked: ReportedJson) -> Any:
+    """The answer as a value of the library. Raises InputError for arguments that are none."""
+    what = asked["what"]
+    args = METHODS[what].check(_args(subject, asked), f"args of {what}")
+    tell(asked["title"])
+    found = _ANSWERS[what](subject, args)
+    return Titled(found, asked["title"]) if isinstance(found, _TITLED) else found
+
+
+def _args(subject: Subject, asked: ReportedJson) -> Args:
+    return asked["args"] if asked["what"] == "bench" else {**asked["args"], "source": subject.source}
+
+
+def _path(subject: Subject, args: Args) -> Any:
+    """A plan where a way around was looked for, which has its path with it."""
+    around = args.get("way") == "around"
+    ends = args.get("start"), args["goal"], args.get("to"), args.get("threshold")
+    found = way_of(subject, *ends, around=around, through=args.get("through", ()))
+    return found.path if found.plan is None else found.plan
+
+
+def _boxes(args: Args) -> tuple[Any, ...]:
+    return args["over"], args["pose"], args.get("margin", 0.0), args.get("limits"), args["boxes"]
+
+
+_ANSWERS: Mapping[str, Callable[[Subject, Args], Any]] = {
+    "path": _path,
+    "map": lambda subject, args: map_of(
+        subject, args["over"], args["pose"], args.get("threshold"), args.get("measure")
+    ),
+    "surface": lambda subject, args: surface_of(subject, args["over"], args["pose"]),
+    "locus": lambda subject, args: locus_at(subject, args["pose"], args.get("over")),
+    "assemblies": lambda subject, args: assemblies_from(subject, args["pose"], args.get("threshold")),
+    "aspects": lambda subject, args: aspects_from(subject),
+    "free": lambda subject, args: free_around(subject, args["pose"], args["shape"]),
+    "boxes": lambda subject, args: boxes_of(subject, *_boxes(args)),
+    "certify": lambda subject, args: certificate_of(
+        subject, *_boxes(args), cone=args.get("cone"), tilt=args.get("tilt")
+    ),
+}
+"""Of the methods whose answers have a section."""
+
+_TITLED = (PathReport, RobotPath)
+"""There may be several of them."""
+
+
+def _repetition(subject: Subject, asked: ReportedJson) -> Repetition | None:
+    """The lines that repeat it; None where none do."""
+    with suppress(InputError):
+        found = repeated(subject, asked["what"], _args(subject, asked))
+        file = found["file"] or {"name": "", "text": ""}
+        return Repetition(asked["title"], found["shell"], found["python"], file["name"], file["text"])
+    return None

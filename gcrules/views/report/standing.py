@@ -1,0 +1,59 @@
+"""A robot as it stands where somebody works with it, in the studio: what its report shows beside the analysis."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+from gcrules.conditions.pose_value import PoseValue
+from gcrules.core.dataclass import dataclass
+from gcrules.core.frozen import FrozenMap
+from gcrules.mechanisms.limbs import Limbs
+from gcrules.mechanisms.six_legs import SixLegs
+from gcrules.poses.limbs.report import RobotPose
+from gcrules.poses.numbers.report import PoseReport
+
+__all__ = ["Repetition", "Standing", "Titled"]
+
+
+@dataclass(frozen=True)
+class Titled:
+    """A path, a map or a locus whose section has a title of its own."""
+
+    answer: Any
+    title: str = ""
+
+
+@dataclass(frozen=True)
+class Repetition:
+    """What is repeated by a line for the shell, and by lines of Python ("" where no function does it); `file` is the
+    name of the file that they read, and `text` what it holds.
+    """
+
+    title: str
+    shell: str
+    python: str
+    file: str = ""
+    text: str = ""
+
+
+@dataclass(frozen=True)
+class Standing:
+    """`mechanism` is what stands there, and what answers are asked of; `numbers` are those in the pose, `drawing` is
+    the robot in it, as SVG; None and "" where there are none. `start` is what takes a 3D view there: a `pose`, or the
+    amounts of the actuators to `drive` to. `picture` is one of the view itself, a data address of an image; `notes` are
+    titles with their texts, `link` is the address that opens the same state again.
+    """
+
+    mechanism: SixLegs | Limbs
+    numbers: PoseReport | RobotPose | PoseValue | None
+    drawing: str = ""
+    start: Mapping[str, Any] | None = None
+    picture: str = ""
+    notes: tuple[tuple[str, str], ...] = ()
+    link: str = ""
+    repetitions: tuple[Repetition, ...] = ()
+
+    def __post_init__(self) -> None:
+        if self.start is not None:
+            object.__setattr__(self, "start", FrozenMap(self.start))
