@@ -139,10 +139,9 @@ $(BENCH_READY): pyproject.toml benchmarks/peers.txt
 	done
 	@touch $@
 
-# A warning, a broken link or a load from the network is an error. (The variable silences news from the theme's makers;
-# with --quiet mkdocs would neither show nor count warnings.)
+# A warning, a broken link or a load from the network is an error.
 define build-site
-NO_MKDOCS_2_WARNING=1 $(BIN)/python -m mkdocs build --strict --site-dir $(SITE) && \
+$(BIN)/python tools/build_site.py $(SITE) && \
   $(BIN)/python tools/check_site.py $(SITE)
 endef
 
