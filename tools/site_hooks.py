@@ -6,13 +6,16 @@
 * The pages of the catalog and of the robots come into the navigation by themselves.
 * What the theme's scripts would load in cases that do not occur here is taken out, with its source maps.
 * A link to a file of the repository outside docs/ leads to a page that shows the file.
+* With the engine of site_engine.py, the folder that GCRULES_SITE_ENGINE names, examples run in their pages.
 """
 
 from __future__ import annotations
 
 import logging
+import os
 import posixpath
 import re
+import shutil
 from html import escape, unescape
 from pathlib import Path
 
@@ -20,6 +23,7 @@ import pygments.lexers
 import site_drawings
 import site_grammar
 import site_lexer
+import site_runs
 from mkdocs.config.defaults import MkDocsConfig
 from mkdocs.structure.files import File, Files
 from mkdocs.structure.pages import Page
@@ -27,6 +31,7 @@ from mkdocs.structure.pages import Page
 from gcrules.views.drawing.palette import ROLES
 
 ROOT = Path(__file__).resolve().parent.parent
+ENGINE = os.environ.get("GCRULES_SITE_ENGINE")
 LOG = logging.getLogger("mkdocs.hooks.gcrules")
 
 OVERVIEWS = ("catalog/README.md", "robots/index.md")
@@ -40,6 +45,9 @@ LANGUAGES = {".gca": "gca", ".lark": "text", ".yaml": "yaml", ".py": "python", "
 
 def on_config(config: MkDocsConfig) -> MkDocsConfig:
     pygments.lexers.LEXERS["GcaLexer"] = (site_lexer.__name__, "gcrules script", ("gca",), ("*.gca",), ())
+    if ENGINE:
+        config.extra_css.append("assets/try/try.css")
+        config.extra_javascript.append("assets/try/try.js")
     for section in config.nav or ():
         for title, target in section.items():
             if target in OVERVIEWS:
@@ -143,7 +151,8 @@ def on_page_content(html: str, page: Page, config: MkDocsConfig, files: Files) -
             svg = svg.replace('role="img">', f'role="img" aria-label="{escape(unescape(match[1]))}">', 1)
         return svg.strip()
 
-    return PLACES.sub(made, IMAGE.sub(figure, html))
+    html = PLACES.sub(made, IMAGE.sub(figure, html))
+    return site_runs.marked(html) if ENGINE else html
 
 
 def on_post_build(config: MkDocsConfig) -> None:
@@ -155,3 +164,5 @@ def on_post_build(config: MkDocsConfig) -> None:
         text = script.read_text(encoding="utf-8")
         text = re.sub(r"""(["'`])https://(?:unpkg\.com|api\.github\.com|\$\{e\})[^"'`]*\1""", '"about:blank"', text)
         script.write_text(re.sub(r"\n//# sourceMappingURL=.*\s*$", "\n", text), encoding="utf-8")
+    if ENGINE:
+        shutil.copytree(ROOT / ENGINE, Path(config.site_dir) / "assets" / "engine")
