@@ -98,18 +98,19 @@ docs: $(READY) ## write the generated pages of docs/, check every link, build th
 # The engine that runs in the guide's pages: Pyodide from npm, and what gcrules is made of.
 ENGINE := build/engine
 .PHONY: site
-site: $(READY) tools/site_engine/node_modules/.package-lock.json ## build the guide with run buttons: the engine in its pages (needs Node)
+site: $(READY) tools/engine/node_modules/.package-lock.json ## build the guide with run buttons: the engine in its pages (needs Node)
 	$(BIN)/python tools/site_engine.py $(ENGINE)
 	@export GCRULES_SITE_ENGINE=$(ENGINE); $(build-site)
 	@echo "Serve it: $(BIN)/python -m http.server --directory $(SITE)"
 
 .PHONY: site-check
 site-check: site ## run every example that has a button, under Node and in Chromium
-	cd tools/site_engine && npm run --silent test
+	cd tools/engine && npm run --silent test
+	GCRULES_SITE=$(SITE) $(BIN)/python -m pytest -q tests/project/test_site_engine.py
 
-tools/site_engine/node_modules/.package-lock.json: tools/site_engine/package-lock.json
+tools/engine/node_modules/.package-lock.json: tools/engine/package-lock.json
 	@command -v npm > /dev/null || { echo "make: the engine of the guide's pages needs Node 20 or later with npm." >&2; exit 1; }
-	cd tools/site_engine && npm ci --ignore-scripts --no-fund --no-audit --loglevel=error
+	cd tools/engine && npm ci --ignore-scripts --no-fund --no-audit --loglevel=error
 
 .PHONY: studio
 studio: $(READY) studio-ui/node_modules/.package-lock.json ## build the viewer and the studio's page from studio-ui/ (needs Node)

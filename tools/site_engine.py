@@ -1,7 +1,7 @@
 """Gather the engine that runs in the guide's pages: Pyodide, gcrules and the packages of Python that it loads.
 
 ``python tools/site_engine.py FOLDER`` fills the folder. Pyodide comes from the npm package that
-tools/site_engine/package.json names, the packages from the environment that runs this; all of it is compiled ahead,
+tools/engine/package.json names, the packages from the environment that runs this; all of it is compiled ahead,
 so that a page need not. Needs Node; nothing is fetched.
 """
 
@@ -17,11 +17,13 @@ from importlib import metadata
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
-HERE = ROOT / "tools" / "site_engine"
+HERE = ROOT / "tools" / "engine"
 PYODIDE = HERE / "node_modules" / "pyodide"
 FILES = ("pyodide.mjs", "pyodide.asm.mjs", "pyodide.asm.wasm", "python_stdlib.zip")
 PACKAGES = ("click", "lark", "PyYAML")
-"""What the engine loads. NumPy is not among them: there is no build of it here that a page could load."""
+"""What the engine loads. NumPy is not among them: no registry has a build of it that a page could load. What exact
+algebra uses of it is in engine/arrays.
+"""
 LEFT_OUT = ("gcrules/apps/studio/static/", "gcrules/apps/notebook/")
 
 
@@ -38,6 +40,7 @@ def gather(folder: Path) -> None:
     with tempfile.TemporaryDirectory() as place:
         modules = Path(place)
         _unpack_gcrules(modules)
+        shutil.copytree(HERE / "arrays", modules, dirs_exist_ok=True, ignore=shutil.ignore_patterns("__pycache__"))
         licences = [_unpack(name, modules) for name in PACKAGES]
         version = json.loads((PYODIDE / "package.json").read_text(encoding="utf-8"))["version"]
         (folder / "LICENSES.txt").write_text(_licences(version, lock["info"]["python"], licences), encoding="utf-8")
@@ -78,11 +81,11 @@ def _licences(pyodide: str, python: str, others: list[str]) -> str:
     parts = [
         "What runs in the pages of this guide, and its licences.\n",
         f"gcrules (BSD-3-Clause)\n\n{own}\n",
-        f"Pyodide {pyodide} (MPL-2.0)\n\nThe files pyodide.* are those of the npm package pyodide {pyodide}, unchanged. "
-        "Their source and the licence, the Mozilla Public License 2.0, are at https://github.com/pyodide/pyodide and "
-        "https://www.mozilla.org/MPL/2.0/.\n",
-        f"Python {python} (PSF-2.0)\n\nPyodide contains CPython and its standard library (python_stdlib.zip). Copyright "
-        "(c) 2001 Python Software Foundation; all rights reserved. The licence is at "
+        f"Pyodide {pyodide} (MPL-2.0)\n\nThe files pyodide.* are those of the npm package pyodide {pyodide}, "
+        "unchanged. Their source and the licence, the Mozilla Public License 2.0, are at "
+        "https://github.com/pyodide/pyodide and https://www.mozilla.org/MPL/2.0/.\n",
+        f"Python {python} (PSF-2.0)\n\nPyodide contains CPython and its standard library (python_stdlib.zip). "
+        "Copyright (c) 2001 Python Software Foundation; all rights reserved. The licence is at "
         "https://docs.python.org/3/license.html.\n",
         *others,
     ]

@@ -15,11 +15,12 @@ __all__ = ["EXAMPLES", "command_lines", "marked", "runs"]
 
 EXAMPLES = (
     ("The octahedral platform", 'gcrules analyze "ab af cb cd ed ef"'),
-    ("A robot with three legs of joints", "gcrules robot show 3-rps"),
+    ("A robot of joints", "gcrules robot analyze 3-rps"),
     ("An identity, proved", 'gcrules prove "ab /\\ cde == [acde] b - [bcde] a"'),
     ("An identity, refuted", 'gcrules prove "ab /\\ cde == [acde] b + [bcde] a"'),
-    ("A condition with an assumption", "gcrules prove \"[abcd] == 0\" --given \"coplanar(a, b, c, d)\""),
+    ("A condition with an assumption", 'gcrules prove "[abcd] == 0" --given "coplanar(a, b, c, d)"'),
     ("A superbracket in brackets", 'gcrules expand "[[ab, af, cb, cd, ed, ef]]"'),
+    ("A factorization", 'gcrules factor "[abfc][acde][bdef] + [abfd][acbe][cdef]"'),
     ("The theorem of Desargues", "gcrules run examples/theorems/desargues.gca"),
     (
         "A script of statements",
@@ -31,10 +32,22 @@ EXAMPLES = (
 )
 """Titles and texts of the page "Try it here"."""
 
-COMMANDS = {"analyze", "catalog", "cite", "expand", "prove", "rewrite", "rules", "run", "straighten", "transversals"}
-ROBOT = {"analyze", "check", "list", "show"}
-WITHOUT = {"--chart", "docs", "enumerate", "new"}
-"""Words with which a command needs what a page does not have."""
+COMMANDS = {
+    "analyze",
+    "catalog",
+    "cite",
+    "expand",
+    "factor",
+    "prove",
+    "rewrite",
+    "rules",
+    "run",
+    "straighten",
+    "transversals",
+}
+ROBOT = {"analyze", "list", "show"}
+WITHOUT = {"--cofactor", "3-upu", "4-rpr"}
+"""Words with which a command needs what a page does not have: numbers beside the algebra, or more speed."""
 
 CONSOLE = re.compile(r'<div class="language-console highlight">(<pre.*?</pre>)</div>', re.DOTALL)
 SCRIPT = re.compile(

@@ -4,6 +4,8 @@
   const base = new URL("./", document.currentScript.src);
   let worker = null;
   let ready = null;
+  let loaded = false;
+  let giveUp = null;
   let number = 0;
   const waiting = new Map();
 
@@ -13,9 +15,13 @@
     if (worker) return ready;
     worker = new Worker(new URL("worker.mjs", base), { type: "module" });
     ready = new Promise((resolve, reject) => {
+      giveUp = reject;
       worker.addEventListener("message", ({ data }) => {
         const asked = waiting.get(data.id);
-        if (data.kind === "ready") resolve(data.version);
+        if (data.kind === "ready") {
+          loaded = true;
+          resolve(data.version);
+        }
         else if (data.kind === "piece") asked?.hear(data.piece, data.stream);
         else {
           if (!asked) return reject(new Error(data.text));
@@ -26,13 +32,15 @@
       });
       worker.addEventListener("error", (event) => reject(new Error(event.message || "the engine cannot be loaded")));
     });
-    ready.catch(stop);
+    ready.catch(() => stop());
     return ready;
   }
 
   function stop() {
     worker?.terminate();
-    worker = ready = null;
+    giveUp?.(new Error("stopped"));
+    worker = ready = giveUp = null;
+    loaded = false;
     for (const asked of waiting.values()) asked.reject(new Error("stopped"));
     waiting.clear();
   }
@@ -77,7 +85,7 @@
     place.box.dataset.state = "running";
     button.dataset.running = "yes";
     button.textContent = "Stop";
-    place.status.textContent = ready ? "Computing …" : "Loading the engine, once for this page …";
+    place.status.textContent = loaded ? "Computing …" : "Loading the engine, once for this page …";
     const since = performance.now();
     try {
       await engine();

@@ -11,7 +11,7 @@ const BLOCK = /<div class="language-(?:console|gca) highlight" data-(run|script)
 
 const unescape = (text) => text.replace(/&(?:#x([\da-f]+)|#(\d+)|(\w+));/gi, (_, hex, decimal, name) =>
   name ? NAMED[name] : String.fromCodePoint(hex ? parseInt(hex, 16) : Number(decimal)));
-const words = (text) => text.replaceAll(/\s+/g, " ").trim();
+const words = (text) => text.replaceAll(/\s+/g, " ").replace(/file: \S+\//, "file: ").trim();
 
 let engine;
 before(async () => {
