@@ -125,6 +125,10 @@ studio-ui/node_modules/.package-lock.json: studio-ui/package-lock.json
 	@command -v npm > /dev/null || { echo "make: building the page needs Node 20 or later with npm." >&2; exit 1; }
 	cd studio-ui && npm ci --ignore-scripts --no-fund --no-audit --loglevel=error
 
+.PHONY: release-check
+release-check: $(READY) ## build sdist and wheel, and try them on every Python here with the oldest and newest packages
+	$(BIN)/python tools/release_check.py --all build/release
+
 .PHONY: bench
 bench: $(BENCH_READY) ## run the benchmarks beside naive forms and peers, in an environment of their own
 	$(BENCH_VENV)/bin/python -m pytest benchmarks
@@ -135,7 +139,7 @@ bench-curve: $(BENCH_READY) ## measure normal forms and factoring again, and red
 
 .PHONY: clean
 clean: ## remove the environments and everything generated
-	rm -rf $(VENV) $(BENCH_VENV) studio-ui/node_modules build dist .coverage .coverage.* .benchmarks .hypothesis .mypy_cache .pytest_cache .ruff_cache
+	rm -rf $(VENV) $(BENCH_VENV) studio-ui/node_modules tools/engine/node_modules build dist .coverage .coverage.* .benchmarks .hypothesis .mypy_cache .pytest_cache .ruff_cache
 	find . -name __pycache__ -type d -prune -exec rm -rf {} +
 
 $(READY): pyproject.toml

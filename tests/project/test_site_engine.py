@@ -22,7 +22,7 @@ import site_runs  # type: ignore[import-not-found, unused-ignore]
 
 sys.path.remove(str(ROOT / "tools"))
 
-from gcrules.apps import browser
+from gcrules.apps.browser import Desk
 
 SITE = os.environ.get("GCRULES_SITE")
 SECONDS = 180_000
@@ -33,51 +33,47 @@ built = pytest.mark.skipif(SITE is None, reason="needs a guide that was built wi
 
 
 @pytest.fixture
-def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+def desk(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Desk:
     monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr(browser, "_seen", {})
-    return tmp_path
+    return Desk(str(tmp_path / "home"))
 
 
 @pytest.mark.parametrize("line", ["gcrules cite", "cite", "$ gcrules cite"])
-def test_a_line_is_read_as_a_shell_reads_it(line: str, folder: Path, capfd: pytest.CaptureFixture[str]) -> None:
-    assert browser.answer(line) == 0
+def test_a_line_is_read_as_a_shell_reads_it(line: str, desk: Desk, capfd: pytest.CaptureFixture[str]) -> None:
+    assert desk.answer(line) == 0
     assert capfd.readouterr().out.startswith("@misc{gcrules")
 
 
-def test_an_open_quotation_mark(folder: Path, capfd: pytest.CaptureFixture[str]) -> None:
-    assert browser.answer('gcrules analyze "ab') == 2
+def test_an_open_quotation_mark(desk: Desk, capfd: pytest.CaptureFixture[str]) -> None:
+    assert desk.answer('gcrules analyze "ab') == 2
     assert "error: the line is not complete: No closing quotation\nhint: close" in capfd.readouterr().err
 
 
-def test_files_that_are_written_are_named_once(folder: Path, capfd: pytest.CaptureFixture[str]) -> None:
-    (folder / "examples").mkdir()
-    assert browser.answer("gcrules cite") == 0
-    assert browser.written() == []
-    assert browser.answer('gcrules analyze "ab af cb cd ed ef" -o answer.txt') == 0
-    assert browser.written() == ["answer.txt"]
-    assert browser.written() == []
+def test_files_that_are_written_are_named_once(desk: Desk, capfd: pytest.CaptureFixture[str]) -> None:
+    assert desk.answer("gcrules cite") == 0
+    assert desk.written() == []
+    assert desk.answer('gcrules analyze "ab af cb cd ed ef" -o answer.txt') == 0
+    assert desk.written() == ["answer.txt"]
+    assert desk.written() == []
 
 
-def test_a_script(folder: Path, capfd: pytest.CaptureFixture[str]) -> None:
-    assert browser.run_script("claim [abcd] == -[bacd]\n") == 0
+def test_a_script(desk: Desk, capfd: pytest.CaptureFixture[str]) -> None:
+    assert desk.run_script("claim [abcd] == -[bacd]\n") == 0
     assert "1 claim: 1 proved" in capfd.readouterr().out
-    assert browser.written() == []
+    assert desk.written() == []
 
 
 def test_a_package_that_is_missing(
-    folder: Path, monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]
+    desk: Desk, monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]
 ) -> None:
-    for name in [n for n in sys.modules if n.startswith("gcrules.apps.cli.factor")]:
-        monkeypatch.delitem(sys.modules, name)
-
     class Missing:
         def find_spec(self, name: str, *_: object) -> None:
             if name == "gcrules.apps.cli.factor":
                 raise ModuleNotFoundError("No module named 'numpy'", name="numpy")
 
+    monkeypatch.delitem(sys.modules, "gcrules.apps.cli.factor", raising=False)
     monkeypatch.setattr(sys, "meta_path", [Missing(), *sys.meta_path])
-    assert browser.answer("gcrules factor [abcd]") == 2
+    assert desk.answer("gcrules factor [abcd]") == 2
     assert "error: this answer needs numpy, which is not installed here" in capfd.readouterr().err
 
 
@@ -178,12 +174,12 @@ def test_stop_ends_a_computation_and_the_next_one_answers(page: Any, address: st
     page.click(".gc-try-run")
     _state(page, "failed")
     assert page.inner_text(".gc-answer-status") == "Stopped."
-    page.fill(".gc-try-form textarea", "gcrules cite -o gcrules.bib")
+    page.fill(".gc-try-form textarea", 'gcrules analyze "ab af cb cd ed ef" -o answer.txt')
     page.click(".gc-try-run")
     _state(page, "done")
     with page.expect_download() as saved:
         page.click(".gc-answer-files a")
-    assert saved.value.suggested_filename == "gcrules.bib"
+    assert saved.value.suggested_filename == "answer.txt"
 
 
 @pytest.mark.browser

@@ -9,8 +9,7 @@ export async function start(loadPyodide, folder, read) {
   const [python, archive] = await Promise.all([loadPyodide({ indexURL: folder, env: { HOME: FOLDER, PYTHONUTF8: "1" } }), read(ARCHIVE)]);
   python.unpackArchive(archive, "zip", { extractDir: "/lib/gcrules" });
   python.runPython("import sys; sys.path.insert(0, '/lib/gcrules')");
-  const program = python.pyimport("gcrules.apps.browser");
-  program.prepare(FOLDER);
+  const desk = python.pyimport("gcrules.apps.browser").Desk(FOLDER);
   const version = python.runPython("from gcrules.core.version import __version__; __version__");
   python.setStdin({ stdin: () => null });
 
@@ -20,9 +19,9 @@ export async function start(loadPyodide, folder, read) {
       const decoder = new TextDecoder();
       set.call(python, { isatty: false, write: (bytes) => (hear(decoder.decode(bytes, { stream: true }), stream), bytes.length) });
     }
-    const code = program[question](text);
+    const code = desk[question](text);
     python.runPython("import sys; sys.stdout.flush(); sys.stderr.flush()");
-    const names = program.written();
+    const names = desk.written();
     const files = names.toJs().map((name) => ({ name, bytes: python.FS.readFile(`${FOLDER}/${name}`) }));
     names.destroy();
     return { code, files };
