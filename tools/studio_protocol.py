@@ -23,6 +23,7 @@ from gcrules.apps.studio.protocol import (
     locus_views,
     motion_views,
     requests,
+    rule_views,
     study_views,
     where_views,
 )
@@ -45,6 +46,7 @@ MODULES = (
     where_views,
     limb_views,
     bench_words,
+    rule_views,
 )
 
 START = """\

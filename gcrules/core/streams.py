@@ -7,6 +7,7 @@ import io
 import os
 import sys
 from contextlib import suppress
+from typing import Any
 
 __all__ = ["STDOUT", "flush", "is_stdout", "prepare", "silence", "write"]
 
@@ -25,8 +26,8 @@ class _Closed(io.TextIOBase):
 
 
 def prepare() -> None:
-    """Take the streams as they are: what they cannot encode is replaced, and the numbers of closed ones are taken, so
-    that no file that is opened later becomes standard output.
+    """Take the streams as they are: what they cannot encode is replaced, what a signal interrupts is written all the
+    same, and the numbers of closed ones are taken, so that no file that is opened later becomes standard output.
     """
     while (number := os.open(os.devnull, os.O_RDWR)) < 3:
         pass
@@ -37,9 +38,20 @@ def prepare() -> None:
         sys.stdout = _Closed()
     if sys.stderr is None:
         sys.stderr = os.fdopen(2, "w", encoding="utf-8")
+    sys.stdout, sys.stderr = _buffered(sys.stdout), _buffered(sys.stderr)
     for stream in (sys.stdout, sys.stderr):
         if isinstance(stream, io.TextIOWrapper):
             stream.reconfigure(errors="replace")
+
+
+def _buffered(stream: Any) -> Any:
+    """The stream with a buffer, if PYTHONUNBUFFERED took it: without one, Python loses the rest of a text when a signal
+    interrupts its writing (limits ring a timer). Each line is still written at once.
+    """
+    if not (isinstance(stream, io.TextIOWrapper) and isinstance(stream.buffer, io.RawIOBase)):
+        return stream
+    encoding, raw = stream.encoding, stream.detach()
+    return io.TextIOWrapper(io.BufferedWriter(raw), encoding=encoding, line_buffering=True)
 
 
 def write(text: str) -> None:

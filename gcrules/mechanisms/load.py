@@ -46,6 +46,7 @@ __all__ = [
     "is_path",
     "is_xml",
     "kind_of",
+    "known_ids",
     "load",
     "read_class",
     "read_example",
@@ -151,6 +152,11 @@ def kind_of(word: str, plugins: Folders = ()) -> str:
 def kind_of_id(word: str, plugins: Folders = ()) -> str:
     """Whose id a word is: robot | class | example, or nothing."""
     return next((kind for kind, ids in _IDS.items() if word in ids(plugins)), "")
+
+
+def known_ids(kind: str, plugins: Folders = ()) -> list[str]:
+    """The ids of a kind: robot | class | example."""
+    return _IDS[kind](plugins)
 
 
 def read_text(text: str, filename: str = "<input>") -> Platform | Robot:

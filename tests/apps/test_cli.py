@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import json
+import shutil
 from pathlib import Path
 
 import pytest
 from commands import Run, shell
-from places import EXAMPLES
+from places import EXAMPLES, ROOT
 
 from gcrules.apps.cli import COMMANDS, cli
 from gcrules.apps.cli.catalog import COMMANDS as CATALOG_COMMANDS
@@ -237,8 +238,33 @@ def test_completion_script(run: Run, kind: str) -> None:
 
 @pytest.mark.parametrize(
     ("words", "expected"),
-    [("gcrules str", {"straighten"}), ("gcrules catalog e", {"enumerate"}), ("gcrules expand -ab --j", {"--json"})],
+    [
+        ("gcrules str", {"plain,straighten"}),
+        ("gcrules catalog e", {"plain,enumerate"}),
+        ("gcrules expand -ab --j", {"plain,--json"}),
+        ("gcrules pose del", {"plain,delta"}),
+        ("gcrules analyze 3-rp", {"plain,3-rpr", "plain,3-rps"}),
+        ("gcrules map boxes octahedral-", {"plain,octahedral-singular"}),
+        ("gcrules catalog show 6-3.", {"plain,6-3.1", "plain,6-3.2"}),
+        ("gcrules robot docs --only agile", {"plain,agile-eye"}),
+        ("gcrules rules show four-p", {"plain,four-planes"}),
+        ("gcrules analyze --without planes,four-p", {"plain,planes,four-planes"}),
+        ("gcrules analyze my-plat", {"file,my-plat"}),
+    ],
 )
 def test_completion(words: str, expected: set[str]) -> None:
     env = {"_GCRULES_COMPLETE": "bash_complete", "COMP_WORDS": words, "COMP_CWORD": str(len(words.split()) - 1)}
-    assert set(shell(env=env).stdout.split()) == {f"plain,{word}" for word in expected}
+    found = shell(env=env)
+    assert found.stderr == ""
+    assert set(found.stdout.split()) == expected
+
+
+def test_ids_of_plugins_are_completed_without_running_them(tmp_path: Path) -> None:
+    folder = tmp_path / "mine"
+    (folder / "tripod-of-mine").mkdir(parents=True)
+    shutil.copy(ROOT / "plugins" / "3-rps" / "robot.yaml", folder / "tripod-of-mine" / "robot.yaml")
+    (folder / "tripod-of-mine" / "rules.py").write_text("raise SystemExit('this ran')", encoding="utf-8")
+    words = f"gcrules robot show --plugins {folder} tripod-"
+    env = {"_GCRULES_COMPLETE": "bash_complete", "COMP_WORDS": words, "COMP_CWORD": "5"}
+    found = shell(env=env)
+    assert (found.stdout.strip(), found.stderr) == ("plain,tripod-of-mine", "")

@@ -12,23 +12,25 @@ import pytest
 SCRIPT = """
 import contextlib, io, sys
 from gcrules.apps.cli import cli
+from gcrules.core.streams import prepare
+prepare()
 for words in {commands!r}:
     print("$", *words)
     with contextlib.suppress(SystemExit):
         cli([*words, "--json"], prog_name="gcrules")
 """
 COMMANDS = (
-    ["factor", "[abfc][acde][bdef] + [abfd][acbe][cdef]", "--all"],
+    ["factor", "[abfc][acde][bdef] + [abfd][acbe][cdef]", "--full"],
     ["factor", "[[Aa,Ab,Bc,Bd,Ca,Dc]]", "--cofactor"],
-    ["factor", "[[Aa,Ab,Bc,Bd,Ce,Cf]]", "--all"],
-    ["factor", "[abd][ace] - [abe][acd]", "--rank", "3", "--all"],
+    ["factor", "[[Aa,Ab,Bc,Bd,Ce,Cf]]", "--full"],
+    ["factor", "[abd][ace] - [abe][acd]", "--rank", "3", "--full"],
     ["factor", "(ef /\\ bc /\\ da)([fbe][cga] + 2 [fbc][ega])", "--rank", "3"],
     ["shorten", "[[Aa,Ab,Bc,Bd,Ca,Dc]]"],
     ["shorten", "[abc][def] - [abd][cef] + [abe][cdf]", "--rank", "3"],
     ["straighten", "[afgl][behk][cdij]", "--steps"],
     ["prove", "[abcd][abef] == [abce][abdf]"],
     ["prove", "[bcd] == 0", "--rank", "3", "--given", "collinear(a, b, c), collinear(a, b, d)"],
-    ["transversals", "ab bc ca de fg hi", "--all"],
+    ["transversals", "ab bc ca de fg hi", "--full"],
     ["analyze", "ab af cb cd ed ef", "--full"],
     ["analyze", "Aa Ab Bc Bd Ce Cf", "--given", "coplanar(A, B, a, b)"],
     ["analyze", "Aa Bb Cc ij jk ki", "--ideal", "i j k"],

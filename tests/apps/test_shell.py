@@ -95,6 +95,26 @@ def test_broken_pipe_is_quiet() -> None:
     assert process.returncode == 141
 
 
+@pytest.mark.skipif(not hasattr(signal, "setitimer"), reason="needs timers")
+@pytest.mark.parametrize("unbuffered", ["1", ""])
+def test_nothing_is_lost_where_signals_interrupt_writing(unbuffered: str) -> None:
+    """Limits ring a timer; a reader that is slow lets it ring amid a write."""
+    script = (
+        "import signal, sys; from gcrules.core.streams import prepare; prepare()\n"
+        "signal.signal(signal.SIGALRM, lambda *_: None); signal.setitimer(signal.ITIMER_REAL, 0.001, 0.001)\n"
+        "print('x' * 400_000)\n"
+        "signal.setitimer(signal.ITIMER_REAL, 0)\n"
+    )
+    env = os.environ | {"PYTHONUNBUFFERED": unbuffered}
+    with subprocess.Popen([sys.executable, "-c", script], stdout=subprocess.PIPE, env=env) as process:
+        assert process.stdout is not None
+        number = 0
+        while piece := os.read(process.stdout.fileno(), 30_000):
+            number += len(piece)
+            time.sleep(0.005)
+    assert (process.returncode, number) == (0, 400_001)
+
+
 def test_interrupt_is_quiet() -> None:
     """The expansion takes minutes; the interrupt comes when it has begun."""
     started = (

@@ -429,7 +429,8 @@ def test_a_map_is_read_by_pointer_and_keys_and_leads_the_robot(desk: Desk) -> No
     assert desk.pose["translation"] == pytest.approx([over[1]["low"], over[0]["high"], 0], abs=5)
     keys = ["ArrowLeft", "ArrowUp", "Enter"]  # all at once: no step is lost where keys are quicker than pictures
     plot.evaluate(
-        "(plot, keys) => keys.forEach(key => plot.dispatchEvent(new KeyboardEvent('keydown', {key, bubbles: true})))", keys
+        "(plot, keys) => keys.forEach(key => plot.dispatchEvent(new KeyboardEvent('keydown', {key, bubbles: true})))",
+        keys,
     )
     first, second = ((r["high"] - r["low"]) / 10 for r in over)
     wanted = [over[1]["low"] + second, over[0]["high"] - first, 0]

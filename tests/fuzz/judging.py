@@ -127,7 +127,7 @@ def _asks_json(case: Case) -> bool:
         return False
     at = argv.index("--json")
     before = argv[at - 1] if at else ""
-    flag = before in ("--full", "--recheck", "--all", "--cofactor", "--steps", "--ascii", "--unicode")
+    flag = before in ("--full", "--brief", "--recheck", "--cofactor", "--steps", "--ascii", "--unicode")
     flag |= before == "--search" and _command(case) == "robot pose"  # elsewhere it takes seconds
     if _TAKES_VALUE.fullmatch(before) and not flag:
         return False

@@ -19,12 +19,12 @@ from gcrules.core.errors import EngineFault, FileError, InputError
 from gcrules.core.frozen import FrozenMap
 from gcrules.poses.stored_maps import kinds
 from gcrules.poses.tiles.how import HERE, Running, parse_part, running
-from gcrules.poses.tiles import store as store_module
 from gcrules.poses.tiles.layout import Layout, layout_of
 from gcrules.poses.tiles.running import run
 from gcrules.poses.tiles.status import rate_of
 from gcrules.poses.tiles.store import TileStore
 from gcrules.poses.tiles.task import TiledArray, number_of
+from gcrules.poses.tiles.zarr_files import attributes
 
 pytest.importorskip("zarr")
 
@@ -335,15 +335,15 @@ def test_a_store_of_another_problem_is_refused(tmp_path: Path) -> None:
 def test_a_store_that_another_makes_meanwhile_is_taken(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """Another run's store appears between any two looks at the folder."""
     path = tmp_path / "map.zarr"
-    looked = store_module.attributes
+    looking = "gcrules.poses.tiles.store.attributes"
 
     def late(folder: Path) -> Any:
-        found = looked(folder)
-        monkeypatch.setattr(store_module, "attributes", looked)
+        found = attributes(folder)
+        monkeypatch.setattr(looking, attributes)
         TileStore.open(path, TASK)
         return found
 
-    monkeypatch.setattr(store_module, "attributes", late)
+    monkeypatch.setattr(looking, late)
     store = TileStore.open(path, TASK)
     run(TASK, store)
     assert store.done() == set(range(number_of(TASK)))

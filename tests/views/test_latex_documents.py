@@ -105,7 +105,7 @@ FORMULAS = {
     "prove": ("prove", "[abc][def] == 0", "--rank", "3", "--given", "collinear(a, b, c)"),
     "prove, refuted": ("prove", r"ab /\ cd == ac /\ bd"),
     "rewrite": ("rewrite", r"S_1 b /\ cde", "--rules", "expansion"),
-    "transversals": ("transversals", "Aa Ab Bc Bd Ce Df", "--all"),
+    "transversals": ("transversals", "Aa Ab Bc Bd Ce Df", "--full"),
     "transversals, none": ("transversals", "Aa Bb Cc Dd Ee Ff"),
     "locus": ("locus", str(ROOT / "examples" / "octahedral.yaml"), "--over", "z"),
     "locus, long": ("locus", str(ROOT / "examples" / "octahedral.yaml"), "--over", "x, y, z"),

@@ -90,6 +90,8 @@ def answered() -> int:
         return fault.exit_code
     except KeyboardInterrupt:
         raise
+    except SystemExit as end:  # click's own, after what a shell completes
+        return int(end.code or 0)
     except BaseException as fault:
         if interrupts.pending() is None:
             traceback.print_exception(fault)

@@ -15,18 +15,12 @@ from gcrules.algebra.language.syntax import parse_equation
 from gcrules.algebra.prove import prove as decide
 from gcrules.algebra.straightening.straighten import Straightening, straighten_steps
 from gcrules.algebra.straightening.straighten import straighten as straightened
-from gcrules.apps.cli.base import (
-    ExpressionCommand,
-    Output,
-    SpaceOptions,
-    given_option,
-    limit_option,
-    output_options,
-    space_options,
-)
+from gcrules.apps.cli.base import ExpressionCommand
 from gcrules.apps.cli.expressions import argument_text, context_of, read_expression
 from gcrules.apps.cli.files import working
 from gcrules.apps.cli.limits import time_limit
+from gcrules.apps.cli.options import SpaceOptions, given_option, limit_option, space_options
+from gcrules.apps.cli.output import Output, output_options
 from gcrules.apps.cli.verdicts import EXIT_CODES, coloured
 from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import InputError

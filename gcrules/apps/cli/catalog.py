@@ -8,9 +8,12 @@ import click
 
 from gcrules.algebra.certificate import Certificate
 from gcrules.algebra.language.legs_text import Leg, Structure, legs_text
-from gcrules.apps.cli.base import LazyGroup, Output, catalog_option, output_options
+from gcrules.apps.cli.base import LazyGroup
 from gcrules.apps.cli.files import working
 from gcrules.apps.cli.limits import time_limit
+from gcrules.apps.cli.naming import completing
+from gcrules.apps.cli.options import catalog_option
+from gcrules.apps.cli.output import Output, output_options
 from gcrules.apps.cli.rule_options import plugins_option
 from gcrules.conditions.analysis import analyze
 from gcrules.core.budget import report
@@ -77,7 +80,7 @@ def _loaded(catalogs: tuple[str, ...], folders: tuple[str, ...]) -> Catalog:
 
 
 @click.command()
-@click.argument("class_id", metavar="ID")
+@click.argument("class_id", metavar="ID", shell_complete=completing("class"))
 @catalog_option
 @plugins_option
 @time_limit()

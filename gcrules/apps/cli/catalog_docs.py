@@ -7,10 +7,11 @@ from collections.abc import Iterable
 
 import click
 
-from gcrules.apps.cli.base import Output, catalog_option, json_option
 from gcrules.apps.cli.files import working
 from gcrules.apps.cli.limits import time_limit
 from gcrules.apps.cli.only import check_known, only_option, only_words
+from gcrules.apps.cli.options import catalog_option
+from gcrules.apps.cli.output import Output, json_option
 from gcrules.apps.cli.page_files import renew
 from gcrules.apps.cli.rule_options import plugins_option
 from gcrules.conditions.catalog_check import false_identities

@@ -4,17 +4,13 @@ from __future__ import annotations
 
 import click
 
-from gcrules.apps.cli.base import (
-    ExpressionCommand,
-    Output,
-    about_option,
-    json_option,
-    latex_option,
-    mathematics_option,
-)
+from gcrules.apps.cli.base import ExpressionCommand
 from gcrules.apps.cli.files import files_option, working
 from gcrules.apps.cli.limits import Seconds
 from gcrules.apps.cli.map_options import at_option, limits_option
+from gcrules.apps.cli.naming import mechanism_argument
+from gcrules.apps.cli.options import about_option
+from gcrules.apps.cli.output import Output, output_options
 from gcrules.apps.cli.question_options import cone_option, tilt_option
 from gcrules.apps.cli.sources import mode_option, read_source, warn
 from gcrules.poses.certificates.certificate import PICTURES, check_suffix
@@ -27,7 +23,7 @@ _CODES = {True: 0, False: 1, None: 3}
 
 
 @click.command(cls=ExpressionCommand)
-@click.argument("file", metavar="FILE.yaml|ID")
+@mechanism_argument
 @mode_option
 @click.option(
     "--over",
@@ -48,9 +44,7 @@ _CODES = {True: 0, False: 1, None: 3}
     "--target", default="100%", show_default=True, metavar="SHARE", help='End when so much is decided: "99.9%".'
 )
 @click.option("--resume", metavar="FILE", help="Go on from the file of an earlier certificate of the same question.")
-@json_option
-@latex_option
-@mathematics_option
+@output_options(file=False)
 @files_option(
     "Write the certificate, whatever is decided: .json or .json.gz, which tools/check_certificate.py checks; or a"
     " picture of it: .svg, .pdf, .png."
@@ -71,10 +65,8 @@ def certify(
     boxes: int | None,
     target: str,
     resume: str | None,
-    as_json: bool,
-    as_latex: bool,
-    mathematics: bool | None,
     outputs: tuple[str, ...],
+    out: Output,
 ) -> None:
     """Prove that a robot has no singular pose in its whole range, or find one.
 
@@ -86,7 +78,6 @@ def certify(
     The range is continuous: boxes of poses are proved or cut. The exit code is 0 where no pose in range is singular, 1
     where one is, 3 where it is not decided; with --target also 0 where so much is.
     """
-    out = Output(json=as_json, latex=as_latex, mathematics=mathematics)
     for path in outputs:
         if check_suffix(path) in PICTURES:
             need("matplotlib", "pictures need matplotlib")

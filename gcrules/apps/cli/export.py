@@ -6,9 +6,12 @@ import os
 
 import click
 
-from gcrules.apps.cli.base import ExpressionCommand, Output, about_option
+from gcrules.apps.cli.base import ExpressionCommand
 from gcrules.apps.cli.files import OutputFile, working
 from gcrules.apps.cli.limits import time_limit
+from gcrules.apps.cli.naming import mechanism_argument
+from gcrules.apps.cli.options import about_option
+from gcrules.apps.cli.output import Output
 from gcrules.apps.cli.sources import mode_option, read_source, warn
 from gcrules.poses.compiling.controller import controller
 from gcrules.views.code.languages import LANGUAGES
@@ -20,7 +23,7 @@ _SUFFIXES = {language.suffix: name for name, language in LANGUAGES.items()}
 
 
 @click.command(cls=ExpressionCommand)
-@click.argument("file", metavar="FILE.yaml|ID")
+@mechanism_argument
 @mode_option
 @click.option("--language", type=click.Choice(list(LANGUAGES)), help="By default that of the FILE's name, or c.")
 @click.option(

@@ -8,8 +8,8 @@ from typing import TypeVar
 from gcrules.algebra.expr import Expr
 from gcrules.algebra.language.statements import parse_assumption
 from gcrules.algebra.language.syntax import Context, parse
-from gcrules.apps.cli.base import SpaceOptions
 from gcrules.apps.cli.files import read_stdin, working
+from gcrules.apps.cli.options import SpaceOptions
 
 __all__ = ["argument_text", "context_of", "read_expression", "searched"]
 

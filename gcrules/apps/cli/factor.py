@@ -6,26 +6,26 @@ import click
 
 from gcrules.algebra.factoring.factorize import factor as factored
 from gcrules.algebra.factoring.limits import MAX_EXTENSORS, SECONDS
-from gcrules.apps.cli.base import ExpressionCommand, Output, SpaceOptions, limit_option, output_options, space_options
+from gcrules.apps.cli.base import ExpressionCommand
 from gcrules.apps.cli.expressions import searched
 from gcrules.apps.cli.limits import AROUND, limited, time_limit
+from gcrules.apps.cli.options import SpaceOptions, limit_option, space_options
+from gcrules.apps.cli.output import Output, output_options
 
 __all__ = ["factor"]
 
 
 @click.command(cls=ExpressionCommand)
 @click.argument("expression", metavar="EXPR")
-@click.option("--all", "every", is_flag=True, help="Show every expression, not the simplest only.")
 @click.option("--cofactor", is_flag=True, help="Where there is none, seek one that equals a cofactor times EXPR.")
 @limit_option(MAX_EXTENSORS, "Give up beyond this many extensors.")
 @time_limit(SECONDS, "Give up after this time.", itself=True)
 @space_options()
-@output_options()
+@output_options(full="Show every expression, not the simplest only.")
 @click.pass_context
 def factor(
     ctx: click.Context,
     expression: str,
-    every: bool,
     cofactor: bool,
     limit: int,
     seconds: float,
@@ -37,7 +37,7 @@ def factor(
     \b
     gcrules factor "[abfc][acde][bdef] + [abfd][acbe][cdef]"
     gcrules factor "[[Aa,Ab,Bc,Bd,Ca,Dc]]" --cofactor --json
-    gcrules factor "[abd][ace] - [abe][acd]" --rank 3 --all
+    gcrules factor "[abd][ace] - [abe][acd]" --rank 3 --full
 
     "-" reads standard input. What is found is proved by normal forms; "none exists" is the result of testing every
     expression of the family that is named. docs/factor.md says what it covers.
@@ -46,6 +46,6 @@ def factor(
     decided within the limits; or found, and shown, but tested at random points only, as the proof took too long.
     """
     with limited(seconds, AROUND):
-        found = searched("factoring", factored, expression, space, limit, seconds, every=every, cofactor=cofactor)
+        found = searched("factoring", factored, expression, space, limit, seconds, every=out.full, cofactor=cofactor)
         out.show(found)
     ctx.exit(1 if not found.exists else 0 if found.proved else 3)

@@ -4,9 +4,12 @@ from __future__ import annotations
 
 import click
 
-from gcrules.apps.cli.base import ExpressionCommand, Output, about_option, output_options
+from gcrules.apps.cli.base import ExpressionCommand
 from gcrules.apps.cli.files import working
 from gcrules.apps.cli.limits import time_limit
+from gcrules.apps.cli.naming import mechanism_argument
+from gcrules.apps.cli.options import about_option
+from gcrules.apps.cli.output import Output, output_options
 from gcrules.apps.cli.sources import mode_option, read_source, warn
 from gcrules.poses.regions.free_region import free_region
 
@@ -14,7 +17,7 @@ __all__ = ["free"]
 
 
 @click.command(cls=ExpressionCommand)
-@click.argument("file", metavar="FILE.yaml|ID")
+@mechanism_argument
 @mode_option
 @click.option("--at", metavar="POSE", help="The pose in the middle, as in gcrules pose; home without it.")
 @click.option("--over", metavar="NAMES", help='Coordinates with proportions: "x, y, z", "x 2, rz 9 deg"; "actuators".')

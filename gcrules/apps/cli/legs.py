@@ -8,20 +8,14 @@ from typing import Any
 import click
 
 from gcrules.algebra.language.legs_text import Structure
-from gcrules.apps.cli.base import (
-    ExpressionCommand,
-    Output,
-    SpaceOptions,
-    catalog_option,
-    given_option,
-    output_options,
-    search_option,
-    space_options,
-)
+from gcrules.apps.cli.base import ExpressionCommand
 from gcrules.apps.cli.facts_options import facts_options
 from gcrules.apps.cli.files import OutputFile, figure_option, working
 from gcrules.apps.cli.limits import beside, limited, time_limit
 from gcrules.apps.cli.manual_options import ManualOptions, manual_options
+from gcrules.apps.cli.naming import complete_source
+from gcrules.apps.cli.options import SpaceOptions, catalog_option, given_option, search_option, space_options
+from gcrules.apps.cli.output import Output, output_options
 from gcrules.apps.cli.question_options import question_options
 from gcrules.apps.cli.rule_options import Choice, rules_options
 from gcrules.apps.cli.sources import mode_option, read_source
@@ -54,12 +48,11 @@ _SPACE = SpaceOptions(4, (), ())  # where no option says otherwise
 
 
 @click.command(cls=ExpressionCommand)
-@click.argument("legs", nargs=-1, metavar=_LEGS)
+@click.argument("legs", nargs=-1, metavar=_LEGS, shell_complete=complete_source)
 @mode_option
 @_order
 @_recheck
 @manual_options
-@click.option("--full", is_flag=True, help="Show every single step of the derivation.")
 @figure_option
 @given_option
 @facts_options
@@ -75,7 +68,6 @@ def analyze(
     order: str | None,
     recheck: bool,
     manual: ManualOptions,
-    full: bool,
     figure: str | None,
     assumptions: tuple[str, ...],
     facts: bool,
@@ -114,25 +106,23 @@ def analyze(
     """
     special = assumptions or space.rank != 4 or search != SECONDS
     if manual.requested:
-        refused = (
-            mode or recheck or full or catalogs or figure or choice.words or choice.without or out.latex or special
-        )
+        refused = mode or recheck or catalogs or figure or choice.words or choice.without or out.latex or special
         _check_manual(legs, refused, manual)
         run_manual(_six_legs(legs, space, choice) if legs else None, order, manual, space, out, seconds)
     if not legs:
         raise click.UsageError(f"Missing argument '{_LEGS}...'.")
-    others = order or recheck or full or assumptions or catalogs or space != _SPACE
+    others = order or recheck or assumptions or catalogs or space != _SPACE
     looked_at: dict[str, Any] = {"given": assumptions, "facts": facts, "tolerance": tolerance}
     with limited(seconds, beside(search)):
         loaded = _loaded(legs, assumptions, space, choice, mode)
         analysis = _analyzed(loaded, order, recheck, search, catalogs, choice, space, others, **looked_at)
         if figure:
             save(figure_of(analysis), figure)
-        out.show(_InFull(analysis) if full and isinstance(analysis, Analysis) else analysis)
+        out.show(_InFull(analysis) if out.full and isinstance(analysis, Analysis) else analysis)
 
 
 @click.command(cls=ExpressionCommand)
-@click.argument("legs", nargs=-1, required=True, metavar=_LEGS)
+@click.argument("legs", nargs=-1, required=True, metavar=_LEGS, shell_complete=complete_source)
 @mode_option
 @click.option("-o", "--output", "path", type=OutputFile(), default="-", metavar="FILE.html", help="Write to a file.")
 @_order

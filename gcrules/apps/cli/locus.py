@@ -4,9 +4,12 @@ from __future__ import annotations
 
 import click
 
-from gcrules.apps.cli.base import ExpressionCommand, Output, about_option, limit_option, output_options
+from gcrules.apps.cli.base import ExpressionCommand
 from gcrules.apps.cli.files import working
 from gcrules.apps.cli.limits import time_limit
+from gcrules.apps.cli.naming import mechanism_argument
+from gcrules.apps.cli.options import about_option, limit_option
+from gcrules.apps.cli.output import Output, output_options
 from gcrules.apps.cli.sources import mode_option, read_source, warn
 from gcrules.poses.loci.factors import MAX_TERMS
 from gcrules.poses.loci.form import FORMATS
@@ -16,7 +19,7 @@ __all__ = ["locus"]
 
 
 @click.command(cls=ExpressionCommand)
-@click.argument("file", metavar="FILE.yaml|ID")
+@mechanism_argument
 @mode_option
 @click.option("--over", metavar="VARIABLES", help="The free variables: x,y,e3, or translation, rotation, all.")
 @click.option("--fix", metavar="VALUES", help='Values of variables, "x=0, e1=1/2"; without --over the others are free.')

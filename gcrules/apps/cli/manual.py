@@ -11,10 +11,11 @@ import click
 
 from gcrules.algebra.language.legs_text import Structure, read_legs
 from gcrules.algebra.language.text import SHORT_NAME
-from gcrules.apps.cli.base import Output, SpaceOptions
 from gcrules.apps.cli.files import read_stdin
 from gcrules.apps.cli.limits import limited
 from gcrules.apps.cli.manual_options import ManualOptions
+from gcrules.apps.cli.options import SpaceOptions
+from gcrules.apps.cli.output import Output
 from gcrules.conditions.manual import MOVES, PROPOSALS, ManualSession, analysis_of, load_session, save_session
 from gcrules.conditions.manual.forms import orders_text
 from gcrules.conditions.manual.words import CommandWords, relocated

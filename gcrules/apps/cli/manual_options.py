@@ -8,7 +8,7 @@ from typing import Any
 
 import click
 
-from gcrules.apps.cli.base import decorated
+from gcrules.apps.cli.output import decorated
 from gcrules.core.dataclass import dataclass
 
 __all__ = ["ManualOptions", "manual_options"]

@@ -7,11 +7,13 @@ from typing import Any
 
 import click
 
-from gcrules.apps.cli.base import Output, about_option
 from gcrules.apps.cli.files import working
 from gcrules.apps.cli.limits import time_limit
 from gcrules.apps.cli.map_options import at_option, limits_option, show, telling_what_is_kept, tile_options
 from gcrules.apps.cli.map_tiles import MapCommand
+from gcrules.apps.cli.naming import mechanism_argument
+from gcrules.apps.cli.options import about_option
+from gcrules.apps.cli.output import Output
 from gcrules.apps.cli.sources import mode_option, read_source, warn
 from gcrules.core.budget import report
 from gcrules.core.errors import InputError
@@ -28,7 +30,7 @@ __all__ = ["map_"]
 
 
 @click.command("map", cls=MapCommand)
-@click.argument("file", metavar="FILE.yaml|ID")
+@mechanism_argument
 @mode_option
 @click.option(
     "--over",
@@ -64,9 +66,8 @@ def map_(
     workers: int,
     part: str | None,
     scheduler: str | None,
-    as_json: bool,
-    mathematics: bool | None,
     outputs: tuple[str, ...],
+    out: Output,
 ) -> None:
     """Map the singular poses over two or three coordinates: curves or surfaces, with proof of what is free.
 
@@ -101,7 +102,6 @@ def map_(
     if work is not None:
         needed = bytes_of(plan.task) * (1 + any(o.lower().endswith(".nc") for o in outputs))
         check_room(work, needed, "take a coarser grid, or --measure value, which needs less")
-    out = Output(json=as_json, mathematics=mathematics)
     with telling_what_is_kept(work), working("computing"):
         if how.part is not None:
             out.show(map_part(plan, how, work=work, restart=restart))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import click
 
-from gcrules.apps.cli.base import ExpressionCommand, Output, about_option, json_option
+from gcrules.apps.cli.base import ExpressionCommand
 from gcrules.apps.cli.files import OutputFile, working
 from gcrules.apps.cli.limits import time_limit
 from gcrules.apps.cli.map_options import (
@@ -16,6 +16,9 @@ from gcrules.apps.cli.map_options import (
     tile_options,
     workers_option,
 )
+from gcrules.apps.cli.naming import mechanism_argument
+from gcrules.apps.cli.options import about_option
+from gcrules.apps.cli.output import Output, output_options
 from gcrules.apps.cli.sources import mode_option, read_source, warn
 from gcrules.core.errors import InputError
 from gcrules.mechanisms.mechanism import mechanism
@@ -30,7 +33,7 @@ __all__ = ["boxes_", "refine"]
 
 
 @click.command("boxes", cls=ExpressionCommand)
-@click.argument("file", metavar="FILE.yaml|ID")
+@mechanism_argument
 @mode_option
 @click.option(
     "--over",
@@ -66,9 +69,8 @@ def boxes_(
     workers: int,
     part: str | None,
     scheduler: str | None,
-    as_json: bool,
-    mathematics: bool | None,
     outputs: tuple[str, ...],
+    out: Output,
 ) -> None:
     """Prove which poses over whole ranges of one to six coordinates are free of singular ones, box by box.
 
@@ -88,7 +90,6 @@ def boxes_(
         raise InputError("tiles are kept only where -o names a store", hint="-o range.zarr")
     robot = mechanism(warn(read_source(file, mode=mode)), about=about)
     task = box_task(robot, over, at, limits, margin, tiles, boxes)
-    out = Output(json=as_json, mathematics=mathematics)
     with telling_what_is_kept(work), working("computing"):
         if how.part is not None:
             out.show(box_part(task, how, work=work, restart=restart))
@@ -111,7 +112,7 @@ def boxes_(
 @time_limit(None)
 @workers_option
 @scheduler_option
-@json_option
+@output_options(latex=False, file=False)
 def refine(
     store: str,
     refined: str,
@@ -119,7 +120,7 @@ def refine(
     over: tuple[str, ...],
     workers: int,
     scheduler: str | None,
-    as_json: bool,
+    out: Output,
 ) -> None:
     """A map once more: finer where it is undecided, or over wider ranges. What is done is taken over.
 
@@ -135,4 +136,4 @@ def refine(
     check_files([refined], BOX_FORMATS)
     with working("computing"):
         found = refine_map(store, refined, boxes, over or None, workers=workers, scheduler=scheduler)
-    Output(json=as_json).show(found)
+    out.show(found)

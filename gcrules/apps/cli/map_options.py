@@ -9,8 +9,8 @@ from typing import Any
 
 import click
 
-from gcrules.apps.cli.base import Output, decorated, json_option, mathematics_option
 from gcrules.apps.cli.files import files_option
+from gcrules.apps.cli.output import Output, decorated, output_options
 from gcrules.poses.tiles.how import MAX_WORKERS
 
 __all__ = [
@@ -56,8 +56,7 @@ def tile_options(formats: Iterable[str]) -> Callable[[_Command], _Command]:
         workers_option,
         click.option("--part", metavar="K/N", help="Compute only the K-th of N parts, as a job of an array."),
         scheduler_option,
-        json_option,
-        mathematics_option,
+        output_options(latex=False, file=False),
         files_option(f"Write a file, as often as you like; its suffix says what: {' '.join(formats)}."),
     )
     return lambda command: decorated(command, options)

@@ -6,10 +6,11 @@ from typing import Any
 
 import click
 
-from gcrules.apps.cli.base import ExpressionCommand, Output, json_option, output_options, seeded
+from gcrules.apps.cli.base import ExpressionCommand, seeded
 from gcrules.apps.cli.files import OutputFile, working
 from gcrules.apps.cli.limits import time_limit
 from gcrules.apps.cli.map_boxes import boxes_, refine
+from gcrules.apps.cli.output import Output, json_option, output_options
 from gcrules.core.errors import InputError
 from gcrules.poses.stored_maps.verifying import ALL, verify_map
 from gcrules.poses.tiles.merging import merge_maps

@@ -4,9 +4,12 @@ from __future__ import annotations
 
 import click
 
-from gcrules.apps.cli.base import ExpressionCommand, Output, about_option, output_options
+from gcrules.apps.cli.base import ExpressionCommand
 from gcrules.apps.cli.files import OutputFile, working
 from gcrules.apps.cli.limits import time_limit
+from gcrules.apps.cli.naming import mechanism_argument
+from gcrules.apps.cli.options import about_option
+from gcrules.apps.cli.output import Output, output_options
 from gcrules.apps.cli.sources import read_source, warn
 from gcrules.poses.modes.modes import assembly_modes
 from gcrules.poses.modes.working import working_modes
@@ -19,7 +22,7 @@ _CLOSE = "0.5 deg"
 
 
 @click.command(cls=ExpressionCommand)
-@click.argument("file", metavar="FILE.yaml|ID")
+@mechanism_argument
 @click.option(
     "--working", "inverse", is_flag=True, help="The ways in which the limbs hold the platform in one place instead."
 )

@@ -8,6 +8,7 @@ from typing import Any
 
 import click
 
+from gcrules.apps.cli.naming import completing
 from gcrules.core.errors import InputError
 from gcrules.core.hints import near
 
@@ -19,7 +20,7 @@ _Command = Callable[..., Any]
 def only_option(thing: str) -> Callable[[_Command], _Command]:
     """The option, given to the command as the tuple `only`; `thing` is what bears the ids."""
     words = f"Only the pages of this {thing}, and not the index; may be repeated."
-    return click.option("--only", multiple=True, metavar="ID", help=words)
+    return click.option("--only", multiple=True, metavar="ID", help=words, shell_complete=completing(thing))
 
 
 def only_words(only: Collection[str]) -> str:

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import click
 
-from gcrules.apps.cli.base import ExpressionCommand, search_option
+from gcrules.apps.cli.base import ExpressionCommand
 from gcrules.apps.cli.files import working
 from gcrules.apps.cli.limits import time_limit
+from gcrules.apps.cli.naming import complete_source
+from gcrules.apps.cli.options import search_option
 from gcrules.apps.cli.sources import mode_option, read_source, warn
 from gcrules.core.deferred import deferred
 from gcrules.mechanisms.analyze import analyze
@@ -19,7 +21,13 @@ _own_entry = deferred("gcrules.views.paper.bibliography:own_entry")
 
 
 @click.command(cls=ExpressionCommand)
-@click.argument("legs", nargs=-1, required=True, metavar="LEGS|FILE.yaml|ROBOT")
+@click.argument(
+    "legs",
+    nargs=-1,
+    required=True,
+    metavar="LEGS|FILE.yaml|ROBOT",
+    shell_complete=complete_source,
+)
 @mode_option
 @click.option("-o", "--output", "folder", required=True, metavar="DIR", help="The directory for the files.")
 @click.option("--full", is_flag=True, help="Add an appendix with every single step of the derivation.")

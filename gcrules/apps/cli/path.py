@@ -4,9 +4,12 @@ from __future__ import annotations
 
 import click
 
-from gcrules.apps.cli.base import ExpressionCommand, Output, about_option, output_options
+from gcrules.apps.cli.base import ExpressionCommand
 from gcrules.apps.cli.files import OutputFile, working
 from gcrules.apps.cli.limits import time_limit
+from gcrules.apps.cli.naming import mechanism_argument
+from gcrules.apps.cli.options import about_option
+from gcrules.apps.cli.output import Output, output_options
 from gcrules.apps.cli.sources import mode_option, read_source, warn
 from gcrules.core.files import write_file
 from gcrules.core.streams import is_stdout
@@ -18,7 +21,7 @@ __all__ = ["path"]
 
 
 @click.command(cls=ExpressionCommand)
-@click.argument("file", metavar="FILE.yaml|ID")
+@mechanism_argument
 @mode_option
 @click.option("--poses", "table", metavar="POSES.csv", help="A table of poses, two or more.")
 @click.option("--at", multiple=True, metavar="POSE", help="A pose, as in gcrules pose; give two or more.")

@@ -4,9 +4,12 @@ from __future__ import annotations
 
 import click
 
-from gcrules.apps.cli.base import ExpressionCommand, Output, about_option, output_options
+from gcrules.apps.cli.base import ExpressionCommand
 from gcrules.apps.cli.files import OutputFile, working
 from gcrules.apps.cli.limits import time_limit
+from gcrules.apps.cli.naming import mechanism_argument
+from gcrules.apps.cli.options import about_option
+from gcrules.apps.cli.output import Output, output_options
 from gcrules.apps.cli.sources import mode_option, read_source, warn
 from gcrules.core.files import write_file
 from gcrules.core.streams import is_stdout
@@ -19,7 +22,7 @@ _CODES = {"way": 0, "none": 1, "undecided": 3}
 
 
 @click.command(cls=ExpressionCommand)
-@click.argument("file", metavar="FILE.yaml|ID")
+@mechanism_argument
 @mode_option
 @click.option("--from", "start", required=True, metavar="POSE", help="The pose to start from, as in gcrules path.")
 @click.option("--to", "goal", metavar="POSE", help="The pose to go to; without one the way out, to a larger margin.")

@@ -10,7 +10,8 @@ from typing import Any
 
 import click
 
-from gcrules.apps.cli.base import about_option, decorated
+from gcrules.apps.cli.options import about_option
+from gcrules.apps.cli.output import decorated
 from gcrules.poses.questions import SHAPES, Questions
 from gcrules.screws.threshold import DEFAULT
 

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import click
 
-from gcrules.apps.cli.base import ExpressionCommand, Output, output_options
+from gcrules.apps.cli.base import ExpressionCommand
 from gcrules.apps.cli.files import OutputFile, working
 from gcrules.apps.cli.limits import time_limit
+from gcrules.apps.cli.naming import mechanism_argument
+from gcrules.apps.cli.output import Output, output_options
 from gcrules.apps.cli.sources import read_source, warn
 from gcrules.core.errors import InputError
 from gcrules.core.files import write_file
@@ -21,7 +23,7 @@ __all__ = ["regions"]
 
 
 @click.command(cls=ExpressionCommand)
-@click.argument("file", metavar="FILE.yaml|ID")
+@mechanism_argument
 @click.option("--over", metavar="RANGES", help='The lengths that are looked at: "q2 0.1..4, q3 ..4".')
 @click.option("--held", metavar="LENGTH", help='The leg that is held, and at which length: "q1=1"; by default home\'s.')
 @click.option(

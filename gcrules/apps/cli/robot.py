@@ -9,20 +9,13 @@ from pathlib import Path
 
 import click
 
-from gcrules.apps.cli.base import (
-    SEEDED,
-    ExpressionCommand,
-    Output,
-    json_option,
-    length_option,
-    nearest_option,
-    output_options,
-    search_option,
-    seeded,
-)
+from gcrules.apps.cli.base import SEEDED, ExpressionCommand, seeded
 from gcrules.apps.cli.facts_options import facts_options
 from gcrules.apps.cli.files import OutputCommand, OutputFile, figure_option, working
 from gcrules.apps.cli.limits import time_limit
+from gcrules.apps.cli.naming import completing
+from gcrules.apps.cli.options import length_option, nearest_option, search_option
+from gcrules.apps.cli.output import Output, json_option, output_options
 from gcrules.apps.cli.robot_docs import docs
 from gcrules.apps.cli.robot_export import export
 from gcrules.apps.cli.robot_import import import_
@@ -57,7 +50,7 @@ _OWNERS = {  # of an id: what it is, and the command that shows it
 }
 
 _plugins = click.option("--plugins", "folders", multiple=True, metavar="DIR", help="Add a folder of plugins.")
-_name = click.argument("name", metavar="ID|FILE")
+_name = click.argument("name", metavar="ID|FILE", shell_complete=completing("robot"))
 
 
 @click.group()
@@ -135,7 +128,7 @@ def _shown(r: Robot) -> Iterator[str]:
 
 
 @robot.command("check", short_help="Check robot files; all, if none is named.")
-@click.argument("names", nargs=-1, metavar="[ID|FILE]...")
+@click.argument("names", nargs=-1, metavar="[ID|FILE]...", shell_complete=completing("robot"))
 @_plugins
 @time_limit(None)
 @click.pass_context

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import click
 
-from gcrules.apps.cli.base import Output, json_option
 from gcrules.apps.cli.files import working
 from gcrules.apps.cli.limits import time_limit
 from gcrules.apps.cli.only import check_known, only_option, only_words
+from gcrules.apps.cli.output import Output, json_option
 from gcrules.apps.cli.page_files import renew
 from gcrules.core.deferred import deferred
 from gcrules.mechanisms.description.discovery import robots

@@ -8,6 +8,7 @@ import click
 
 from gcrules.apps.cli.files import OutputCommand, OutputFile, working
 from gcrules.apps.cli.limits import time_limit
+from gcrules.apps.cli.naming import completing
 from gcrules.apps.cli.sources import mode_option, read_source, warn
 from gcrules.core.deferred import deferred
 from gcrules.core.errors import InputError
@@ -22,7 +23,7 @@ _ENDINGS = {".xml": "mjcf", ".mjcf": "mjcf", ".urdf": "urdf"}
 
 
 @click.command(cls=OutputCommand, short_help="Write a robot as a model file: MJCF, or URDF.")
-@click.argument("source", metavar="ID|FILE")
+@click.argument("source", metavar="ID|FILE", shell_complete=completing("robot"))
 @click.option(
     "--format", "form", type=click.Choice(["mjcf", "urdf"]), help="By default that of the FILE's name, or mjcf."
 )

@@ -6,9 +6,9 @@ import json
 
 import click
 
-from gcrules.apps.cli.base import Output
 from gcrules.apps.cli.files import OutputCommand, OutputFile, working
 from gcrules.apps.cli.limits import time_limit
+from gcrules.apps.cli.output import Output
 from gcrules.core.deferred import deferred
 from gcrules.core.files import write_file
 

@@ -9,7 +9,8 @@ from typing import Any
 
 import click
 
-from gcrules.apps.cli.base import decorated
+from gcrules.apps.cli.naming import completing
+from gcrules.apps.cli.output import decorated
 from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import InputError
 from gcrules.rules.library import Library
@@ -18,6 +19,8 @@ from gcrules.rules.rule import Rule
 from gcrules.rules.strategy import Strategy
 
 __all__ = ["Choice", "plugins_option", "rules_options"]
+
+_rules = completing("rule", several=True)
 
 plugins_option = click.option(
     "--plugins", "folders", multiple=True, metavar="DIR", help="Add a folder of plugins (its rules.py files are run)."
@@ -87,9 +90,10 @@ def rules_options(command: Callable[..., Any]) -> Callable[..., Any]:
         return command(choice=choice, **options)
 
     named = "Add the rules of a .gca file; or run just the rules named, in this order: planes,four-planes."
+    left_out = "Leave rules out: four-planes."
     decorators = [
-        click.option("--rules", "words", multiple=True, metavar="FILE|IDS", help=named),
-        click.option("--without", multiple=True, metavar="IDS", callback=_ids, help="Leave rules out: four-planes."),
+        click.option("--rules", "words", multiple=True, metavar="FILE|IDS", help=named, shell_complete=_rules),
+        click.option("--without", multiple=True, metavar="IDS", callback=_ids, help=left_out, shell_complete=_rules),
         plugins_option,
     ]
     return decorated(with_choice, decorators)

@@ -7,9 +7,11 @@ from typing import Any
 
 import click
 
-from gcrules.apps.cli.base import LazyGroup, Output, output_options
+from gcrules.apps.cli.base import LazyGroup
 from gcrules.apps.cli.files import working
 from gcrules.apps.cli.limits import time_limit
+from gcrules.apps.cli.naming import completing
+from gcrules.apps.cli.output import Output, output_options
 from gcrules.apps.cli.rule_options import Choice, plugins_option
 from gcrules.rules.check import check_rules
 from gcrules.rules.rule import Rule
@@ -66,7 +68,7 @@ def list_rules(words: tuple[str, ...], folders: tuple[str, ...], out: Output) ->
 
 
 @click.command()
-@click.argument("rule_id", metavar="ID")
+@click.argument("rule_id", metavar="ID", shell_complete=completing("rule"))
 @_files
 @plugins_option
 @time_limit()
@@ -90,7 +92,7 @@ def show(rule_id: str, words: tuple[str, ...], folders: tuple[str, ...], out: Ou
 
 
 @click.command()
-@click.argument("words", nargs=-1, metavar="[FILE.gca|ID]...")
+@click.argument("words", nargs=-1, metavar="[FILE.gca|ID]...", shell_complete=completing("rule"))
 @plugins_option
 @time_limit(None)
 @output_options(latex=False)

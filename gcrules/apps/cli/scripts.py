@@ -10,18 +10,12 @@ import click
 from gcrules.algebra.expand import MAX_TERMS
 from gcrules.algebra.language.statements import Script, parse_script
 from gcrules.algebra.language.syntax import parse
-from gcrules.apps.cli.base import (
-    ExpressionCommand,
-    Output,
-    SpaceOptions,
-    given_option,
-    limit_option,
-    output_options,
-    space_options,
-)
+from gcrules.apps.cli.base import ExpressionCommand
 from gcrules.apps.cli.expressions import argument_text, context_of
 from gcrules.apps.cli.files import read_stdin, working
 from gcrules.apps.cli.limits import SECONDS, time_limit
+from gcrules.apps.cli.options import SpaceOptions, given_option, limit_option, space_options
+from gcrules.apps.cli.output import Output, output_options
 from gcrules.apps.cli.rule_options import Choice, rules_options
 from gcrules.apps.cli.verdicts import EXIT_CODES, coloured
 from gcrules.core.alarm import paced
@@ -90,7 +84,9 @@ def run(ctx: click.Context, files: tuple[str, ...], limit: int, seconds: float, 
         "\n".join([*(coloured(r.verdict, r.text(unicode=out.unicode)) for r in a.results), *totals(a)]) for a in answers
     ]
     whole = ScriptResult(tuple(r for a in answers for r in a.results))
-    if len(files) == 1:
+    if out.brief:
+        out.write("\n".join(totals(whole)))
+    elif len(files) == 1:
         out.show(answers[0], shown[0])
     else:
         parts = (f"{s.filename}\n{indent(text, '  ')}" for s, text in zip(scripts, shown, strict=True))

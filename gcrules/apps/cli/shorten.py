@@ -6,9 +6,11 @@ import click
 
 from gcrules.algebra.shortening.limits import MAX_MONOMIALS, SECONDS
 from gcrules.algebra.shortening.shorten import shorten as shortened
-from gcrules.apps.cli.base import ExpressionCommand, Output, SpaceOptions, limit_option, output_options, space_options
+from gcrules.apps.cli.base import ExpressionCommand
 from gcrules.apps.cli.expressions import searched
 from gcrules.apps.cli.limits import AROUND, limited, time_limit
+from gcrules.apps.cli.options import SpaceOptions, limit_option, space_options
+from gcrules.apps.cli.output import Output, output_options
 
 __all__ = ["shorten"]
 

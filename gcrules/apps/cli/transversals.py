@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import click
 
-from gcrules.apps.cli.base import ExpressionCommand, Output, SpaceOptions, given_option, output_options, space_options
+from gcrules.apps.cli.base import ExpressionCommand
 from gcrules.apps.cli.files import read_stdin, working
 from gcrules.apps.cli.limits import time_limit
+from gcrules.apps.cli.options import SpaceOptions, given_option, space_options
+from gcrules.apps.cli.output import Output, output_options
 from gcrules.conditions.transversals import transversals as compared
 
 __all__ = ["transversals"]
@@ -16,16 +18,14 @@ NOT_DECIDED = 3
 
 @click.command(cls=ExpressionCommand)
 @click.argument("legs", nargs=-1, required=True, metavar="LEGS")
-@click.option("--all", "every", is_flag=True, help="Show every reading, not the simplest only.")
 @given_option
 @time_limit()
 @space_options(rank=False)
-@output_options()
+@output_options(full="Show every reading, not the simplest only.")
 @click.pass_context
 def transversals(
     ctx: click.Context,
     legs: tuple[str, ...],
-    every: bool,
     assumptions: tuple[str, ...],
     space: SpaceOptions,
     out: Output,
@@ -34,7 +34,7 @@ def transversals(
 
     \b
     gcrules transversals "Aa Ab Bc Cd De Ef"
-    gcrules transversals "ab bc ca de fg hi" --all
+    gcrules transversals "ab bc ca de fg hi" --full
     gcrules transversals "Aa Ab Ba Cc Dd Ee" --json
 
     Without two of the legs the platform can turn about each of two lines. Each of the two legs allows these turns in
@@ -44,6 +44,6 @@ def transversals(
     """
     source = read_stdin() if legs == ("-",) else " ".join(legs)
     with working("looking for transversals"):
-        found = compared(source, every=every, points=space.points, ideal=space.ideal, given=assumptions)
+        found = compared(source, every=out.full, points=space.points, ideal=space.ideal, given=assumptions)
     out.show(found)
     ctx.exit(0 if found.exists else 1 if found.definite else NOT_DECIDED)

@@ -29,9 +29,12 @@ def make_app(
     opened: SourceJson | None = None,
     tickets: set[str] | None = None,
     shared: SharedPose | None = None,
+    folders: tuple[str, ...] = (),
 ) -> Starlette:
-    """The application that is served at http://127.0.0.1:port to whom the token, or one of the tickets, is known."""
-    service = Service(opened, shared)
+    """The application that is served at http://127.0.0.1:port to whom the token, or one of the tickets, is known;
+    `folders` are those of plugins.
+    """
+    service = Service(opened, shared, folders)
     pages = Pages()
 
     sessions: set[PageSession] = set()

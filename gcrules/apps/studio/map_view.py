@@ -65,7 +65,7 @@ def map_view(
         "status": [[MEANINGS[s] for s in row] for row in found.values("cell_status").tolist()],
         "guarantee": as_sentence(found.guarantee),
         "statement": found.sentence,
-        "facts": [fact(name, value) for name, value in account(found) if name != "proof"],
+        "facts": [fact(name, value) for name, value in account(found)],
     }
 
 

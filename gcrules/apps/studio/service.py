@@ -47,12 +47,15 @@ def _load(alone: bool) -> None:
 
 class Service:
     """Answers for all pages; `opened` is the source that the command, or Python, was given, `shared` its pose where
-    Python follows it.
+    Python follows it, `folders` those of plugins.
     """
 
-    def __init__(self, opened: SourceJson | None = None, shared: SharedPose | None = None) -> None:
+    def __init__(
+        self, opened: SourceJson | None = None, shared: SharedPose | None = None, folders: tuple[str, ...] = ()
+    ) -> None:
         self.opened = opened
         self.shared = shared
+        self.folders = folders
         self.instance = secrets.token_hex(8)
         self.pool = Pool()
         self.numbers = ThreadPoolExecutor(2, "numbers")
@@ -90,6 +93,8 @@ class Service:
         if name == "gallery" and self.gallery is not None:
             return self.gallery
         method = METHODS[name]
+        if method.folders:
+            args = {**args, "folders": self.folders}
         source = args.get("source")
         known = self._known(source)
         if method.where == "numbers":

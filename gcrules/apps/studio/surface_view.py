@@ -50,7 +50,7 @@ def surface_view(subject: Subject, over: Sequence[str], pose: PoseJson) -> Surfa
         "cells": sum(found.summary.cells) + found.summary.outside,
         "guarantee": as_sentence(found.guarantee),
         "resolution": _resolution(found),
-        "facts": [fact(name, value) for name, value in account(found) if name != "proof"],
+        "facts": [fact(name, value) for name, value in account(found)],
         "held": _held(found),
     }
 

@@ -8,6 +8,7 @@ from gcrules.algebra.expr import ONE
 from gcrules.algebra.language.text import text
 from gcrules.conditions.dimensions.facts import Dimensions, OwnCondition
 from gcrules.core.english import listed
+from gcrules.views.detail import first
 from gcrules.views.report.items import Formula, Item, KeyValue
 
 __all__ = ["DIMENSIONS", "DIMENSIONS_OF_ROBOT", "dimension_items", "dimension_lines"]
@@ -41,10 +42,11 @@ def _items(d: Dimensions) -> Iterator[Item]:
     if len(mirrors) > 1:
         mirrors = [f"{len(mirrors)} mirrors take the base to itself and the platform too; one of them: {mirrors[0]}"]
     facts += mirrors
-    for said in facts[:_MANY]:
+    shown = first(facts, _MANY)
+    for said in shown:
         yield KeyValue("fact", said)
-    if len(facts) > _MANY:
-        yield f"and {len(facts) - _MANY} more, which --json lists"
+    if len(facts) > len(shown):
+        yield f"and {len(facts) - len(shown)} more"
     if not facts:
         yield "No fact of the bodies was found."
     if any(not fact.exact for fact in d.facts):

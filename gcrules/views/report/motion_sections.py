@@ -72,7 +72,7 @@ def _paragraphs(*words: str) -> str:
 def map_html(r: SingularMap, m: SixLegs | Limbs, *, live: bool) -> str:
     """The picture, the sentence that says what is proved, and what was computed."""
     over = " and ".join(a.name for a in r.grid.axes)
-    facts = [row for row in account(r) if row[0] != "proof"]
+    facts = account(r)
     proof = f'<p class="proof">{escape(as_sentence(r.guarantee))}</p>'
     head = f"<h2>Map over {escape(over)}</h2>"
     return f'<section class="motion">{head}{proof}{_picture(r)}{facts_html(facts)}</section>'

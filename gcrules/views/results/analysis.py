@@ -6,6 +6,7 @@ from textwrap import indent
 
 from gcrules.algebra.language.text import text, text_terms
 from gcrules.conditions.analysis import Analysis
+from gcrules.views.detail import is_everything
 from gcrules.views.report.items import Item, KeyValue
 from gcrules.views.report.parts import in_shell
 from gcrules.views.report.stages import leading_sentences, stages
@@ -21,6 +22,7 @@ _MOST_TERMS, _FIRST = 12, 3  # of a superbracket, unless all is asked for
 
 def as_text(a: Analysis, *, unicode: bool = False, full: bool = False) -> str:
     """The stages as plain text; `unicode` writes ∧ ∨ and keeps arrows, `full` adds the derivation step by step."""
+    full = full or is_everything()
     lines = [line for sentence in in_shell(leading_sentences(a)) for line in _wrapped(sentence.split(), "")] + [""]
     for n, stage in enumerate(stages(a), 1):
         lines += [f"{n}. {stage.title}", *_why(stage.why)]

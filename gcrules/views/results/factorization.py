@@ -28,7 +28,7 @@ def as_text(f: Factorization, *, unicode: bool = False) -> str:
     lines += [f"  factor       {_part(f, part, unicode)}" for part in f.parts]
     lines += [f"  also         {shown(short(form.product()))}" for form in f.alternatives]
     if f.more:
-        lines.append(f"  also         {f.more} other expression{'s' * (f.more != 1)} (shown with --all)")
+        lines.append(f"  also         {f.more} other expression{'s' * (f.more != 1)} (shown with --full)")
     times = " · " if unicode else " * "
     for form in f.rational:
         lines.append(f"  cofactor     {shown(form.cofactor)}{times}input = {shown(short(form.product()))}")

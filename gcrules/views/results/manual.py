@@ -13,6 +13,7 @@ from gcrules.conditions.manual.forms import form_text
 from gcrules.conditions.manual.outcome import ProposalOutcome
 from gcrules.conditions.manual.session import ManualSession
 from gcrules.rules.condition import Entity
+from gcrules.views.detail import is_everything
 from gcrules.views.formulas import latex as formulas
 from gcrules.views.formulas.latex_text import latex_words
 from gcrules.views.results import condition as conditions
@@ -81,7 +82,7 @@ def outcome_latex(o: ProposalOutcome) -> str:
 
 def _shown(e: Expr, unicode: bool, names: tuple[str, ...]) -> str:
     """The text of an expression; of a long sum the first terms."""
-    if not isinstance(e, Sum) or len(e.terms) <= _MOST_TERMS:
+    if not isinstance(e, Sum) or len(e.terms) <= _MOST_TERMS or is_everything():
         return expression_text(e, unicode=unicode, names=names)
     first = expression_text(Sum(e.terms[:_SHOWN_TERMS]), unicode=unicode, names=names)
     return f"{first} + {'…' if unicode else '...'} ({len(e.terms)} terms)"

@@ -6,10 +6,12 @@ import math
 from collections.abc import Iterator
 
 from gcrules.core.deferred import deferred
+from gcrules.core.english import as_sentence
 from gcrules.mechanisms.kinematics.amplification import INDICES
 from gcrules.poses.maps.report import SingularMap
+from gcrules.views.detail import first
 from gcrules.views.formulas.latex_text import latex_quantity, latex_table, latex_words
-from gcrules.views.text_tables import ASCII, table
+from gcrules.views.text_tables import ASCII, table, wrapped
 
 __all__ = ["account", "as_latex", "as_text", "picture_of"]
 
@@ -25,13 +27,17 @@ def as_text(m: SingularMap, *, unicode: bool = False) -> str:
 
 
 def _lines(m: SingularMap) -> Iterator[str]:
+    yield from wrapped(as_sentence(m.guarantee))
+    yield ""
     rows = account(m)
     before = ["", *(name for name, _ in rows)]
     yield from table([("" if name == last else name, value) for (name, value), last in zip(rows, before, strict=False)])
 
 
 def account(m: SingularMap) -> list[tuple[str, str]]:
-    """What there is to say of it, names with what they say; the same name may stand several times in a row."""
+    """What there is to say of it besides its guarantee, names with what they say; the same name may stand several times
+    in a row.
+    """
     g = m.grid
     rows = [("map", f"{' × '.join(f'{n:,}' for n in g.shape)} poses of {g.title or 'the robot'}")]
     for a in g.axes:
@@ -49,7 +55,6 @@ def account(m: SingularMap) -> list[tuple[str, str]]:
     if m.summary.index:
         rows.append((m.task.measure.replace("_", " "), _index(m)))
     rows += list(_found(m))
-    rows.append(("proof", m.guarantee + "."))
     return [*rows, *(("note", note) for note in m.notes)]
 
 
@@ -66,10 +71,13 @@ def _index(m: SingularMap) -> str:
 
 def _found(m: SingularMap) -> Iterator[tuple[str, str]]:
     if m.factors:
-        for k, f in enumerate(m.factors[:_MOST], 1):
+        shown = first(m.factors, _MOST)
+        for k, f in enumerate(shown, 1):
             times = f", {f.multiplicity} times" if f.multiplicity > 1 else ""
-            shown = f.text.replace("**", "^").replace("*", " ") + " = 0" if f.text else "(its polynomial is long)"
-            yield "factor", f"{k}. degree {f.degree}{times}: {shown}"
+            equation = f.text.replace("**", "^").replace("*", " ") + " = 0" if f.text else "(its polynomial is long)"
+            yield "factor", f"{k}. degree {f.degree}{times}: {equation}"
+        if len(m.factors) > len(shown):
+            yield "factor", f"and {len(m.factors) - len(shown)} more, which --full shows"
     if len(m.grid.axes) == 2:
         closed = sum(c.closed for c in m.curves)
         inside = sum(bool(c.allowed.any()) for c in m.curves)

@@ -6,6 +6,7 @@ import textwrap
 from collections.abc import Iterator, Sequence
 
 from gcrules.core.dataclass import dataclass
+from gcrules.views.detail import first
 
 __all__ = ["PathAccount", "PathPlace", "PathStretch", "account_lines", "in_ascii", "listed_verdicts", "wrapped"]
 
@@ -64,11 +65,12 @@ def account_lines(a: PathAccount) -> Iterator[str]:
     for s in singular:
         yield from wrapped(f"parameter {s.start} to {s.end}: {s.words}; half way:", "  ")
         yield from _sentences(*s.causes, *s.motions)
-    for n, p in enumerate(a.places[:_MOST], 1):
+    shown = first(a.places, _MOST)
+    for n, p in enumerate(shown, 1):
         yield from wrapped(f"{n}. at parameter {p.parameter:.6g}{p.exactly}: {p.kind}", "  ", " " * 5)
         yield from _sentences(f'pose "{p.pose}"', *p.causes, *p.motions, *filter(None, [p.sure]))
-    if len(a.places) > _MOST:
-        yield f"  and {len(a.places) - _MOST} more, which --json shows"
+    if len(a.places) > len(shown):
+        yield f"  and {len(a.places) - len(shown)} more, which --full shows"
     yield ""
     width = max(len(name) for name, _ in a.facts)
     for name, value in a.facts:

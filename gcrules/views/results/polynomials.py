@@ -8,6 +8,7 @@ from fractions import Fraction
 from textwrap import fill
 
 from gcrules.poses.loci.form import PolynomialForm
+from gcrules.views.detail import is_everything
 from gcrules.views.text_tables import WIDTH
 
 __all__ = ["SHOWN", "brief", "counted", "degrees_text", "formula", "number", "size_text"]
@@ -42,8 +43,8 @@ def formula(name: str, form: PolynomialForm, digits: int | None = None) -> str:
     """What is printed of a polynomial: all of it if it is short, else how to get it. With decimals of so many digits,
     or by default where coefficients are long, up to a factor.
     """
-    if len(form.terms) > (SHOWN if digits is None else _ROUNDED):
-        return f"{name} is long: --export sympy (or maple, singular), --json or --latex prints it."
+    if len(form.terms) > (SHOWN if digits is None else _ROUNDED) and not is_everything():
+        return f"{name} is long: --full, --export sympy (or maple, singular), --json or --latex prints it."
     shown = decimals(form, digits)
     if shown is None:
         return fill(f"{name} = {form}", WIDTH, subsequent_indent="    ", break_long_words=False)
@@ -55,7 +56,7 @@ def formula(name: str, form: PolynomialForm, digits: int | None = None) -> str:
 
 def decimals(form: PolynomialForm, digits: int | None) -> str | None:
     """With decimals, where they are asked for or the coefficients are long; else nothing."""
-    if digits is None and form.digits <= _LONG:
+    if digits is None and (form.digits <= _LONG or is_everything()):
         return None
     return form.rounded(digits or _DIGITS)
 

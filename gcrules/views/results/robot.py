@@ -14,6 +14,7 @@ from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.mechanisms.description.relations import AXES
 from gcrules.mechanisms.lines.serial import LimbCondition, LimbSingularity
 from gcrules.mechanisms.lines.wrenches import LimbWrenches, WrenchLine
+from gcrules.views.detail import first, is_everything
 from gcrules.views.report.dimension_items import dimension_lines
 from gcrules.views.report.parts import in_shell
 from gcrules.views.report.stage_ids import TITLES
@@ -120,10 +121,11 @@ def _common(a: RobotAnalysis, c: CommonFactor, unicode: bool) -> list[str]:
         f"the limbs have {c.lines} different lines, with {c.subsets} such subset{'s' * (c.subsets > 1)}, and {count}"
         f" not zero in the whole family; {together}"
     ]
-    for one in c.listed[:_SHOWN] if c.independent > 1 else ():
+    shown = first(c.listed, _SHOWN) if c.independent > 1 else ()
+    for one in shown:
         out.append(f"with the {what} {_lines(one)}: {_cofactor(one, word, names, unicode)}")
-    if c.independent > _SHOWN:
-        out.append(f"and {c.independent - _SHOWN} more, which --json lists")
+    if c.independent > max(1, len(shown)):
+        out.append(f"and {c.independent - len(shown)} more{'' if is_everything() else ', with --full'}")
     if c.independent > 1:
         out.append(f"with the {what} that were chosen, {_lines(c.chosen)}: {_cofactor(c.chosen, word, names, unicode)}")
     return out

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from gcrules.poses.stored_maps.verifying import MapVerified
 from gcrules.poses.tiles.status import MapStatus
+from gcrules.views.detail import first
 from gcrules.views.formulas.latex_text import latex_table, latex_words
 from gcrules.views.text_tables import ASCII, table
 
@@ -75,8 +76,9 @@ def _verified(v: MapVerified) -> Iterator[tuple[str, str]]:
         rounded = f", {v.within_rounding} of them within rounding" if v.within_rounding else ""
         agree = len(v.again) - sum(b.tile in v.again for b in v.bad)
         yield "again", f"{len(v.again):,} were computed again: {agree:,} agree{rounded}"
-    for b in v.bad[:_MOST]:
+    shown = first(v.bad, _MOST)
+    for b in shown:
         yield "bad", f"tile {b.tile}: {b.why}"
-    if len(v.bad) > _MOST:
-        yield "bad", f"and {len(v.bad) - _MOST:,} more"
+    if len(v.bad) > len(shown):
+        yield "bad", f"and {len(v.bad) - len(shown):,} more, which --full lists"
     yield "store is", "sound" if v.sound else f"not sound: {len(v.bad):,} bad tiles"

@@ -25,7 +25,7 @@ def as_text(t: Transversals, *, unicode: bool = False) -> str:
         lines.append(f"  certificate  {r.condition.certificate.method}: {r.condition.certificate.detail}")
         lines += [""] * (len(t.readings) > 1)
     if t.more:
-        lines.append(f"  also         {t.more} other reading{'s' * (t.more != 1)} (shown with --all)")
+        lines.append(f"  also         {t.more} other reading{'s' * (t.more != 1)} (shown with --full)")
     if not t.readings:
         lines.append(f"none: {t.reason}" if t.definite else f"none found: {t.reason}")
     for e, meaning in t.structure.assumed:

@@ -48,7 +48,7 @@ def expression(rng: Random) -> Case:
         seconds = rng.choice((0.0, 0.05, 0.2))
         argv += ["--seconds", f"{seconds:g}"]
         if command == "factor" and rng.random() < 0.2:
-            argv.append(rng.choice(("--all", "--cofactor")))
+            argv.append(rng.choice(("--full", "--cofactor")))
     if command == "straighten" and rng.random() < 0.2:
         argv.append("--steps")
     if command != "rewrite" and rng.random() < 0.3:

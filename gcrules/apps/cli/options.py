@@ -1,0 +1,124 @@
+"""Options that several commands have: the space, limits, what robots turn about."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from functools import wraps
+from typing import Any
+
+import click
+
+from gcrules.apps.cli.limits import Seconds
+from gcrules.apps.cli.output import decorated
+from gcrules.core.dataclass import dataclass
+from gcrules.core.errors import InputError
+
+__all__ = [
+    "SpaceOptions",
+    "about_option",
+    "catalog_option",
+    "given_option",
+    "length_option",
+    "limit_option",
+    "nearest_option",
+    "search_option",
+    "space_options",
+]
+
+_Command = Callable[..., Any]
+
+catalog_option = click.option("--catalog", "catalogs", multiple=True, metavar="FILE", help="Add a catalog of your own.")
+
+
+given_option = click.option(
+    "--given",
+    "assumptions",
+    multiple=True,
+    metavar="ASSUMPTIONS",
+    help='Assume them: "collinear(a, b, c), incident(p, X)", coplanar, concurrent, "LHS == RHS", "ideal i j".',
+)
+
+
+@dataclass(frozen=True)
+class SpaceOptions:
+    """The rank, the declared points and the points at infinity."""
+
+    rank: int
+    points: tuple[str, ...]
+    ideal: tuple[str, ...]
+
+
+def space_options(*, rank: bool = True) -> Callable[[_Command], _Command]:
+    """--rank, --points, --ideal; the command receives them as `space`."""
+
+    def decorate(command: _Command) -> _Command:
+        @wraps(command)
+        def with_space(**options: Any) -> Any:
+            points, ideal = (_names(options.pop(key)) for key in ("points", "ideal"))
+            return command(space=SpaceOptions(options.pop("rank", 4), points, ideal), **options)
+
+        decorators = [
+            *(
+                [click.option("--rank", type=int, default=4, show_default=True, metavar="N", help="The rank, 2 to 8.")]
+                if rank
+                else []
+            ),
+            click.option(
+                "--points",
+                default="",
+                metavar="NAMES",
+                help='Names of points in tableau order; declares names of several letters: "left right top base".',
+            ),
+            click.option("--ideal", default="", metavar="NAMES", help='Points at infinity: "i j k".'),
+        ]
+        return decorated(with_space, decorators)
+
+    return decorate
+
+
+def _names(text: str) -> tuple[str, ...]:
+    names = tuple(re.findall(r"[^\s,]+", text))
+    twice = next((n for i, n in enumerate(names) if n in names[:i]), None)
+    if twice is not None:
+        raise InputError(f"the point {twice} is declared twice")
+    return names
+
+
+def limit_option(default: int, words: str) -> Callable[[_Command], _Command]:
+    """--limit N."""
+    return click.option(
+        "--limit", type=click.IntRange(min=1), default=default, show_default=True, metavar="N", help=words
+    )
+
+
+def search_option(default: float) -> Callable[[_Command], _Command]:
+    """--search S."""
+    return click.option(
+        "--search",
+        type=Seconds(),
+        default=default,
+        show_default=True,
+        metavar="S",
+        help="Seek a factorization for so many seconds where no rule finds a condition.",
+    )
+
+
+nearest_option = click.option(
+    "--nearest/--no-nearest",
+    default=True,
+    show_default=True,
+    help="Seek the nearest singular poses, for a second or two.",
+)
+length_option = click.option(
+    "--length",
+    metavar="LENGTH",
+    help="Characteristic length of the actuators' condition number; the robot's size by default.",
+)
+about_option = click.option(
+    "--about",
+    default="centroid",
+    show_default=True,
+    metavar="CENTRE",
+    help="What the platform turns about: centroid (of its joints), origin (of the file), or x,y,z.",
+)

@@ -1,0 +1,107 @@
+"""--brief and --full: how much of an answer is printed."""
+
+from __future__ import annotations
+
+import json
+
+import click
+import pytest
+from commands import assert_refused, invoke
+from places import EXAMPLES
+
+from gcrules.apps.cli import cli
+from gcrules.views.detail import everything, first, is_everything, opening
+
+THREE_PLANES = "[abfc][acde][bdef] + [abfd][acbe][cdef]"
+LONG = "[Aabc][ABde][ABCf] + [Aabd][ABce][ABCf] + [Aabe][ABcd][ABCf]"
+SQUARE = ("--over", "x -0.1:0.1:5", "--over", "y -0.1:0.1:5")
+
+ANSWERS = [
+    ("analyze", "ab af cb cd ed ef"),
+    ("analyze", "delta"),
+    ("pose", "octahedral", "--no-nearest"),
+    ("pose", str(EXAMPLES / "octahedral.yaml"), "--no-nearest"),
+    ("path", "3-rpr", "--at", "home", "--at", "x=0.1, y=0, yaw=0deg"),
+    ("plan", "3-rpr", "--from", "home", "--to", "x=0.1, y=0, yaw=0deg"),
+    ("map", "3-rpr", *SQUARE),
+    ("map", str(EXAMPLES / "octahedral.yaml"), "--over", "x -10:10:5", "--over", "y -10:10:5"),
+    ("map", "boxes", "3-rpr", "--over", "x -0.1:0.1", "--boxes", "3", "--tiles", "1"),
+    ("certify", "3-rpr", "--over", "x -0.1..0.1"),
+    ("locus", "3-rpr"),
+    ("modes", "3-rpr"),
+    ("factor", THREE_PLANES),
+    ("shorten", THREE_PLANES),
+    ("transversals", "Aa Ab Bc Bd Ce Df"),
+    ("prove", r"ab /\ cd == [abcd]"),
+    ("expand", r"ab /\ cde"),
+]
+
+
+@pytest.mark.parametrize("arguments", ANSWERS, ids=" ".join)
+def test_brief_is_how_the_answer_opens(arguments: tuple[str, ...]) -> None:
+    whole = invoke(*arguments, "--seed", "1") if _seeded(arguments) else invoke(*arguments)
+    brief = invoke(*arguments, "--brief", "--seed", "1") if _seeded(arguments) else invoke(*arguments, "--brief")
+    assert brief.exit_code == whole.exit_code
+    assert whole.stdout.startswith(brief.stdout.rstrip("\n"))
+    assert 1 <= len(brief.stdout.splitlines()) <= 4
+    if arguments[0] not in ("prove", "expand"):
+        assert len(brief.stdout) < len(whole.stdout)
+
+
+def _seeded(arguments: tuple[str, ...]) -> bool:
+    command = cli.get_command(click.Context(cli), arguments[0])
+    return command is not None and any(p.name == "seed" for p in command.params) and arguments[1] != "boxes"
+
+
+def test_brief_of_scripts_counts_them() -> None:
+    done = invoke("run", str(EXAMPLES / "theorems" / "pappus.gca"), "--brief")
+    assert len(done.stdout.splitlines()) == 1
+    assert "proved" in done.stdout
+
+
+@pytest.mark.parametrize("other", ["--json", "--latex", "--full"])
+def test_brief_is_text(other: str) -> None:
+    assert_refused(invoke("pose", "3-rpr", "--brief", other), 2, "--brief is for text")
+
+
+def test_full_leaves_nothing_out() -> None:
+    general = "Aa Bb Cc Dd Ee Ff"
+    assert "more terms, with --full" in invoke("analyze", general).stdout
+    whole = invoke("analyze", general, "--full").stdout
+    assert "more terms" not in whole
+    assert "Derivation" in whole
+    assert "shown with --full" in invoke("factor", THREE_PLANES).stdout
+    assert invoke("factor", THREE_PLANES, "--full").stdout.count("  also ") == 25
+
+
+def test_full_prints_long_polynomials() -> None:
+    short, whole = invoke("locus", "3-rps"), invoke("locus", "3-rps", "--full")
+    assert "P is long: --full" in short.stdout
+    assert "is long" not in whole.stdout
+    terms = json.loads(invoke("locus", "3-rps", "--json").stdout)["parts"][0]["polynomial"]["exponents"]
+    said = " ".join(whole.stdout.partition("P = ")[2].partition("\n\n")[0].split())
+    assert said.count(" + ") + said.count(" - ") + 1 == len(terms)
+
+
+def test_everything_ends_where_it_was_wanted() -> None:
+    assert list(first(range(9), 3)) == [0, 1, 2]
+    with everything():
+        assert is_everything()
+        assert len(first(range(9), 3)) == 9
+        with everything(False):
+            assert not is_everything()
+    assert not is_everything()
+
+
+@pytest.mark.parametrize(
+    ("text", "alone"),
+    [
+        ("One line.\n", "One line."),
+        ("regular: the legs\n  turn.\n\nrobot  x\n", "regular: the legs\n  turn."),
+        ("abc\n  family       products\n", "abc"),
+        ("name   facts only\n", "name   facts only"),
+        ("", ""),
+    ],
+)
+def test_opening(text: str, alone: str) -> None:
+    assert opening(text) == alone
