@@ -21,7 +21,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 MINORS = (11, 12, 13, 14)
-RESOLUTIONS = {"lowest": "lowest-direct", "newest": "highest"}
+RESOLUTIONS = ("lowest", "newest")
 EXPRESSION = "[abfc][acde][bdef] + [abfd][acbe][cdef]"
 QUESTIONS: tuple[tuple[tuple[str, ...], str], ...] = (
     (("--version",), "gcrules {version}"),
@@ -157,7 +157,11 @@ def try_it(python: Path, uv: Path | None, resolution: str, what: str, place: Pat
     else:
         run(uv, "venv", "--quiet", "--python", python, place)
         install = (uv, "pip", "install", "--quiet", "--python", place / "bin" / "python", "--only-binary", ":all:")
-        run(*install, "--resolution", RESOLUTIONS[resolution], what)
+        if resolution == "lowest":  # of what gcrules itself asks for
+            run(*install, "--resolution", "lowest-direct", "-r", ROOT / "pyproject.toml")
+            run(*install, "--no-deps", what)
+        else:
+            run(*install, what)
     for question, wanted in QUESTIONS:
         answer = run(place / "bin" / "gcrules", *question, cwd=place)
         if wanted.format(version=version) not in answer:

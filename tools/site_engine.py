@@ -70,7 +70,7 @@ def _unpack(name: str, target: Path) -> str:
             shutil.copyfile(Path(str(path.locate())), place)
         elif "licenses" in path.parts:
             licence += Path(str(path.locate())).read_text(encoding="utf-8")
-    terms = found.metadata.get("License-Expression") or found.metadata.get("License")
+    terms = found.metadata.json.get("license_expression") or found.metadata.json["license"]
     if not licence:
         raise OSError(f"{name} comes without the text of its licence")
     return f"{name} {found.version} ({terms})\n\n{licence.strip()}\n"
