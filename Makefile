@@ -95,6 +95,23 @@ docs: $(READY) ## write the generated pages of docs/, check every link, build th
 	@$(build-site)
 	@echo "The guide is in $(CURDIR)/$(SITE)/index.html"
 
+# The engine that runs in the guide's pages: Pyodide from npm, and what gcrules is made of.
+ENGINE := build/engine
+.PHONY: site
+site: $(READY) tools/engine/node_modules/.package-lock.json ## build the guide with run buttons: the engine in its pages (needs Node)
+	$(BIN)/python tools/site_engine.py $(ENGINE)
+	@export GCRULES_SITE_ENGINE=$(ENGINE); $(build-site)
+	@echo "Serve it: $(BIN)/python -m http.server --directory $(SITE)"
+
+.PHONY: site-check
+site-check: site ## run every example that has a button, under Node and in Chromium
+	cd tools/engine && npm run --silent test
+	GCRULES_SITE=$(SITE) $(BIN)/python -m pytest -q tests/project/test_site_engine.py
+
+tools/engine/node_modules/.package-lock.json: tools/engine/package-lock.json
+	@command -v npm > /dev/null || { echo "make: the engine of the guide's pages needs Node 20 or later with npm." >&2; exit 1; }
+	cd tools/engine && npm ci --ignore-scripts --no-fund --no-audit --loglevel=error
+
 .PHONY: studio
 studio: $(READY) studio-ui/node_modules/.package-lock.json ## build the viewer and the studio's page from studio-ui/ (needs Node)
 	$(BIN)/python tools/studio_protocol.py
@@ -108,6 +125,10 @@ studio-ui/node_modules/.package-lock.json: studio-ui/package-lock.json
 	@command -v npm > /dev/null || { echo "make: building the page needs Node 20 or later with npm." >&2; exit 1; }
 	cd studio-ui && npm ci --ignore-scripts --no-fund --no-audit --loglevel=error
 
+.PHONY: release-check
+release-check: $(READY) ## build sdist and wheel, and try them on every Python here with the oldest and newest packages
+	$(BIN)/python tools/release_check.py --all build/release
+
 .PHONY: bench
 bench: $(BENCH_READY) ## run the benchmarks beside naive forms and peers, in an environment of their own
 	$(BENCH_VENV)/bin/python -m pytest benchmarks
@@ -118,7 +139,7 @@ bench-curve: $(BENCH_READY) ## measure normal forms and factoring again, and red
 
 .PHONY: clean
 clean: ## remove the environments and everything generated
-	rm -rf $(VENV) $(BENCH_VENV) studio-ui/node_modules build dist .coverage .coverage.* .benchmarks .hypothesis .mypy_cache .pytest_cache .ruff_cache
+	rm -rf $(VENV) $(BENCH_VENV) studio-ui/node_modules tools/engine/node_modules build dist .coverage .coverage.* .benchmarks .hypothesis .mypy_cache .pytest_cache .ruff_cache
 	find . -name __pycache__ -type d -prune -exec rm -rf {} +
 
 $(READY): pyproject.toml
@@ -139,10 +160,9 @@ $(BENCH_READY): pyproject.toml benchmarks/peers.txt
 	done
 	@touch $@
 
-# A warning, a broken link or a load from the network is an error. (The variable silences news from the theme's makers;
-# with --quiet mkdocs would neither show nor count warnings.)
+# A warning, a broken link or a load from the network is an error.
 define build-site
-NO_MKDOCS_2_WARNING=1 $(BIN)/python -m mkdocs build --strict --site-dir $(SITE) && \
+$(BIN)/python tools/build_site.py $(SITE) && \
   $(BIN)/python tools/check_site.py $(SITE)
 endef
 

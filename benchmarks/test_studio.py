@@ -1,4 +1,5 @@
-"""The studio: from the command to the first answers and to a page that can be used, and from a slider to its numbers.
+"""The studio: from the command to the first answers and to a page that can be used, from a slider to its numbers, from
+letting go to the proof of the way, to the first picture of a map, and what the page holds after an hour's worth of use.
 
 The fixture `studio` is a running studio. Over the websocket a request is answered as the page asks it, one after the
 other. In a browser (the system's Chromium, software rendering) times are taken by the page's own clock: from the event
@@ -26,12 +27,17 @@ import pytest
 
 connect = pytest.importorskip("websockets.sync.client").connect
 
+sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "tests"))
+
+from studio_use import held, use  # noqa: E402
+
 from gcrules.apps.studio.pages import STATIC  # noqa: E402
 
 PLATFORMS = ["3-3.3", "6-4.2", "6-6", "5-5.1"]
 ROBOTS = ["gallardo-4dof", "delta", "6-rus"]
 REQUESTS = 200
 MOVES = 120
+OF_JOINTS = ["delta", "orthoglide", "3-rps", "3-rrr", "tricept", "capaman", "3-upu"]
 BROWSERS = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable")
 SOFTWARE = (
     "--no-sandbox",
@@ -244,6 +250,77 @@ def test_slider_to_value(timed: Callable[..., Any], browser: Any, studio: Studio
     timed(statistics.median(shown), {"painted, median": statistics.median(painted)}, within=0.025)
     timed(shown[almost], {"longest": shown[-1]}, within=0.05)
     timed(painted[almost], {"longest": painted[-1]}, within=0.09)
+
+
+LET_GO = """async part => {
+  const slider = document.querySelector("[data-testid=slider-q1]"), {timeline} = gcrules;
+  const until = async ready => { while (!ready()) await new Promise(done => setTimeout(done, 2)); };
+  const low = Number(slider.min), high = Number(slider.max);
+  for (const share of [0.5, 1]) {
+    slider.value = String(share * part * (part < 0 ? -low : high));
+    slider.dispatchEvent(new Event("input", {bubbles: true}));
+    await new Promise(done => setTimeout(done, 30));
+  }
+  const start = performance.now();
+  slider.dispatchEvent(new PointerEvent("pointerup", {bubbles: true}));
+  await until(() => timeline.proof.value || timeline.check.value.state === "failed");
+  return [(performance.now() - start) / 1000, Boolean(timeline.proof.value)]; }"""
+"""Seconds from letting a slider go, at a part of its range, to the proof of the way that was driven."""
+
+FIRST_PICTURE = """async () => {
+  const {study, pose$, source$, touring: {map}} = gcrules;
+  const range = ({name, low, high, unit}, n) => `${name} ${low}:${high}:${n}${unit === "deg" ? " deg" : ""}`;
+  const over = n => study.value.ranges.slice(0, 2).map(axis => range(axis, n));
+  const start = performance.now();
+  const whole = map.start(n => ({source: source$.value, pose: pose$.value, over: over(n)}), 13);
+  while (!map.shown.value && map.now.value.state !== "failed") await new Promise(done => setTimeout(done, 2));
+  const first = (performance.now() - start) / 1000;
+  await whole;
+  return [first, (performance.now() - start) / 1000]; }"""
+"""Seconds from asking for a map to its first picture, and to the finest one."""
+
+
+@contextmanager
+def of_joints(browser: Any, studio: Studio, name: str) -> Iterator[Any]:
+    with new_page(browser) as page:
+        page.goto(studio.address)
+        page.wait_for_function("() => window.gcrules")
+        page.evaluate("id => gcrules.open({kind: 'robot', id})", name)
+        page.wait_for_function("() => gcrules.posing.numbers.value")
+        page.wait_for_timeout(800)
+        yield page
+
+
+@pytest.mark.parametrize("name", OF_JOINTS)
+def test_letting_go_to_the_proof(timed: Callable[..., Any], browser: Any, studio: Studio, name: str) -> None:
+    with of_joints(browser, studio, name) as page:
+        found = [page.evaluate(LET_GO, part) for part in (0.1, 0.2, -0.1, 0.25, -0.2, 0.15)]
+    assert all(proved for _, proved in found)
+    times = sorted(seconds for seconds, _ in found[1:])
+    timed(statistics.median(times), {"first": found[0][0], "longest": times[-1]}, within=0.3)
+
+
+@pytest.mark.parametrize("name", OF_JOINTS)
+def test_first_picture_of_a_map(timed: Callable[..., Any], browser: Any, studio: Studio, name: str) -> None:
+    with of_joints(browser, studio, name) as page:
+        first, whole = page.evaluate(FIRST_PICTURE)
+    timed(first, {"the finest picture": whole}, within=0.5)
+
+
+def test_an_hour_of_use(record_property: Callable[[str, object], None], browser: Any, studio: Studio) -> None:
+    """Four rounds, some thousands of actions: what the page holds after each of them."""
+    with new_page(browser) as page:
+        page.goto(studio.address)
+        page.wait_for_selector(".card")
+        actions, rounds = 0, [held(page)]
+        for _ in range(4):
+            actions += use(page, 250)
+            rounds.append(held(page))
+    sizes = ", ".join(f"{now.heap / 1e6:.1f}" for now in rounds)
+    record_property("heap", [now.heap for now in rounds])
+    print(f"heap after {actions:,} actions in four rounds: {sizes} MB; nodes {[now.nodes for now in rounds]}")
+    assert rounds[-1].heap <= 1.5 * rounds[1].heap
+    assert rounds[-1].nodes <= 1.2 * rounds[1].nodes
 
 
 def test_bundle(record_property: Callable[[str, object], None]) -> None:

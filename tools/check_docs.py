@@ -13,6 +13,8 @@ from collections.abc import Iterator
 from pathlib import Path
 from urllib.parse import unquote
 
+from site_drawings import DRAWINGS
+
 from gcrules.views.glossary import markdown
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -73,15 +75,21 @@ def broken_links(page: Path) -> Iterator[str]:
             yield f"{page.relative_to(ROOT)}:{line}: no such heading: {target}"
 
 
-def fresh_glossary(*, write: bool) -> bool:
-    """Whether the glossary is that of the table; it is written first if asked for."""
-    page, text = ROOT / "docs" / "glossary.md", markdown()
-    if write:
-        page.write_text(text, encoding="utf-8")
-    if page.read_text(encoding="utf-8") == text:
-        return True
-    print("docs/glossary.md is stale (python tools/check_docs.py --write)")
-    return False
+def generated() -> Iterator[tuple[Path, str]]:
+    """The files of docs/ that no command of gcrules writes: the glossary and the drawings."""
+    yield ROOT / "docs" / "glossary.md", markdown()
+    for name, drawing in DRAWINGS.items():
+        yield ROOT / "docs" / "assets" / "drawings" / f"{name}.svg", drawing().svg()
+
+
+def stale_files(*, write: bool) -> Iterator[Path]:
+    """Those that are not as they would be made; they are written first if asked for."""
+    for path, text in generated():
+        if write:
+            path.parent.mkdir(exist_ok=True)
+            path.write_text(text, encoding="utf-8")
+        if not path.is_file() or path.read_text(encoding="utf-8") != text:
+            yield path
 
 
 def main(arguments: list[str]) -> int:
@@ -91,7 +99,9 @@ def main(arguments: list[str]) -> int:
     for generator in GENERATORS:
         command = [str(Path(sys.executable).parent / "gcrules"), *generator, *(() if write else ("--check",))]
         stale |= subprocess.run(command, cwd=ROOT).returncode != 0
-    stale |= not fresh_glossary(write=write)
+    for path in stale_files(write=write):
+        print(f"{path.relative_to(ROOT)} is stale (python tools/check_docs.py --write)")
+        stale = True
     checked = pages()
     broken = [message for page in checked for message in broken_links(page)]
     print(*broken, sep="\n", end="\n" if broken else "")

@@ -1,26 +1,24 @@
-"""The drawings of the guide, by name; `python tools/site_drawings.py FOLDER` writes them as SVG files.
+"""The drawings of the guide, by name; `python tools/check_docs.py --write` writes them into docs/assets/drawings.
 
-Pages ask for a drawing with a line `<!-- drawing: NAME | caption -->`. Everything is drawn by gcrules itself
-(`gcrules.views`), so the bytes are the same everywhere, and the colours follow the page from light to dark.
+Everything is drawn by gcrules itself (`gcrules.views`), so the bytes are the same everywhere, and the colours follow
+the page from light to dark.
 """
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Callable, Sequence
-from math import dist
 from pathlib import Path
 from typing import Any
 
-from drawing_kit import BLUE, DOT, GREEN, ORANGE, Look, Space, between, caption, side_by_side, times
+from drawing_kit import BLUE, GREEN, ORANGE, Look, Space, between, caption, side_by_side, times
+from site_theorems import THEOREMS
 
 import gcrules as gc
 from gcrules.mechanisms.analyze import analyze_legs
 from gcrules.mechanisms.description.platform_file import load_platform
 from gcrules.views.drawing.bsp import XYZ, CutPolygon
-from gcrules.views.drawing.drawing import XY, Circle, Drawing, Polygon, Run, Shape, Stroke, Text, name_runs, text_width
+from gcrules.views.drawing.drawing import Drawing, Polygon, Run, Shape, Stroke, Text, name_runs, text_width
 from gcrules.views.drawing.figures import graph_figure, robot_figure
-from gcrules.views.drawing.labels import Label, place_labels
 from gcrules.views.drawing.solids import stretched
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -246,68 +244,6 @@ def _terms(p: object) -> list[tuple[tuple[str, ...], int]]:
     return out
 
 
-def desargues() -> Drawing:
-    """Two triangles in perspective from o; corresponding sides meet on a line."""
-    o = (40.0, 150.0)
-    rays = ((1.0, -0.336), (1.0, 0.055), (1.0, 0.323))
-    first = [(o[0] + t * u, o[1] + t * v) for (u, v), t in zip(rays, (116.5, 183.9, 161.4), strict=True)]
-    second = [(o[0] + t * u, o[1] + t * v) for (u, v), t in zip(rays, (256.0, 298.4, 218.4), strict=True)]
-
-    def cut(p: XY, q: XY, r: XY, s: XY) -> XY:
-        at = {n: (*xy, 1.0) for n, xy in zip("abcd", (p, q, r, s), strict=True)}
-        x, y, w = gc.evaluate(r"ab /\ cd", at, rank=3)
-        return float(x / w), float(y / w)
-
-    pairs = ((1, 2), (2, 0), (0, 1))
-    axis = [cut(first[i], first[j], second[i], second[j]) for i, j in pairs]
-    everything = [o, *first, *second, *axis]
-    (x0, x1), (y0, y1) = ((min(c), max(c)) for c in zip(*everything, strict=True))
-    width, height = 560.0, 330.0
-    factor = min((width - 70) / (x1 - x0), (height - 60) / (y1 - y0))
-
-    def place(p: XY) -> XY:
-        return (p[0] - x0) * factor + 35, (p[1] - y0) * factor + 30
-
-    def long(points: Sequence[XY], extra: float) -> tuple[XY, XY]:
-        ends = sorted(points)
-        a, b = place(ends[0]), place(ends[-1])
-        n = dist(a, b)
-        u = ((b[0] - a[0]) / n * extra, (b[1] - a[1]) / n * extra)
-        return (a[0] - u[0], a[1] - u[1]), (b[0] + u[0], b[1] + u[1])
-
-    shapes: list[Shape] = []
-    strokes: list[tuple[XY, XY]] = []
-
-    def draw(ends: tuple[XY, XY], role: str, w: float, dash: tuple[float, float] | None = None) -> None:
-        shapes.append(Stroke(*ends, role, w, dash=dash))
-        strokes.append(ends)
-
-    for p, q in zip(first, second, strict=True):
-        draw(long((o, p, q), 14), "muted", 1.2)
-    for (i, j), x in zip(pairs, axis, strict=True):
-        draw(long((first[i], first[j], x), 10), BLUE, 1.1, (5, 4))
-        draw(long((second[i], second[j], x), 10), ORANGE, 1.1, (5, 4))
-    shapes.append(Polygon(tuple(map(place, first)), BLUE, BLUE, 0.18, 1.0, 2.0))
-    shapes.append(Polygon(tuple(map(place, second)), ORANGE, ORANGE, 0.18, 1.0, 2.0))
-    draw(long(axis, 18), "mark", 2.2)
-    named = [("o", o, "ink"), *((n, p, "ink") for n, p in zip("abc", first, strict=True))]
-    named += [(f"{n}'", p, "ink") for n, p in zip("abc", second, strict=True)]
-    named += [(n, p, "mark") for n, p in zip("xyz", axis, strict=True)]
-    discs = []
-    for _, p, role in named:
-        shapes.append(Circle(place(p), DOT, role, "paper", 1.4))
-        discs.append((place(p), DOT))
-    middle = (sum(place(p)[0] for _, p, _ in named) / len(named), sum(place(p)[1] for _, p, _ in named) / len(named))
-    labels = [
-        Label(name_runs(n), place(p), (place(p)[0] - middle[0], place(p)[1] - middle[1]), DOT, 16.0, role)
-        for n, p, role in named
-    ]
-    shapes += place_labels(labels, discs=discs, strokes=strokes, bounds=(2, 2, width - 2, height - 2))
-    return Drawing(
-        width, height, tuple(shapes), "Desargues' theorem: two triangles in perspective from a point, and the axis"
-    )
-
-
 # --- the procedure -------------------------------------------------------------------------------------------------
 
 
@@ -371,21 +307,11 @@ DRAWINGS: dict[str, Callable[[], Drawing]] = {
     "bracket": bracket,
     "crossing-legs": crossing_legs,
     "tableaux": tableaux,
-    "desargues": desargues,
     "octahedral-graph": octahedral_graph,
     "octahedral": octahedral,
     "octahedral-singular": octahedral_singular,
     "four-dof": four_dof,
     "four-dof-limbs": four_dof_limbs,
+    **THEOREMS,
 }
 """Name in the pages: function that makes the drawing."""
-
-
-def main(folder: Path) -> None:
-    folder.mkdir(parents=True, exist_ok=True)
-    for name, make in DRAWINGS.items():
-        (folder / f"{name}.svg").write_text(make().svg(), encoding="utf-8")
-
-
-if __name__ == "__main__":
-    main(Path(sys.argv[1]))

@@ -1,4 +1,4 @@
-"""The version of this program; pyproject.toml names the same (a test compares them)."""
+"""The version of this program, from which packages, reports and citations take it; a release's tag names the same."""
 
 __all__ = ["__version__"]
 

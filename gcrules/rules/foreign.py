@@ -11,12 +11,13 @@ import io
 import os
 import sys
 import threading
+import time
 import traceback
 from collections.abc import Callable, Iterator
 from contextlib import ExitStack, contextmanager
 from contextvars import ContextVar
 from pathlib import Path
-from time import monotonic, thread_time
+from time import monotonic
 from typing import Any
 
 from gcrules.core import files, interrupts
@@ -36,6 +37,7 @@ WAITING = 120.0
 engine is stopped.
 """
 
+_computed = getattr(time, "thread_time", time.process_time)  # browsers have one thread, and no clock for it
 _AGAIN = 0.2  # seconds after which code that swallows the exception is stopped again
 _LAST = 25  # times that it is; then the program ends
 _PACKAGE = f"{Path(__file__).parent.parent}{os.sep}"
@@ -181,12 +183,12 @@ def _stdout_elsewhere() -> Iterator[None]:
 def _timed(what: str, place: str) -> Iterator[None]:
     """Raise _TooLong inside when its time is up, and again until it is left."""
     rung = 0
-    computed, began = thread_time(), monotonic()
+    before, began = _computed(), monotonic()
 
     def ring(frame: Any) -> None:
         nonlocal rung
         late = monotonic() - began >= WAITING
-        if not late and thread_time() - computed < SECONDS:
+        if not late and _computed() - before < SECONDS:
             return
         rung += 1
         over = _TooLong(WAITING if late else SECONDS)

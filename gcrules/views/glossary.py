@@ -6,7 +6,9 @@
 
 from __future__ import annotations
 
-__all__ = ["GLOSSARY", "markdown"]
+import unicodedata
+
+__all__ = ["EVERYDAY", "GLOSSARY", "anchor", "markdown"]
 
 GLOSSARY = (
     {
@@ -47,8 +49,8 @@ GLOSSARY = (
         "term": "certificate",
         "forms": "certificates",
         "meaning": (
-            "The proof that a whole range of poses has no singular one, as a file that can be checked again; or a "
-            "singular pose of it."
+            "How an answer was shown, so that it can be checked again. That of a whole range of poses is a file: the "
+            "proof that none is singular, or a singular one."
         ),
         "guide": "Certificates",
         "page": "certify.md",
@@ -194,8 +196,8 @@ GLOSSARY = (
         "term": "tetrahedron",
         "forms": "tetrahedra",
         "meaning": (
-            "A bracket that all terms have in common. If its four points come to lie in one plane, the robot is "
-            "singular."
+            "Four points, as a bracket: it is flat exactly when the bracket is zero. If all terms have the bracket in "
+            "common, the robot is singular where it is flat."
         ),
         "guide": "Tetrahedra",
         "page": "procedure/octahedral.md#4-tetrahedra",
@@ -246,11 +248,29 @@ GLOSSARY = (
 )
 """In the order of the alphabet. `forms` are other words for the same, between bars; `page` is a page of the guide."""
 
+EVERYDAY = ("join", "joins", "meet", "value", "ε")
+"""Words for terms that mean something else in most sentences: they are explained only where they are put as terms."""
+
+
+def anchor(term: str) -> str:
+    """Where the entry stands on the page.
+
+    >>> anchor("Plücker coordinates")
+    'plucker-coordinates'
+    """
+    plain = unicodedata.normalize("NFKD", term.lower()).encode("ascii", "ignore").decode()
+    return plain.replace(" ", "-")
+
 
 def markdown() -> str:
     """The page of the guide."""
     rows = [
-        f"**{e['term'][0].upper()}{e['term'][1:]}**. {e['meaning']} ([{e['guide']}]({e['page']}))" for e in GLOSSARY
+        f'<a id="{anchor(e["term"])}"></a>**{e["term"][0].upper()}{e["term"][1:]}**. '
+        f"{e['meaning']} ([{e['guide']}]({e['page']}))"
+        for e in GLOSSARY
     ]
-    start = "The terms as gcrules uses them. The [studio](studio.md#words) shows the same at its words."
+    start = (
+        "The terms as gcrules uses them. Each page of the guide leads here where it first uses one, and the "
+        "[studio](studio.md#words) shows the same at its words."
+    )
     return "\n\n".join(["# Glossary", start, *rows]) + "\n"

@@ -63,6 +63,7 @@ def test_a_map_comes_coarse_and_is_refined(desk: Desk, kind: str, name: str, nod
     assert desk.one("map-picture").locator("path").count() == len(found["curves"]) > 0
     field = desk.one("map-picture").locator("svg").bounding_box()
     assert field == desk.one("map-picture").locator("canvas").bounding_box(), "curves lie on their cells"
+    assert desk.text("map-fixed") == {"octahedral": "fixed: y = 0, no rotation", "3-rps": "fixed: pitch = 0°"}[name]
     legend = desk.text("map-legend")
     kinds = {kind for row in found["status"] for kind in row}
     for kind, words in {"free": "proved free", "crossed": "crossed", "undecided": "not decided"}.items():

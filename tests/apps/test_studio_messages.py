@@ -281,6 +281,29 @@ def test_time_limit_ends_a_worker() -> None:
 OPEN = ("open", {"source": OCTAHEDRAL}, None)
 
 
+def test_a_worker_that_gives_up_goes_on_with_something_else() -> None:
+    """It was at a map of what it knows; to end it and to start another one would take longer."""
+
+    async def run() -> None:
+        pool = Pool(1)
+        asked: dict[str, Any] = {"over": ["x -300:300:141", "y -300:300:141"], "pose": HOME, "source": OCTAHEDRAL}
+        try:
+            _, subject = await pool.run(OPEN, 60, lambda _: None)
+            (worker,) = pool.all
+            begun = asyncio.Event()
+            work = asyncio.ensure_future(pool.run(("map", asked, subject), 60, lambda _: begun.set()))
+            await asyncio.wait_for(begun.wait(), 60)
+            work.cancel()
+            assert (await pool.run(OPEN, 60, lambda _: None))[0]["kind"] == "platform"
+            assert work.cancelled()
+            assert worker.returncode is None or worker not in pool.all  # given up, or ended where it was too late
+            assert len(pool.all) == 1
+        finally:
+            await pool.close()
+
+    asyncio.run(run())
+
+
 @pytest.mark.skipif(sys.platform == "win32", reason="needs signals")
 def test_a_worker_that_is_killed_costs_nobody_an_answer() -> None:
     """While it waits, while it starts, and in the middle of work."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import re
+from contextlib import suppress
 from itertools import pairwise
 from pathlib import Path
 from typing import Any
@@ -13,7 +14,13 @@ import numpy as np
 import pytest
 
 import gcrules as gc
+from gcrules.apps.studio.moving import posed
+from gcrules.apps.studio.whereabouts import all_reached, reached, solved_at
+from gcrules.core.errors import InputError
 from gcrules.mechanisms.description.discovery import robots
+from gcrules.mechanisms.kinematics.coordinates import coordinates
+from gcrules.mechanisms.kinematics.leading import leading
+from gcrules.mechanisms.kinematics.solve import free_coordinates
 from gcrules.mechanisms.limbs import Limbs
 from gcrules.mechanisms.load import read_robot
 from gcrules.poses.limbs.many import Solved
@@ -95,6 +102,32 @@ def test_the_robot_is_where_a_sample_says(asked: Asked, page: Page, source: dict
         there = page.ask("pose", source=source, pose=place["pose"])
         assert there["verdict"] != "regular"
         assert there["margin"] < 1e-5
+
+
+@pytest.mark.parametrize("robot", ["delta", "3-rps", "3-rpr", "capaman", "4-rpr"])
+def test_poses_of_many_samples_are_those_that_are_found_one_after_the_other(robot: str) -> None:
+    """On random ways, on some of which the actuators do not lead to where the platform is."""
+    m = Limbs.of(read_robot(robot))
+    leads, rng = leading(m.linkage), np.random.default_rng(1)
+    amounts = rng.uniform(-0.5, 0.5, (8, len(leads))) * [1.0 if a.angle else 0.4 * m.linkage.size for a in leads]
+    names = free_coordinates(m.linkage)
+    wanted = np.full((8, len(names)), np.nan)
+    for k, given in enumerate(amounts):
+        with suppress(InputError):
+            wanted[k] = coordinates(names, solved_at(m, posed(m, given)).platform, m.linkage.centre)
+    wanted[3] += 0.1
+    assert np.isfinite(wanted[:, 0]).sum() >= 3
+    known = np.isfinite(wanted[:, 0])
+    about = [0.3, -0.2, 0.1]
+    found = all_reached(m, amounts[known], names, wanted[known], about)
+    single = [reached(m, a, names, w, about) for a, w in zip(amounts[known], wanted[known], strict=True)]
+    assert any(found)
+    assert [one and one.pose for one in found] == [one and one.pose for one in single]
+    for one, other in zip(found, single, strict=True):
+        if one and other:
+            for part in ("translation", "quaternion"):
+                assert one.platform[part] == pytest.approx(other.platform[part], abs=1e-6)
+    assert all_reached(m, amounts, names, np.full(wanted.shape, 9.0), about) == [None] * 8
 
 
 @pytest.mark.parametrize("source", [OCTAHEDRAL, DELTA], ids=["platform", "robot"])

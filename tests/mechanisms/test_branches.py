@@ -6,7 +6,7 @@ import json
 from dataclasses import replace
 from fractions import Fraction
 from functools import cache
-from itertools import pairwise
+from itertools import pairwise, product
 
 import numpy as np
 import pytest
@@ -373,6 +373,25 @@ def test_bounds_of_derivatives_hold(seed: int) -> None:
         rest = slope(middle + d) - spread.first - spread.second @ d
         assert (np.linalg.norm(rest[:3], axis=0) <= turned / 2 + 1e-6).all()
         assert (np.linalg.norm(rest[3:], axis=0) <= moved / 2 + 1e-6).all()
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_bounds_of_third_derivatives_are_sums_over_all_triples(seed: int) -> None:
+    """Beside the triples one by one: the two first motions turn, the last one of the three moves the point."""
+    rng = np.random.default_rng(seed)
+    (spread,) = spreads([random_arm(rng, 6)])
+    far = rng.random(6)
+    speeds = spread.speeds.copy()
+    for k in reversed(range(6)):
+        speeds[k] += spread.turns[k] * (far[k + 1 :] * speeds[k + 1 :]).sum()
+    turned, moved = np.zeros(6), np.zeros(6)
+    for triple in product(range(6), repeat=3):
+        first, second, last = sorted(triple)
+        both = spread.turns[first] * spread.turns[second] * far[triple[0]] * far[triple[1]]
+        turned[triple[2]] += both * spread.turns[last]
+        moved[triple[2]] += both * speeds[last]
+    for found, wanted in zip(spread.third(far), (turned, moved), strict=True):
+        assert found == pytest.approx(wanted, rel=1e-12)
 
 
 def four_bar(open_by: float) -> list[Arm]:

@@ -102,6 +102,28 @@ def test_what_is_seen_at_zeros() -> None:
     assert ratio.is_number
 
 
+@pytest.mark.parametrize(
+    ("name", "at", "text"),
+    [
+        # far from home: half a turn of yaw, all three planes of the legs and that of the platform meet in a point
+        (
+            "3-rps",
+            "roll=0deg, pitch=-90deg",
+            "8*z + 57; at its one real zero the robot is singular, in the working modes -",
+        ),
+        # a slide at right angles to its bar: all bars are along z there, and a root is 0
+        ("orthoglide", "x=0, y=0", "z - 4, to the power 2; at its one real zero the robot is singular"),
+        ("orthoglide", "x=1, y=0", "z^2 - 15, to the power 2; at all of its 2 real zeros the robot is singular"),
+        ("delta", "x=0, y=0", "13*z^4 - 312*z^3 + 4104*z^2 - 26784*z + 80720, to the power 2; it has no real zeros"),
+        ("4-ruu", "x=0, y=0", "z - 4, to the power 16; at its one real zero the robot is not assembled"),
+    ],
+)
+def test_all_real_zeros_in_one_variable_are_looked_at(name: str, at: str, text: str) -> None:
+    found = gc.locus(analysis(name), over="z", at=at)
+    assert all(f.seen.every for part in found.parts for f in part.factors)
+    assert text in " ".join(str(found).split())
+
+
 @pytest.mark.parametrize("name", ["tricept", "exechon", "gallardo-4dof", "3-pprs"])
 def test_robots_without_a_locus_say_why_and_what_to_use(name: str) -> None:
     with pytest.raises(InputError, match=f"{name} has no locus as a polynomial") as fault:

@@ -35,8 +35,21 @@ def files_of(root: Path, *patterns: str) -> list[Path]:
 def test_one_version(root: Path) -> None:
     project = tomllib.loads((root / "pyproject.toml").read_text(encoding="utf-8"))["project"]
     citation = yaml.safe_load((root / "CITATION.cff").read_text(encoding="utf-8"))
-    assert gcrules.__version__ == project["version"] == str(citation["version"])
-    assert citation["license"] == project["license"]
+    assert project["dynamic"] == ["version"]  # of gcrules itself, see [tool.hatch.version]
+    assert gcrules.__version__ == str(citation["version"])
+    assert citation["license"] == project["license"].partition(" AND ")[0]
+
+
+def test_the_licence_names_all_that_is_brought_along(root: Path) -> None:
+    project = tomllib.loads((root / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+    own, *others = project["license"].split(" AND ")
+    assert own == "BSD-3-Clause"
+    texts = [(root / name).read_text(encoding="utf-8") for name in project["license-files"] if name != "LICENSE"]
+    brought = re.findall(r"^(?:@[\w-]+/)?[a-z][\w.-]* \d[\d.]* \(([\w.-]+)\)$", "\n".join(texts), re.MULTILINE)
+    assert len(brought) > 15
+    assert set(brought) == set(others)
+    bundled = {p.relative_to(root).as_posix() for p in (root / "gcrules").rglob("LICENSES.txt")}
+    assert bundled <= set(project["license-files"])
 
 
 def test_requirements_are_bounded(root: Path) -> None:
@@ -121,6 +134,15 @@ def test_wheel_carries_every_file(root: Path, wheel: Path) -> None:
     expected = expected_files(root)
     assert "gcrules/py.typed" in expected
     assert names == expected
+
+
+def test_wheel_carries_the_licences(wheel: Path) -> None:
+    names = zipfile.ZipFile(wheel).namelist()
+    assert {n.partition("/licenses/")[2] for n in names if "/licenses/" in n} == {
+        "LICENSE",
+        "gcrules/apps/studio/static/LICENSES.txt",
+        "gcrules/views/static/LICENSES.txt",
+    }
 
 
 def test_installed_wheel_finds_its_files(root: Path, wheel: Path, tmp_path: Path) -> None:

@@ -3,18 +3,19 @@
 from __future__ import annotations
 
 import json
-import os
 import re
 import subprocess
 import sys
-from collections.abc import Callable
 from pathlib import Path
 from types import ModuleType
 from xml.etree import ElementTree
 
 import pytest
 import yaml
+from browsing import chromium
 from places import ROOT
+
+from gcrules.views.glossary import GLOSSARY, anchor, markdown
 
 PAGES = sorted(p for p in (ROOT / "docs").rglob("*.md") if "assets" not in p.parts)
 
@@ -30,14 +31,9 @@ def tool(name: str) -> ModuleType:
         sys.path.remove(str(ROOT / "tools"))
 
 
-def build(folder: Path, site: Path) -> subprocess.CompletedProcess[str]:
-    """Build the guide of a folder with the options that the Makefile gives."""
-    options = re.search(r"-m mkdocs (build .*) --site-dir", (ROOT / "Makefile").read_text(encoding="utf-8"))
-    assert options is not None
+def build(site: Path, *repository: Path) -> subprocess.CompletedProcess[str]:
     return subprocess.run(
-        [sys.executable, "-m", "mkdocs", *options[1].split(), "--site-dir", str(site)],
-        cwd=folder,
-        env={**os.environ, "NO_MKDOCS_2_WARNING": "1"},
+        [sys.executable, str(ROOT / "tools" / "build_site.py"), str(site), *map(str, repository)],
         capture_output=True,
         encoding="utf-8",
         check=False,
@@ -46,20 +42,40 @@ def build(folder: Path, site: Path) -> subprocess.CompletedProcess[str]:
 
 @pytest.fixture(scope="module")
 def site(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    folder = tmp_path_factory.mktemp("site")
-    done = build(ROOT, folder)
-    assert done.returncode == 0, done.stderr
-    assert not [line for line in done.stderr.splitlines() if not line.startswith("INFO ")]
+    folder = tmp_path_factory.mktemp("guide") / "site"
+    done = build(folder)
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert "No issues found" in done.stdout + done.stderr
     return folder
 
 
-def test_warnings_are_shown_and_fail(tmp_path: Path) -> None:
-    (tmp_path / "docs").mkdir()
-    (tmp_path / "docs" / "index.md").write_text("# A page\n\n[broken](nowhere.md)\n", encoding="utf-8")
-    (tmp_path / "mkdocs.yml").write_text("site_name: a\nplugins: []\n", encoding="utf-8")
-    done = build(tmp_path, tmp_path / "site")
-    assert done.returncode != 0
-    assert "nowhere.md" in done.stderr
+ASKING = {
+    "a page": ("[broken](nowhere.md)", "page does not exist"),
+    "a heading": ("[broken](#nowhere)", "anchor does not exist"),
+    "a part": ("<!-- generated: nothing -->", "no such part in tools/site_grammar.py: nothing"),
+    "a form": ("See <!-- generated: rules -->", "not a line of its own"),
+}
+
+
+def repository(folder: Path, text: str, nav: str = "[{Start: index.md}]") -> Path:
+    (folder / "docs").mkdir()
+    (folder / "docs" / "index.md").write_text(f"# A page\n\n{text}\n", encoding="utf-8")
+    settings = f"site_name: a\nnav: {nav}\nplugins: []\nmarkdown_extensions: [md_in_html]\n"
+    (folder / "mkdocs.yml").write_text(settings, encoding="utf-8")
+    return folder
+
+
+@pytest.mark.parametrize(("text", "fault"), ASKING.values(), ids=ASKING)
+def test_what_is_asked_for_in_vain_is_shown_and_fails(text: str, fault: str, tmp_path: Path) -> None:
+    done = build(tmp_path / "site", repository(tmp_path, text))
+    assert done.returncode == 1
+    assert fault in re.sub(r"\x1b\[[\d;]*m", "", done.stdout + done.stderr)
+
+
+def test_a_page_is_in_the_navigation(tmp_path: Path) -> None:
+    guide = tool("site_pages").Guide(repository(tmp_path, "Text."))
+    guide.navigation([{"Start": "gone.md"}])
+    assert guide.faults == ["mkdocs.yml: no such page: gone.md", "mkdocs.yml: not in the navigation: index.md"]
 
 
 # --- the whole site -------------------------------------------------------------------------------------------------
@@ -85,21 +101,80 @@ def test_no_marker_is_left(site: Path) -> None:
     for path in site.rglob("*.html"):
         text = path.read_text(encoding="utf-8")
         assert "@@gcrules" not in text, path
-        assert not re.search(r"<!-- (drawing|generated):", text), path
+        assert "<!-- generated:" not in text, path
 
 
 @pytest.mark.browser
-def test_formulas_and_search_in_a_browser(site: Path, run_browser: Callable[..., str], tmp_path: Path) -> None:
-    log = tmp_path / "net.json"
-    address = (site / "course" / "superbracket.html").as_uri() + "?q=straightening"
-    page = run_browser(address, "--dump-dom", f"--log-net-log={log}", "--disable-background-networking")
-    assert page.count('class="katex-display"') == 1
-    assert "\\begin{pmatrix}" not in re.sub(r"<annotation.*?</annotation>", "", page, flags=re.DOTALL)
-    assert page.count("md-search-result__item") > 3
-    hosts = set(re.findall(r'"url":"(?:https?|wss?)://([^"/:]+)', log.read_text(encoding="utf-8")))
-    # The browser itself asks its maker for news whatever the page is.
-    own = re.compile(r"(?!fonts\.|ajax\.)[\w-]+\.(?:google|googleapis|gvt1|gstatic)\.com")
-    assert {host for host in hosts if not own.fullmatch(host)} == set()
+def test_formulas_and_search_from_a_folder(site: Path) -> None:
+    with chromium() as browser:
+        page = browser.new_page()
+        asked: list[str] = []
+        page.on("request", lambda request: asked.append(request.url))
+        page.goto((site / "course" / "superbracket.html").as_uri())
+        page.wait_for_function("() => document.querySelectorAll('.katex-display').length === 1")
+        assert page.locator(".katex-error").count() == 0
+        page.locator(".md-search__button").click()
+        page.get_by_role("combobox", name="Search").or_(page.get_by_role("textbox", name="Search")).fill(
+            "straightening"
+        )
+        page.get_by_role("option", name="Syzygies and straightening").click()
+        page.wait_for_url("**/course/straightening.html*")
+    assert [url for url in asked if not url.startswith(("file:", "blob:", "data:"))] == []
+
+
+# --- terms of the glossary -------------------------------------------------------------------------------------------
+
+TERM = re.compile(r'<a class="?gc-term"? href="([^"]*)" title="[^"]+">([^<]*)</a>')
+
+
+def test_each_page_leads_to_the_glossary_once_for_a_term(site: Path) -> None:
+    entries = set(re.findall(r'<a id="([\w-]+)">', (site / "glossary.html").read_text(encoding="utf-8")))
+    assert len(entries) == len(GLOSSARY)
+    count = 0
+    for path in site.rglob("*.html"):
+        text = path.read_text(encoding="utf-8")
+        links = [m[1] for m in TERM.finditer(text)]
+        assert len(links) == text.count("gc-term"), path
+        assert len(links) == len(set(links)), path
+        for place, _, entry in (link.partition("#") for link in links):
+            assert (path.parent / place).resolve() == (site / "glossary.html").resolve(), path
+            assert entry in entries
+        outside = re.sub(r"<(h\d|code|pre|summary)\b.*?</\1>", "", text, flags=re.DOTALL)
+        assert outside.count("gc-term") == len(links), path
+        count += len(links)
+    assert count > 500
+
+
+def test_terms_that_are_linked() -> None:
+    link = tool("site_glossary").link
+
+    def terms(text: str) -> list[str]:
+        return re.findall(r"\[([^\]]+)\]\(\.\./glossary\.md#", link(text, "course/page.md"))
+
+    assert terms("Superbrackets and brackets, a bracket again.") == ["Superbrackets", "brackets"]
+    assert terms("Two singular\nposes are no singular pose's.") == ["singular\nposes"]
+    assert terms("An operation mode and its limb-like limbs; Σ is no σ.") == ["operation mode", "limbs", "σ"]
+    assert terms("Planes meet in a point; the *meet* does, as **joins** do.") == ["meet", "joins"]
+    assert terms("| bracket |\n|---|\n| bracket |") == ["bracket"]
+    for other in (
+        "# Brackets",
+        "`a bracket` and ``b ` bracket``",
+        "```\nbracket\n```",
+        "* x\n\n  ```console\n  bracket\n  ```",
+        "Text:\n\n    a bracket\n    a limb\n",
+        "[the bracket](x.md) ![a bracket [ab]](x.svg) [bracket][x] <a id='x'>limb</a>",
+        "[x]: bracket.md",
+        "<details>\n<summary>The bracket</summary>",
+        "<!-- drawing: x | a bracket\nwith limbs -->",
+        r"$$ bracket $$ \(bracket\) \[bracket\] $bracket$",
+        "::: gcrules.bracket\n    options:\n      bracket: limb",
+    ):
+        assert terms(other + "\n") == [], other
+    assert link("A bracket.", "glossary.md") == "A bracket."
+
+
+def test_the_glossary_has_a_place_for_each_term() -> None:
+    assert set(re.findall(r'<a id="([\w-]+)">', markdown())) == {anchor(e["term"]) for e in GLOSSARY}
 
 
 # --- the check itself ------------------------------------------------------------------------------------------------
@@ -142,12 +217,30 @@ DRAWINGS = tool("site_drawings").DRAWINGS
 ASKED = [
     (page.relative_to(ROOT).as_posix(), name)
     for page in PAGES
-    for name in re.findall(r"^<!-- drawing: ([\w-]+)", page.read_text(encoding="utf-8"), re.MULTILINE)
+    for name in re.findall(
+        r"^!\[.*\]\(\S*assets/drawings/([\w-]+)\.svg\)$", page.read_text(encoding="utf-8"), re.MULTILINE
+    )
 ]
 
 
-def test_drawings_that_are_asked_for_are_those_that_are_made() -> None:
+def test_drawings_that_are_shown_are_those_that_are_made() -> None:
+    """That the files are up to date is part of `tools/check_docs.py`."""
     assert {name for _, name in ASKED} == set(DRAWINGS)
+    assert {path.stem for path in (ROOT / "docs" / "assets" / "drawings").iterdir()} == set(DRAWINGS)
+
+
+def test_an_image_with_its_caption_is_a_figure_in_the_colours_of_the_page(tmp_path: Path) -> None:
+    (tmp_path / "docs").mkdir()
+    (tmp_path / "docs" / "a.svg").write_text('<svg class="gc-figure" role="img"></svg>', encoding="utf-8")
+    text = "![A [ab]](a.svg)\n\n![B](a.svg)\n\n*Two\nlines.*\n\n![C](b.png)\n\n*Not all* of it.\n"
+    (tmp_path / "docs" / "index.md").write_text(text, encoding="utf-8")
+    guide = tool("site_pages").Guide(tmp_path)
+    alone, figure, *rest = guide.page("index.md").split("\n\n")
+    assert re.fullmatch(r"@@gcrules:\w+@@", alone)
+    assert figure.startswith('<figure class="gc-drawing" markdown>\n@@gcrules:')
+    assert figure.endswith("\n<figcaption markdown>Two lines.</figcaption>\n</figure>")
+    assert rest == ["![C](b.png)", "*Not all* of it.\n"]
+    assert {re.search(r'aria-label="(.*?)"', part)[1] for part in guide.parts.values()} == {"A [ab]", "B"}
 
 
 @pytest.mark.parametrize("name", DRAWINGS)
@@ -176,6 +269,24 @@ def test_the_crossing_legs_are_singular() -> None:
     assert gc.evaluate("[[ab, af, cb, cd, ed, ef]]", at) == 0
 
 
+# --- pictures of answers ---------------------------------------------------------------------------------------------
+
+PICTURES = tool("answer_pictures").PICTURES
+
+
+@pytest.mark.parametrize("name", PICTURES)
+def test_the_command_of_a_picture_stands_on_its_page(name: str) -> None:
+    (page,) = (text for text in (p.read_text(encoding="utf-8") for p in PAGES) if f"assets/{name})" in text)
+    assert (ROOT / "docs" / "assets" / name).is_file()
+    assert f"gcrules {PICTURES[name][0]}" in " ".join(page.split())
+
+
+@pytest.mark.parametrize("name", [n for n, (_, option) in PICTURES.items() if option == "--figure"])
+def test_the_picture_of_an_answer_is_what_is_drawn(name: str, tmp_path: Path) -> None:
+    tool("answer_pictures").draw(name, tmp_path / name)
+    assert (tmp_path / name).read_bytes() == (ROOT / "docs" / "assets" / name).read_bytes()
+
+
 # --- grammar and messages --------------------------------------------------------------------------------------------
 
 
@@ -202,6 +313,6 @@ def test_every_fault_is_shown(part: str) -> None:
 
 
 def test_search_index_holds_the_pages(site: Path) -> None:
-    index = json.loads((site / "search" / "search_index.json").read_text(encoding="utf-8"))
-    places = {doc["location"].partition("#")[0] for doc in index["docs"]}
+    index = json.loads((site / "search.json").read_text(encoding="utf-8"))
+    places = {item["location"].partition("#")[0] for item in index["items"]}
     assert {"course/meet.html", "procedure/four-dof.html", "grammar.html", "catalog/3-3.3.html"} <= places

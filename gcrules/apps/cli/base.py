@@ -76,6 +76,13 @@ class LazyGroup(click.Group):
             first, _, rest = fault.render().partition(":")
             click.echo(f"{click.style(first, fg='red', bold=True)}:{rest}", err=True)
             ctx.exit(fault.exit_code)
+        except ModuleNotFoundError as fault:
+            package = (fault.name or "gcrules").partition(".")[0]
+            if package == "gcrules":
+                raise
+            click.echo(f"error: this answer needs {package}, which is not installed here", err=True)
+            click.echo("hint: pip install gcrules brings it", err=True)
+            ctx.exit(GcrulesError.exit_code)
         except MemoryError:
             click.echo("error: there is not enough memory for this", err=True)
             ctx.exit(3)

@@ -58,6 +58,7 @@ def map_view(
         "margin": _table(found, "margin"),
         "index": _table(found, found.task.measure) if found.task.measure in INDICES else [],
         "status": [[MEANINGS[s] for s in row] for row in found.values("cell_status").tolist()],
+        "fixed": found.grid.fixed.replace("-", "−"),
         "guarantee": as_sentence(found.guarantee),
         "statement": found.sentence,
         "facts": [fact(name, value) for name, value in account(found)],

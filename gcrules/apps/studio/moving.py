@@ -143,10 +143,10 @@ def freedoms_at(m: Linkage, c: Configuration) -> list[float]:
     return [degrees(v) if n in ANGLES else float(v) for n, v in zip(names, found, strict=True)]
 
 
-def displacement(m: Linkage, c: Configuration, about: Sequence[float]) -> PoseJson:
-    """Where the platform is, from home: turned about this point of the file, then shifted."""
+def displacement(m: Linkage, motion: Floats, about: Sequence[float]) -> PoseJson:
+    """Where a motion (4, 4) from home leads the platform: turned about this point of the file, then shifted."""
     arm = np.asarray(about) - np.array([float(v) for v in m.origin])
-    turn, shift = c.platform[:3, :3], c.platform[:3, 3]
+    turn, shift = motion[:3, :3], motion[:3, 3]
     vector = rotation_vector(turn)
     half = float(np.linalg.norm(vector)) / 2
     part = vector * (np.sinc(half / np.pi) / 2)
@@ -193,7 +193,7 @@ def numbers_of_limbs(limbs: Limbs, subject: Subject, pose: PoseJson, threshold: 
     return {
         "pose": pose,
         "freedoms": freedoms_at(limbs.linkage, solution.configuration),
-        "platform": displacement(limbs.linkage, solution.configuration, subject.about),
+        "platform": displacement(limbs.linkage, solution.configuration.platform, subject.about),
         "points": {n: values[n] for n in names},
         "value": found.margin if value is None else value,
         "margin": found.margin,

@@ -3,14 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from functools import partial
 from typing import Any
 
 import numpy as np
 
 from gcrules.apps.studio.items import fact
 from gcrules.apps.studio.kept import kept
-from gcrules.apps.studio.moving import displacement
 from gcrules.apps.studio.numbers import exact_pose
 from gcrules.apps.studio.protocol.motion_views import (
     DetourView,
@@ -22,8 +20,8 @@ from gcrules.apps.studio.protocol.motion_views import (
 from gcrules.apps.studio.protocol.requests import PoseJson
 from gcrules.apps.studio.subject import Subject
 from gcrules.apps.studio.thresholds import threshold_of
-from gcrules.apps.studio.whereabouts import poses_of_limbs, reached, solved_at
-from gcrules.core.budget import checkpoint, report
+from gcrules.apps.studio.whereabouts import Reached, all_reached, poses_of_limbs
+from gcrules.core.budget import report
 from gcrules.core.dataclass import dataclass
 from gcrules.core.english import as_sentence
 from gcrules.mechanisms.kinematics.leading import leading
@@ -46,10 +44,9 @@ __all__ = ["Way", "ends", "path_view", "way_of"]
 
 _SHOWN = {PathReport: 100, RobotPath: 40}  # samples to which it can be moved; the loops of a robot are closed for each
 _MOST = 100  # places that are listed
-_LOST = 3  # in a row to which the sliders do not lead: as a rule they do not to the rest either, and trying takes long
 
 Found = PathReport | RobotPath
-PosedAt = Callable[[int], PoseJson | None]
+PosedAt = Callable[[list[int]], Sequence[Reached | None]]
 
 
 def path_view(
@@ -69,8 +66,7 @@ def path_view(
     """
     way = way_of(subject, start, goal, to, limit, around=around, through=through)
     _, posed = method(_ENDS, subject.mechanism, "a path")(start, goal, to, through)
-    platform = partial(_PLATFORM[type(way.path)], subject)
-    return _view(way.path, posed(way.path), platform, None if way.plan is None else _detour(way.plan))
+    return _view(way.path, posed(way.path, subject.about), None if way.plan is None else _detour(way.plan))
 
 
 @dataclass(frozen=True)
@@ -118,59 +114,44 @@ def _detour(found: Plan) -> DetourView:
 
 def _of_legs(
     m: SixLegs, start: PoseJson | None, goal: PoseJson, to: str | None, through: Sequence[PoseJson]
-) -> tuple[list[Any], Callable[[Any], PosedAt]]:
+) -> tuple[list[Any], Callable[[Any, Sequence[float]], PosedAt]]:
     first = Pose() if start is None else exact_pose(start)
 
-    def posed(r: PathReport) -> PosedAt:
-        return lambda k: {"translation": r.translations[k].tolist(), "quaternion": r.quaternions[k].tolist()}
+    def posed(r: PathReport, about: Sequence[float]) -> PosedAt:
+        def at(k: int) -> Reached:
+            pose: PoseJson = {"translation": r.translations[k].tolist(), "quaternion": r.quaternions[k].tolist()}
+            return Reached(pose, pose)
+
+        return lambda chosen: [at(k) for k in chosen]
 
     return [first, *map(exact_pose, through), exact_pose(goal) if to is None else to], posed
 
 
 def _of_limbs(
     m: Limbs, start: PoseJson | None, goal: PoseJson, to: str | None, through: Sequence[PoseJson]
-) -> tuple[list[Any], Callable[[Any], PosedAt]]:
-    def posed(r: RobotPath) -> PosedAt:
+) -> tuple[list[Any], Callable[[Any, Sequence[float]], PosedAt]]:
+    def posed(r: RobotPath, about: Sequence[float]) -> PosedAt:
         lead = [r.actuators.index(a) for a in leading(m.linkage)]
-        return lambda k: reached(m, r.actuator_values[k][lead], r.names, r.coordinates[k])
+        return lambda chosen: all_reached(m, r.actuator_values[chosen][:, lead], r.names, r.coordinates[chosen], about)
 
     return poses_of_limbs(m, start, goal, to, through), posed
 
 
-_ENDS: Methods[tuple[list[Any], Callable[[Any], PosedAt]]] = {SixLegs: _of_legs, Limbs: _of_limbs}
-"""The poses of a path, and what tells the page's pose of a sample of what was found."""
+_ENDS: Methods[tuple[list[Any], Callable[[Any, Sequence[float]], PosedAt]]] = {SixLegs: _of_legs, Limbs: _of_limbs}
+"""The poses of a path, and what tells the page's poses of samples of what was found."""
 
 
-def _displaced(subject: Subject, pose: PoseJson) -> PoseJson:
-    assert subject.limbs is not None
-    return displacement(subject.limbs.linkage, solved_at(subject.limbs, pose), subject.about)
-
-
-_PLATFORM: dict[type[Found], Callable[[Subject, PoseJson], PoseJson]] = {
-    PathReport: lambda _, pose: pose,
-    RobotPath: _displaced,
-}
-"""Where the platform is in a pose of the page."""
-
-
-def _view(
-    found: Found, posed: PosedAt, platform: Callable[[PoseJson], PoseJson], detour: DetourView | None
-) -> PathAnswer:
+def _view(found: Found, posed: PosedAt, detour: DetourView | None) -> PathAnswer:
     a: PathAccount = shown(found, "account")
     margins = found.numbers.margin if isinstance(found, PathReport) else found.margins
     places = [p.parameter for p in a.places[:_MOST]]
-    poses: dict[float, PoseJson | None] = {}
-    samples: list[PathSampleView] = []
-    lost = 0
-    for k in _chosen(found.parameters, places, _SHOWN[type(found)]):
-        checkpoint()
-        report(f"setting the robot at parameter {found.parameters[k]:.2f}")
-        at = float(found.parameters[k])
-        poses[at] = posed(k) if lost < _LOST else None
-        lost = 0 if poses[at] else lost + 1
-        there = poses[at]
-        where = None if there is None else platform(there)
-        samples.append({"parameter": at, "margin": float(margins[k]), "pose": there, "platform": where})
+    report("setting the robot along the path")
+    chosen = _chosen(found.parameters, places, _SHOWN[type(found)])
+    samples = [
+        _sample(float(found.parameters[k]), float(margins[k]), there)
+        for k, there in zip(chosen, posed(chosen), strict=True)
+    ]
+    poses = {s["parameter"]: s["pose"] for s in samples}
     left, right, top, bottom = FRAME
     return {
         "verdict": a.verdict,
@@ -185,6 +166,11 @@ def _view(
         "detour": detour,
         "facts": [fact(name, value) for name, value in a.facts],
     }
+
+
+def _sample(parameter: float, margin: float, there: Reached | None) -> PathSampleView:
+    pose, platform = (None, None) if there is None else (there.pose, there.platform)
+    return {"parameter": parameter, "margin": margin, "pose": pose, "platform": platform}
 
 
 def _chosen(parameters: Any, places: Sequence[float], number: int) -> list[int]:

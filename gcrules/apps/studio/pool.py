@@ -13,7 +13,7 @@ from time import monotonic
 from typing import Any
 
 from gcrules.apps.studio.protocol.study_views import FaultView
-from gcrules.apps.studio.wire import Job, Tell, framed, read_frame
+from gcrules.apps.studio.wire import GIVE_UP, Job, Tell, framed, read_frame
 from gcrules.core.errors import EngineFault, GcrulesError, LimitReached
 from gcrules.core.threads import with_one_thread
 
@@ -22,6 +22,7 @@ __all__ = ["Pool", "WorkerFault"]
 _GONE = (asyncio.IncompleteReadError, ConnectionError)  # what is seen of a worker that has ended
 _STILL = 1.0  # seconds after which it is said that work goes on, and for how long it has
 _LATE = 5.0
+_GRACE = 0.4  # seconds in which a worker gives up what nobody waits for: to start another one takes longer
 _MOST = 16_000_000  # bytes of an answer that are taken in at once
 
 
@@ -42,13 +43,15 @@ class Pool:
         self.idle: list[Process] = []
         self.all: set[Process] = set()
         self.starting: set[asyncio.Task[None]] = set()
+        self.leaving: set[asyncio.Task[None]] = set()
 
     async def run(self, job: Job, seconds: float, tell: Tell) -> tuple[Any, Any]:
         """The result of a job, and its subject. Raises WorkerFault for faults, LimitReached after so many seconds (a
         little later where the worker does not notice it).
 
-        Where the task is cancelled the worker is ended. A worker that something else has ended, waiting or at work, is
-        no fault of the job: it is tried once more, in a fresh one. Raises EngineFault where that ends too.
+        Where the task is cancelled the worker gives up, and is ended if it does not within `_GRACE` seconds. A worker
+        that something else has ended, waiting or at work, is no fault of the job: it is tried once more, in a fresh
+        one. Raises EngineFault where that ends too.
         """
         async with self.free:
             try:
@@ -69,14 +72,33 @@ class Pool:
 
     async def _done(self, job: Job, tell: Tell, *, fresh: bool = False) -> Any:
         """What a worker makes of a job; it is ended where that is nothing."""
+        if not self.idle and self.leaving:
+            await asyncio.wait(self.leaving, return_when=asyncio.FIRST_COMPLETED)
         process = self.idle.pop() if self.idle and not fresh else await self._start()
+        answer = _Answer(process, job)
         try:
-            found = await _answer(process, job, tell)
+            found = await answer.get(tell)
+        except asyncio.CancelledError:
+            self._leave(answer)
+            raise
         except BaseException:
             self._end(process)
             raise
         self.idle.append(process)
         return found
+
+    def _leave(self, answer: _Answer) -> None:
+        """Nobody waits for an answer any more: the worker goes on with something else, if it is free soon."""
+
+        async def wait() -> None:
+            if await answer.given_up():
+                self.idle.append(answer.process)
+            else:
+                self._end(answer.process)
+
+        task = asyncio.ensure_future(wait())
+        self.leaving.add(task)
+        task.add_done_callback(self.leaving.discard)
 
     def ready(self) -> None:
         """Have a worker ready before it is asked for."""
@@ -107,7 +129,7 @@ class Pool:
 
     async def close(self) -> None:
         """End all workers."""
-        for task in self.starting:
+        for task in self.starting | self.leaving:
             task.cancel()
         for process in self.all:
             if process.returncode is None:
@@ -120,29 +142,60 @@ class Pool:
 _DEBUG = "GCRULES_STUDIO_DEBUG" in os.environ
 
 
-async def _answer(process: Process, job: Job, tell: Tell) -> Any:
-    assert process.stdin is not None
-    assert process.stdout is not None
-    process.stdin.write(framed(job))
-    await process.stdin.drain()
-    start, words = monotonic(), "working"
+class _Answer:
+    """What a worker makes of a job, which is sent to it."""
 
-    def told() -> str:
-        gone = monotonic() - start
-        return words if gone < _STILL else f"{words}, {gone:.0f} s"
+    def __init__(self, process: Process, job: Job) -> None:
+        assert process.stdin is not None
+        assert process.stdout is not None
+        self.process, self.inward, self.outward = process, process.stdin, process.stdout
+        self.known = job[2] is not None
+        self.inward.write(framed(job))
+        self.frame = self._next()
 
-    frame = asyncio.ensure_future(read_frame(process.stdout))
-    try:
-        while True:
-            finished, _ = await asyncio.wait([frame], timeout=_STILL)
-            if not finished:
+    def _next(self) -> asyncio.Future[Any]:
+        return asyncio.ensure_future(read_frame(self.outward))
+
+    async def get(self, tell: Tell) -> Any:
+        """The last frame; `tell` hears those of progress. Where this is cancelled, frames are still awaited."""
+        try:
+            await self.inward.drain()
+            start, words = monotonic(), "working"
+
+            def told() -> str:
+                gone = monotonic() - start
+                return words if gone < _STILL else f"{words}, {gone:.0f} s"
+
+            while True:
+                finished, _ = await asyncio.wait([self.frame], timeout=_STILL)
+                if not finished:
+                    tell(told())
+                    continue
+                found = self.frame.result()
+                if found[0] != "progress":
+                    return found
+                words = found[1]
                 tell(told())
-                continue
-            found = frame.result()
-            if found[0] != "progress":
-                return found
-            words = found[1]
-            tell(told())
-            frame = asyncio.ensure_future(read_frame(process.stdout))
-    finally:
-        frame.cancel()
+                self.frame = self._next()
+        except asyncio.CancelledError:
+            raise
+        except BaseException:
+            self.frame.cancel()
+            raise
+
+    async def given_up(self) -> bool:
+        """Whether the worker has given up soon. One that was still reading its subject is not asked: what it knows of
+        it then may be half of it.
+        """
+        try:
+            if not self.known:
+                return False
+            self.inward.write(framed(GIVE_UP))
+            async with asyncio.timeout(_GRACE):
+                while (await asyncio.shield(self.frame))[0] == "progress":
+                    self.frame = self._next()
+        except (TimeoutError, *_GONE):
+            return False
+        finally:
+            self.frame.cancel()
+        return True

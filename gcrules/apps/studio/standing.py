@@ -145,6 +145,6 @@ def _repetition(subject: Subject, asked: ReportedJson) -> Repetition | None:
     """The lines that repeat it; None where none do."""
     with suppress(InputError):
         found = repeated(subject, asked["what"], _args(subject, asked))
-        file = found["file"] or {"name": "", "text": ""}
-        return Repetition(asked["title"], found["shell"], found["python"], file["name"], file["text"])
+        files = tuple((file["name"], file["text"]) for file in found["files"])
+        return Repetition(asked["title"], found["shell"], found["python"], files)
     return None

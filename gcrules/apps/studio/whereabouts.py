@@ -8,24 +8,31 @@ from math import radians
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
-from gcrules.apps.studio.moving import amounts_at, displaced, posed, solved
+from gcrules.apps.studio.moving import amounts_at, displaced, displacement, posed, solved
 from gcrules.apps.studio.protocol.motion_views import PlacedPose
 from gcrules.apps.studio.protocol.requests import PoseJson
 from gcrules.apps.studio.subject import Subject
+from gcrules.core.budget import checkpoint
+from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import InputError
 from gcrules.mechanisms.kinematics.coordinates import coordinates, wrapped
 from gcrules.mechanisms.kinematics.linkage import Configuration
-from gcrules.mechanisms.kinematics.solve import beside, free_coordinates, solve
+from gcrules.mechanisms.kinematics.rigid_motions import Floats
+from gcrules.mechanisms.kinematics.solve import beside, check_target, free_coordinates, solve
 from gcrules.mechanisms.kinematics.targets import Target, actuators_target, written
 from gcrules.mechanisms.limbs import Limbs
 from gcrules.poses.limbs.around import actuator_values
+from gcrules.poses.limbs.many import numbers_at
 from gcrules.poses.limbs.pose_report import target_of
 from gcrules.screws.pose import Pose
-from gcrules.screws.pose_text import ANGLES, HOME, pose_of
+from gcrules.screws.pose_text import ANGLES, COORDINATES, HOME, VECTOR, pose_of
 
 __all__ = [
     "SHORT",
+    "Reached",
+    "all_reached",
     "at_coordinates",
     "at_home",
     "coordinates_at",
@@ -43,6 +50,7 @@ SHORT = 0.0, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2
 stop, and the closer they are, the worse they tell the pose."""
 
 _NEAR = 1e-6  # radians, and parts of the robot's size
+_LOST = 3
 
 
 def at_home(pose: PoseJson) -> bool:
@@ -85,17 +93,69 @@ def coordinates_at(limbs: Limbs, pose: PoseJson, names: Sequence[str]) -> dict[s
     return dict(zip(names, found.tolist(), strict=True))
 
 
-def reached(limbs: Limbs, amounts: Sequence[float], names: Sequence[str], wanted: Any) -> PoseJson | None:
+@dataclass(frozen=True)
+class Reached:
+    """A pose of the page, and where the platform is then, from home, turned about a point."""
+
+    pose: PoseJson
+    platform: PoseJson
+
+
+def reached(
+    limbs: Limbs, amounts: Sequence[float], names: Sequence[str], wanted: Any, about: Sequence[float]
+) -> Reached | None:
     """The pose of the page with these amounts of the actuators, if from home they lead where the coordinates are as
     wanted; else None: another configuration has the same amounts, or the robot does not assemble on the way.
     """
-    found = posed(limbs, amounts)
+    m, found = limbs.linkage, posed(limbs, amounts)
     try:
-        there = coordinates(names, solved_at(limbs, found).platform, limbs.linkage.centre)
+        motion = solved_at(limbs, found).platform
     except InputError:
         return None
-    away = np.abs(wrapped(names, there - np.asarray(wanted)))
-    return found if away.max() <= _NEAR * max(1.0, limbs.linkage.size) else None
+    off = coordinates(names, motion, m.centre) - np.asarray(wanted)
+    return Reached(found, displacement(m, motion, about)) if _is_near(limbs, names, off) else None
+
+
+def all_reached(
+    limbs: Limbs, amounts: Floats, names: Sequence[str], wanted: Floats, about: Sequence[float]
+) -> list[Reached | None]:
+    """The poses (N,) that `reached` gives for amounts (N, leading) and values (N, names): where the whole way of the
+    actuators is proved many at once, else one after the other. After `_LOST` in a row to which they do not lead these
+    are given up: as a rule they do not to the rest either, and trying takes long.
+    """
+    m = limbs.linkage
+    whole, proved = np.zeros((len(wanted), len(COORDINATES))), np.zeros(len(wanted), dtype=bool)
+    with suppress(InputError):
+        check_target(m, target := actuators_target(m, amounts[-1].tolist()))
+        several = numbers_at(limbs, target, amounts, ("coordinates", "proved"))
+        whole, proved = several["coordinates"], several["proved"]
+    near = _is_near(limbs, names, whole[:, [COORDINATES.index(n) for n in names]] - wanted)
+    found: list[Reached | None] = []
+    lost = 0
+    for k, given in enumerate(amounts):
+        checkpoint()
+        if proved[k]:
+            platform = displacement(m, _motion(whole[k], m.centre), about)
+            found.append(Reached(posed(limbs, given), platform) if near[k] else None)
+        else:
+            found.append(reached(limbs, given, names, wanted[k], about) if lost < _LOST else None)
+        lost = 0 if found[-1] else lost + 1
+    return found
+
+
+def _motion(whole: Floats, centre: Floats) -> Floats:
+    """The motion (4, 4) from home that leads to all coordinates (coordinates,)."""
+    pose = pose_of({n: c for n, c in zip(COORDINATES, whole.tolist(), strict=True) if n not in VECTOR})
+    found = np.eye(4)
+    found[:3, :3] = turn = np.array(pose.rotation, dtype=np.float64)
+    found[:3, 3] = centre + np.array(pose.translation, dtype=np.float64) - turn @ centre
+    return found
+
+
+def _is_near(limbs: Limbs, names: Sequence[str], off: Floats) -> NDArray[np.bool_]:
+    """Whether coordinates that are `off` (..., names) are the same but for rounding, (...,)."""
+    away = np.abs(wrapped(names, off)).max(axis=-1)
+    return np.asarray(away <= _NEAR * max(1.0, limbs.linkage.size))
 
 
 def at_coordinates(limbs: Limbs, names: Sequence[str], values: Any, driven: bool) -> PoseJson:
@@ -138,13 +198,14 @@ def _target(names: Sequence[str], values: Any) -> Target:
 
 def led(limbs: Limbs, there: Configuration, names: Sequence[str], values: Any) -> PoseJson:
     """The pose of the page in a configuration. Raises InputError where the sliders do not lead there."""
-    found = reached(limbs, actuator_values(limbs.linkage, there), names, values)
+    m = limbs.linkage
+    found = reached(limbs, actuator_values(m, there), names, values, m.centre.tolist())
     if found is None:
         raise InputError(
             "the robot gets to this place, but not by its sliders",
             hint="on the straight way of the actuators from home it meets a singular configuration first",
         )
-    return found
+    return found.pose
 
 
 def near_coordinates(limbs: Limbs, at: Mapping[str, float]) -> tuple[PoseJson, bool] | None:

@@ -14,10 +14,13 @@ from typing import Any, BinaryIO
 
 from gcrules.apps.studio.protocol.requests import SourceJson
 
-__all__ = ["Job", "Tell", "framed", "key_of", "read", "read_frame"]
+__all__ = ["GIVE_UP", "Job", "Tell", "framed", "key_of", "read", "read_frame"]
 
 Job = tuple[str, Mapping[str, Any], Any]
 """Name of a method, its arguments, and the subject of their source, where the server knows it."""
+
+GIVE_UP = None
+"""Sent in place of a job: nobody waits for the answer to the last one any more. It is answered all the same."""
 
 Tell = Callable[[str], None]
 """Hears how far some work is."""

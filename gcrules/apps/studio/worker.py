@@ -7,16 +7,19 @@ import re
 import sys
 import threading
 import traceback
+from collections.abc import Callable
+from queue import SimpleQueue
 from time import monotonic, sleep
-from typing import Any
+from typing import Any, BinaryIO
 
 from gcrules.apps.studio.answers import answer
 from gcrules.apps.studio.faults import fault_view, limit, own_fault
 from gcrules.apps.studio.protocol.methods import METHODS
 from gcrules.apps.studio.subject import Subject, read_subject
-from gcrules.apps.studio.wire import Job, Tell, framed, key_of, read
+from gcrules.apps.studio.wire import GIVE_UP, Job, Tell, framed, key_of, read
 from gcrules.core.alarm import limited
-from gcrules.core.budget import report, within
+from gcrules.core.budget import Budget, report, within
+from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import GcrulesError
 
 __all__ = ["done", "serve"]
@@ -27,13 +30,16 @@ _NUMBERS = re.compile(r"[\d.,]+")
 _LOOK = 1.0  # seconds between two looks whether the server is there
 
 
-def done(job: Job, known: dict[str, Subject], tell: Tell) -> tuple[str, Any, Subject | None]:
+def done(
+    job: Job, known: dict[str, Subject], tell: Tell, begun: Callable[[Budget], None] = lambda _: None
+) -> tuple[str, Any, Subject | None]:
     """What came of a job: ("done", result, subject) or ("fault", fault, None). `known` are subjects of earlier ones,
-    `tell` hears how far it is.
+    `tell` hears how far it is, `begun` is given the budget by which it can be given up.
     """
     name, args, subject = job
     try:
-        with within(progress=tell), limited(METHODS["open" if name == "subject" else name].seconds):
+        with within(progress=tell) as budget, limited(METHODS["open" if name == "subject" else name].seconds):
+            begun(budget)
             source = args.get("source")
             if source is not None:
                 subject = _subject(source, subject, known)
@@ -70,10 +76,44 @@ def _watch(server: int) -> None:
     os._exit(0)
 
 
+@dataclass(eq=False)
+class _Task:
+    """A job that was sent, which may be given up before it begins and after it ended, too."""
+
+    job: Job
+    budget: Budget | None = None
+    given_up: bool = False
+
+    def begin(self, budget: Budget) -> None:
+        self.budget = budget
+        if self.given_up:
+            budget.cancel()
+
+    def give_up(self) -> None:
+        self.given_up = True
+        if self.budget is not None:
+            self.budget.cancel()
+
+
+def _receive(pipe: BinaryIO, tasks: SimpleQueue[_Task | None]) -> None:
+    """Take in what the server sends, also amid work; None at the end."""
+    last: _Task | None = None
+    while True:
+        try:
+            frame = read(pipe)
+        except (EOFError, OSError):
+            tasks.put(None)
+            return
+        if frame is not GIVE_UP:
+            tasks.put(last := _Task(frame))
+        elif last is not None:
+            last.give_up()
+
+
 def serve() -> None:
     """Work until the server is gone."""
     threading.Thread(target=_watch, args=(os.getppid(),), daemon=True).start()
-    inward, outward = sys.stdin.buffer, os.fdopen(os.dup(1), "wb")
+    inward, outward = os.fdopen(os.dup(0), "rb"), os.fdopen(os.dup(1), "wb")
     os.dup2(2, 1)  # nothing but frames goes to the server
     sys.stdout = sys.stderr
     known: dict[str, Subject] = {}
@@ -92,12 +132,10 @@ def serve() -> None:
             told, stage = monotonic(), now
             put(("progress", words, None))
 
-    while True:
-        try:
-            job = read(inward)
-        except EOFError:
-            return
-        put(done(job, known, tell))
+    tasks: SimpleQueue[_Task | None] = SimpleQueue()
+    threading.Thread(target=_receive, args=(inward, tasks), daemon=True).start()
+    while (task := tasks.get()) is not None:
+        put(done(task.job, known, tell, task.begin))
 
 
 if __name__ == "__main__":

@@ -300,7 +300,13 @@ class Chain:
 
     def after(self, links: Floats) -> Chain:
         """The chain as it stands where the links have gone."""
-        return replace(self, screws=self._carried(links))
+        return self.placed(self._carried(links))
+
+    def placed(self, screws: Floats) -> Chain:
+        """The same chain with its screws elsewhere."""
+        found = replace(self, screws=screws)
+        found.__dict__["parts"] = self.parts  # the same ones
+        return found
 
     def _carried(self, links: Floats) -> Floats:
         return carried(links[..., :-1, :, :] if not self.runs else links[..., self.before, :, :], self.screws)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -35,7 +34,7 @@ class Configurations:
     def of(cls, several: Sequence[Configuration]) -> Configurations:
         """Configurations of one robot as a stack."""
         limbs = range(len(several[0].chains))
-        chains = (replace(several[0].chains[k], screws=np.stack([c.chains[k].screws for c in several])) for k in limbs)
+        chains = (several[0].chains[k].placed(np.stack([c.chains[k].screws for c in several])) for k in limbs)
         amounts = (np.stack([c.joint_values[k] for c in several]) for k in limbs)
         return cls(tuple(chains), tuple(amounts), np.stack([c.platform for c in several]))
 
@@ -44,7 +43,7 @@ class Configurations:
 
     def __getitem__(self, chosen: Any) -> Configurations:
         """Those of an array of places, or a mask."""
-        chains = (replace(c, screws=c.screws[chosen]) for c in self.chains)
+        chains = (c.placed(c.screws[chosen]) for c in self.chains)
         return Configurations(tuple(chains), tuple(a[chosen] for a in self.joint_values), self.platform[chosen])
 
     def replaced(self, places: Places, others: Configurations) -> Configurations:
@@ -65,8 +64,6 @@ class Configurations:
     def together(cls, parts: Sequence[Configurations]) -> Configurations:
         """Several stacks of one robot as one."""
         limbs = range(len(parts[0].chains))
-        chains = (
-            replace(parts[0].chains[k], screws=np.concatenate([p.chains[k].screws for p in parts])) for k in limbs
-        )
+        chains = (parts[0].chains[k].placed(np.concatenate([p.chains[k].screws for p in parts])) for k in limbs)
         amounts = (np.concatenate([p.joint_values[k] for p in parts]) for k in limbs)
         return cls(tuple(chains), tuple(amounts), np.concatenate([p.platform for p in parts]))

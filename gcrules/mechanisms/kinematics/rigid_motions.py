@@ -38,17 +38,23 @@ def cross_matrix(vectors: Floats) -> Floats:
     """The matrices of w ↦ v × w, shape (..., 3, 3)."""
     v = np.asarray(vectors, dtype=float)
     found = np.zeros((*v.shape, 3))
-    found[..., 2, 1] = v[..., 0]
-    found[..., 0, 2] = v[..., 1]
-    found[..., 1, 0] = v[..., 2]
-    return found - np.swapaxes(found, -1, -2)
+    for k in range(3):
+        i, j = (k + 1) % 3, (k + 2) % 3
+        found[..., j, i] = v[..., k]
+        found[..., i, j] = -v[..., k]
+    return found
 
 
 def crossed(a: Floats, b: Floats) -> Floats:
     """a × b, for stacks of vectors that fit each other; quicker than NumPy's own."""
-    x, y, z = (a[..., k] for k in range(3))
-    u, v, w = (b[..., k] for k in range(3))
-    return np.stack([y * w - z * v, z * u - x * w, x * v - y * u], axis=-1)
+    x, y, z = a[..., 0], a[..., 1], a[..., 2]
+    u, v, w = b[..., 0], b[..., 1], b[..., 2]
+    first = y * w - z * v
+    found = np.empty((*first.shape, 3))
+    found[..., 0] = first
+    found[..., 1] = z * u - x * w
+    found[..., 2] = x * v - y * u
+    return found
 
 
 def rotations(vectors: Floats) -> Floats:
@@ -59,19 +65,26 @@ def rotations(vectors: Floats) -> Floats:
 
 def exponential(screws: Floats, amounts: Floats | float) -> Floats:
     """The motions that the twists make in the given amounts (rad for unit turns, lengths for unit slides)."""
-    turned = screws[..., :3] * np.asarray(amounts)[..., None]
-    moved = screws[..., 3:] * np.asarray(amounts)[..., None]
-    a = np.sqrt((turned * turned).sum(axis=-1))[..., None, None]
+    whole = screws * np.asarray(amounts)[..., None]
+    whole = whole.transpose(whole.ndim - 1, *range(whole.ndim - 1)).copy()
+    w, v = whole[:3], whole[3:]
+    square = w[0] * w[0] + w[1] * w[1] + w[2] * w[2]
+    along = w[0] * v[0] + w[1] * v[1] + w[2] * v[2]
+    a = np.sqrt(square)
     small = a < _SMALL
     b = np.where(small, 1.0, a)
-    sine = np.where(small, 1 - a**2 / 6, np.sin(b) / b)
-    cosine = np.where(small, 0.5 - a**2 / 24, (1 - np.cos(b)) / b**2)
-    rest = np.where(small, 1 / 6 - a**2 / 120, (b - np.sin(b)) / b**3)
-    w = cross_matrix(turned)
-    square = w @ w
-    found = np.zeros((*turned.shape[:-1], 4, 4))
-    found[..., :3, :3] = np.eye(3) + sine * w + cosine * square
-    found[..., :3, 3] = ((np.eye(3) + cosine * w + rest * square) @ moved[..., None])[..., 0]
+    sine = np.where(small, 1 - square / 6, np.sin(b) / b)
+    cosine = np.where(small, 0.5 - square / 24, (1 - np.cos(b)) / (b * b))
+    rest = np.where(small, 1 / 6 - square / 120, (b - np.sin(b)) / (b * b * b))
+    found = np.zeros((*square.shape, 4, 4))
+    turned, bent, moved = sine * w, cosine * w, cosine * v
+    kept, stretched, along = 1 - cosine * square, 1 - rest * square, rest * along
+    for k in range(3):  # entry by entry: 1 + sine W + cosine W², W² = w wᵀ − |w|²; of inner axes so short NumPy is slow
+        i, j = (k + 1) % 3, (k + 2) % 3
+        found[..., k, k] = kept + bent[k] * w[k]
+        found[..., j, i] = bent[i] * w[j] + turned[k]
+        found[..., i, j] = bent[i] * w[j] - turned[k]
+        found[..., k, 3] = stretched * v[k] + (w[i] * moved[j] - w[j] * moved[i]) + along * w[k]
     found[..., 3, 3] = 1
     return found
 

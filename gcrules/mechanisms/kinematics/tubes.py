@@ -29,7 +29,7 @@ bounds are derived here.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from functools import cache, cached_property
+from functools import cached_property
 from itertools import pairwise
 
 import numpy as np
@@ -114,20 +114,17 @@ class Spread:
         """
         d = reach @ self.parts.T
         speeds = self.speeds.copy()
-        for k in range(speeds.shape[-1] - 2, -1, -1):  # motions after k carry the point away from its axis
-            speeds[..., k] += self.turns[..., k] * (d[..., k + 1 :] * speeds[..., k + 1 :]).sum(axis=-1)
-        low, middle, high = _sorted(speeds.shape[-1])
-        weights = self.turns[..., low] * self.turns[..., middle] * d[..., :, None, None] * d[..., None, :, None]
-        turned = (weights * self.turns[..., high]).sum(axis=(-3, -2))
-        moved = (weights * speeds[..., high]).sum(axis=(-3, -2))
-        return turned @ self.parts, moved @ self.parts
-
-
-@cache
-def _sorted(number: int) -> tuple[Places, Places, Places]:
-    """The least, middle and largest of all three places (number, number, number)."""
-    low, middle, high = np.sort(np.indices((number,) * 3), axis=0)
-    return low, middle, high
+        after = np.zeros(d.shape[:-1])
+        for k in range(speeds.shape[-1] - 1, -1, -1):  # motions after k carry the point away from its axis
+            speeds[..., k] += self.turns[..., k] * after
+            after = after + d[..., k] * speeds[..., k]
+        far = d * self.turns
+        up_to = np.cumsum(far, axis=-1)  # sums over all pairs of motions, sorted by which of three is the last one
+        pairs = d * speeds * (2 * up_to - far)
+        later = np.zeros(pairs.shape)
+        later[..., :-1] = np.cumsum(pairs[..., :0:-1], axis=-1)[..., ::-1]
+        moved = speeds * up_to**2 + self.turns * later
+        return (self.turns * up_to[..., -1:] ** 2) @ self.parts, moved @ self.parts
 
 
 def spreads(arms: Sequence[Arm]) -> tuple[Spread, ...]:
@@ -200,47 +197,70 @@ class _Equations:
             for b, c in zip(self.blocks, self.chains, strict=True)
         )
 
-    def bent(self, reach: Sequence[Floats]) -> Floats:
+    @cached_property
+    def _sizes(self) -> tuple[Floats, ...]:
+        """How much the turn and the shift of each chain count in B F at most, (..., r, 2)."""
+        return tuple(np.sqrt((b.reshape(*b.shape[:-1], 2, 3) ** 2).sum(axis=-1)) for b in self.blocks)
+
+    @cached_property
+    def _slopes(self) -> tuple[Floats, ...]:
+        """|B ∂²Λ| of each chain by all of its coordinates and the chosen ones, (..., n, r · chosen)."""
+        found = []
+        for k, chain in enumerate(self.chains):
+            sizes = np.swapaxes(np.abs(self.curvatures[k][..., self.columns[chain.block]]), -2, -3)
+            found.append(sizes.reshape(*sizes.shape[:-2], -1))
+        return tuple(found)
+
+    def third(self, reach: Sequence[Floats]) -> list[Floats]:
+        """Of each chain bounds of its third derivatives over the box of this reach, (..., 2, n)."""
+        return [np.stack(c.third(reach[c.block]), axis=-2) for c in self.chains]
+
+    def bent(self, reach: Sequence[Floats], third: Sequence[Floats]) -> Floats:
         """K (..., r, r) ≥ |1 − B M(q)| over the box of this reach."""
         found = [np.zeros((*self.back.shape[:-1], len(own))) for own in self.columns]
         for k, chain in enumerate(self.chains):
-            far, own = reach[chain.block], self.columns[chain.block]
-            slope = (np.abs(self.curvatures[k]) * far[..., None, :, None]).sum(axis=-2)
-            found[chain.block] = found[chain.block] + (slope + _sized(self.blocks[k], chain.third(far)) / 2)[..., own]
+            own = self.columns[chain.block]
+            slope = (reach[chain.block][..., None, :] @ self._slopes[k]).reshape(found[chain.block].shape)
+            found[chain.block] = found[chain.block] + slope + self._sizes[k] @ third[k][..., own] / 2
         return np.asarray(np.concatenate(found, axis=-1) + self.rest)
 
-    def gap(self, reach: Sequence[Floats]) -> Floats:
-        """β (..., r) ≥ |B F| along the straight way: its curvature by 8, and what is open at its ends."""
-        curved = np.zeros(self.back.shape[:-1])
+    @cached_property
+    def _curved(self) -> Floats:
+        """How far |B F| is bent along the straight way but for third derivatives, times 8, (..., r)."""
+        found = np.zeros(self.back.shape[:-1])
+        for k, chain in enumerate(self.chains):
+            found += _applied(_applied(self.curvatures[k], chain.amounts[..., None, :]), chain.amounts)
+        return np.abs(found)
+
+    @cached_property
+    def _open(self) -> Floats:
+        """What counts of loops that are as little open as a step may leave them, (..., r)."""
+        return np.asarray(_CLOSED * np.abs(self.back).sum(axis=-1))
+
+    def gap(self, reach: Sequence[Floats], third: Sequence[Floats]) -> Floats:
+        """β (..., r) ≥ |B F| along the straight way, which no coordinate leaves by more than its reach: its curvature
+        by 8, and what is open at its ends.
+        """
         more = np.zeros(self.back.shape[:-1])
         for k, chain in enumerate(self.chains):
-            a = chain.amounts
-            curved += _applied(_applied(self.curvatures[k], a[..., None, :]), a)
-            far = np.maximum(reach[chain.block], np.abs(a) / 2)
-            more += 4 * _applied(_sized(self.blocks[k], chain.third(far)), far)  # |a| ≤ 2 far
-        return np.asarray((np.abs(curved) + more) / 8 + _CLOSED * np.abs(self.back).sum(axis=-1))
+            more += _applied(self._sizes[k], _applied(third[k], reach[chain.block]))
+        return np.asarray((self._curved + 4 * more) / 8 + self._open)  # amounts are no more than twice the reach
 
-    def drift(self, reach: Sequence[Floats]) -> Floats:
+    def drift(self, reach: Sequence[Floats], third: Sequence[Floats]) -> Floats:
         """β (..., r) ≥ |B F| where the coordinates differ from the middle by no more than `reach`, which is 0 for the
         chosen ones.
         """
-        found = _CLOSED * np.abs(self.back).sum(axis=-1)
+        found = self._open
         for k, chain in enumerate(self.chains):
             far = reach[chain.block]
             curved = (np.abs(self.curvatures[k]) * far[..., None, :, None]).sum(axis=-2) / 2
-            slope = np.abs(self.blocks[k] @ chain.first) + curved + _sized(self.blocks[k], chain.third(far)) / 6
-            found = found + _applied(slope, far)
+            slope = np.abs(self.blocks[k] @ chain.first) + curved
+            found = found + _applied(slope, far) + _applied(self._sizes[k], _applied(third[k], far)) / 6
         return np.asarray(found)
 
 
 def _applied(matrices: Floats, vectors: Floats) -> Floats:
     return (matrices @ vectors[..., None])[..., 0]
-
-
-def _sized(block: Floats, bounds: tuple[Floats, Floats]) -> Floats:
-    turned, moved = (b[..., None, :] for b in bounds)
-    lengths = np.linalg.norm(block.reshape(*block.shape[:-1], 2, 3), axis=-1)
-    return np.asarray(lengths[..., :1] * turned + lengths[..., 1:] * moved)
 
 
 def _equations(chains: Sequence[Spread], free: Sequence[Choice], idle: int) -> _Equations | None:
@@ -319,7 +339,7 @@ def _tubes(
     free: Sequence[Choice],
     idle: int,
     known: Sequence[Floats],
-    off: Callable[[_Equations, Sequence[Floats]], Floats],
+    off: Callable[[_Equations, Sequence[Floats], Sequence[Floats]], Floats],
 ) -> tuple[Floats, ...]:
     """The tube around coordinates that go as far as `known` by themselves; `off` bounds how far B F is from 0 there."""
     if not any(f.any() for f in free):  # nothing is unknown
@@ -329,15 +349,17 @@ def _tubes(
     if e is None:
         return nowhere
     along = off is _Equations.gap
-    proved = e.bent(known).sum(axis=-1).min(axis=-1) < 1.0  # else no tube, however thin
-    start = off(e, known)
+    third = e.third(known)
+    proved = e.bent(known, third).sum(axis=-1).min(axis=-1) < 1.0  # else no tube, however thin
+    start = off(e, known, third)
     radius = start * _INFLATED
     done = np.zeros_like(proved)
     for _ in range(_TRIALS):
         radius = np.where(proved[..., None], radius, 0.0)
         tube = _in_place(e, radius, known)
         reach = [h + r for h, r in zip(known, tube, strict=True)]
-        needed = (off(e, reach) if along else start) + _applied(e.bent(reach), radius)
+        third = e.third(reach)
+        needed = (off(e, reach, third) if along else start) + _applied(e.bent(reach, third), radius)
         done = proved & (needed <= radius * (1 - _ROUNDING)).all(axis=-1)
         proved &= needed.max(axis=-1) < 1.0
         if (done | ~proved).all():
@@ -368,7 +390,8 @@ def keeps_rank(
     e = _equations(chains, free, idle)
     if e is None:
         return np.zeros(shape, dtype=bool)
-    k = e.bent([np.where(np.isfinite(r), r, 1e9) for r in reach])
+    far = [np.where(np.isfinite(r), r, 1e9) for r in reach]
+    k = e.bent(far, e.third(far))
     small = k.max(axis=(-1, -2)) < 1e6
     left = np.eye(k.shape[-1]) - np.where(small[..., None, None], k, 0.0)
     v = _applied(_inverted(left), np.ones((*shape, k.shape[-1])))

@@ -35,7 +35,8 @@ class RobotLocusFactor(LocusFactor):
         found, seen = super().to_json(), self.seen
         if seen is None:
             return found
-        return found | {"zeros": seen.zeros, "assembled": seen.assembled, "modes": list(seen.modes)}
+        counts = {"zeros": seen.zeros, "every_zero": seen.every, "assembled": seen.assembled}
+        return found | counts | {"modes": list(seen.modes)}
 
 
 @dataclass(frozen=True)

@@ -1,10 +1,11 @@
 r"""Which working modes the factors of a locus belong to, seen at zeros of them; and the polynomials computed a second
 time.
 
-A working mode is a choice of sign for each root, + being home's. On random lines through home's surroundings the real
-zeros of a factor are bisected, and there the factor of the condition is computed from the joints' places in long
-decimals, for every choice of signs: it vanishes in the modes to which the zero belongs, unless a radicand is negative
-there. That is seen at the zeros that were met, and proves nothing of others.
+A working mode is a choice of sign for each root, + being home's. All real zeros of a factor in one variable are
+isolated exactly; in several variables those on random lines through home's surroundings are bisected. There the factor
+of the condition is computed from the joints' places in long decimals, for every choice of signs: it vanishes in the
+modes to which the zero belongs, unless a radicand is negative there and on both sides. That is seen at the zeros that
+were met, and proves nothing of others.
 """
 
 from __future__ import annotations
@@ -35,18 +36,20 @@ _STEPS = 24  # of a line to each side
 _ZEROS = 12  # that are looked at
 _RUNS = 600  # of the closed form, for one factor
 _NEAR = 10**-7  # of a zero, in parts of the line
+_HALVINGS = 220  # of an interval, so that even a square root of what is left is less than _VANISHES
 _VANISHES = 1e-12  # of the value that near
 
 
 @dataclass(frozen=True)
 class Sightings:
     """At how many real zeros of a factor modes were looked for (`zeros`), at how many of them the robot is assembled
-    and singular in some mode, and the modes: a sign for each root.
+    and singular in some mode, the modes, a sign for each root, and whether these are `every` real zero that it has.
     """
 
     zeros: int
     assembled: int
     modes: tuple[str, ...]
+    every: bool
 
 
 @dataclass(frozen=True, eq=False)
@@ -144,35 +147,56 @@ class Modes:
         zeros = assembled = 0
         modes: dict[str, None] = {}
         most = max(2, min(_ZEROS, _RUNS >> len(norm.roots)))
+        alone = len(p.variables) == 1
         with mp.workdps(_DIGITS + 4 * p.degree):
-            for at, near in self._zeros(p):
-                there = [m for m in self.signs(norm) if self._vanishes(factor, norm, m, at, near)]
+            for at, sides in self._all_zeros(p) if alone else self._zeros(p):
+                if zeros == most:
+                    return Sightings(zeros, assembled, tuple(sorted(modes)), every=False)
+                there = [m for m in self.signs(norm) if self._vanishes(factor, norm, m, at, sides)]
                 modes |= dict.fromkeys("".join("+" if s > 0 else "-" for s in m) for m in there)
                 zeros, assembled = zeros + 1, assembled + bool(there)
-                if zeros >= most:
-                    break
-        return Sightings(zeros, assembled, tuple(sorted(modes)))
+        return Sightings(zeros, assembled, tuple(sorted(modes)), every=alone)
 
-    def _vanishes(self, factor: ClosedFactor, norm: Numerator, signs: Sequence[int], at: Any, near: Any) -> bool:
+    def _vanishes(self, factor: ClosedFactor, norm: Numerator, signs: Sequence[int], at: Any, sides: Any) -> bool:
+        """Whether the factor is 0 at a zero of the norm, and real there or at its border: where a radicand is 0, too,
+        it is real on one side only, or by rounding on none.
+        """
         from mpmath import mpc
 
         try:
-            here, beside = (self.value(factor, norm, signs, x) for x in (at, near))
+            here, *beside = (self.value(factor, norm, signs, x) for x in (at, *sides))
         except ZeroDivisionError:
             return False
-        real = not isinstance(here, mpc) and not isinstance(beside, mpc)
-        return bool(real and abs(here) <= _VANISHES * abs(beside))
+        real = [x for x in beside if not isinstance(x, mpc)]
+        if not real and isinstance(here, mpc):
+            return False
+        return bool(abs(here) <= _VANISHES * max(map(abs, real or beside)))
 
-    def _zeros(self, p: PolynomialForm) -> Iterator[tuple[list[Any], list[Any]]]:
-        """Points where the polynomial changes its sign on random lines, and points a little beside."""
+    def _all_zeros(self, p: PolynomialForm) -> Iterator[tuple[list[Any], list[list[Any]]]]:
+        """All real zeros of an irreducible polynomial in one variable, the nearest to home first, and points a little
+        to both sides.
+        """
+        from mpmath import mpf
+
+        step = self._reach(p.variables[0]) * _NEAR
+        ends_of = (ends for ends, _ in p.poly.intervals())
+        intervals = [(Fraction(int(a.p), int(a.q)), Fraction(int(b.p), int(b.q))) for a, b in ends_of]
+        for low, high in sorted(intervals, key=lambda ends: abs(ends[0] + ends[1])):
+            checkpoint()
+            left, right = (mpf(c.numerator) / c.denominator for c in (low, high))
+            zero = left if low == high else _bisected(lambda x: p([x]), left, right, p([low]))
+            yield [zero], [[zero - step], [zero + step]]
+
+    def _zeros(self, p: PolynomialForm) -> Iterator[tuple[list[Any], list[list[Any]]]]:
+        """Points where the polynomial changes its sign on random lines, and points a little to both sides."""
         from mpmath import mpf
 
         rng = drawn("lines", str(p.terms[:3]))
-        alone = len(p.variables) == 1
         reach = [self._reach(n) for n in p.variables]
-        for _ in range(1 if alone else _LINES):
-            parts = [(rng.randint(-32, 32), rng.choice((-1, 1)) * rng.randint(32, 128)) for _ in reach]
-            rows = zip(*([(0, 128)] if alone else parts), strict=True)
+        for _ in range(_LINES):
+            rows = zip(
+                *((rng.randint(-32, 32), rng.choice((-1, 1)) * rng.randint(32, 128)) for _ in reach), strict=True
+            )
             start, along = ([Fraction(c, 128) * r for c, r in zip(row, reach, strict=True)] for row in rows)
             differences = _differences(p, start, along)
 
@@ -194,7 +218,7 @@ class Modes:
                 checkpoint()
                 if low * high < 0:
                     t = _bisected(value, left, right, low)
-                    yield point(t), point(t + mpf(_NEAR))
+                    yield point(t), [point(t - mpf(_NEAR)), point(t + mpf(_NEAR))]
 
 
 def _same(found: Any, expected: Any, least: Any = 0) -> bool:
@@ -223,7 +247,7 @@ def _differences(p: PolynomialForm, start: Sequence[Fraction], along: Sequence[F
 
 
 def _bisected(value: Any, left: Any, right: Any, low: Any) -> Any:
-    for _ in range(110):
+    for _ in range(_HALVINGS):
         middle = (left + right) / 2
         here = value(middle)
         if here == 0:

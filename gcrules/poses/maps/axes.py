@@ -133,6 +133,22 @@ class GridAxis:
         return f"{self.name} ({self.unit})" if self.unit else self.name
 
     @property
+    def caption(self) -> str:
+        """Whose coordinate it is, and its unit, for the axes of pictures."""
+        match self.kind:
+            case "translation":
+                words = f"translation {self.name} of the platform"
+            case "vector":
+                words = f"rotation vector {self.name} of the platform"
+            case "actuator":
+                words = f"actuator {self.name}, from home"
+            case _ if self.name in (*TURNS, *TILT):
+                words = f"{self.name} of the platform"
+            case _:
+                words = f"Euler angle {self.name} of the platform"
+        return f"{words} ({self.unit})" if self.unit else words
+
+    @property
     def meaning(self) -> str:
         """What the coordinate is, in words."""
         match self.kind:

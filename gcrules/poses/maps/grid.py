@@ -14,8 +14,8 @@ from numpy.typing import NDArray
 from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import GcrulesError, InputError, LimitReached
 from gcrules.mechanisms.moving_platform import FAR, MovingPlatform
-from gcrules.poses.maps.axes import TURNS, GridAxis
-from gcrules.poses.maps.nodes import Nodes
+from gcrules.poses.maps.axes import TILT, TRANSLATION, TURNS, VECTOR, GridAxis
+from gcrules.poses.maps.nodes import Nodes, in_words, others
 from gcrules.poses.numbers.arrays import from_poses, read_arrays
 from gcrules.poses.numbers.pose_arguments import one_pose
 from gcrules.screws.pose import Pose
@@ -64,6 +64,22 @@ class Grid(Nodes):
     def rest(self) -> str:
         """The given pose, in words."""
         return f'"{self.at.text()}"'
+
+    @property
+    def fixed(self) -> str:
+        """The coordinates for which no axis stands, one by one; the orientation as one where no axis turns."""
+        shift = others(self.axes, TRANSLATION, [float(c) for c in self.at.translation])
+        turning = self.rotation_axis
+        if turning is not None:
+            names = _names(turning)
+            turned = in_words(others(self.axes, names, [float(a) * turning.scale for a in self.angles]), "", names)
+        elif self.at.angle:
+            size = float(self.at.angle)
+            axis = ", ".join(f"{float(c) / size:.4g}" for c in self.at.rotation_vector)
+            turned = f"turned by {math.degrees(size):.4g}° about ({axis})"
+        else:
+            turned = "no rotation"
+        return ", ".join(part for part in (in_words(shift, self.unit), turned) if part)
 
     @property
     def moved(self) -> bool:
@@ -133,6 +149,14 @@ class Grid(Nodes):
 
     def to_json(self) -> dict[str, Any]:
         return {"axes": [a.to_json() for a in self.axes], "at": self.at.to_json()}
+
+
+def _names(axis: GridAxis) -> tuple[str, ...]:
+    """The three coordinates of turns of the kind of an axis."""
+    for names in (VECTOR, TILT, TURNS):
+        if axis.name in names:
+            return names
+    return tuple(f"{axis.kind}{n}" for n in (1, 2, 3))
 
 
 def _sequence(kind: str) -> str:

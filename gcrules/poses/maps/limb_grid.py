@@ -52,9 +52,13 @@ class LimbsGrid(Nodes):
     @property
     def rest(self) -> str:
         """What the other coordinates are, in words."""
+        return self.fixed or "none: the axes are all that the robot has"
+
+    @property
+    def fixed(self) -> str:
+        """The same, empty where there are none."""
         driven = [n for n, angle in zip(self.actuators, self.angles_driven, strict=True) if angle]
-        named = in_words(self._others, self.unit, driven if self.driven else TURNS)
-        return named or "none: the axes are all that the robot has"
+        return in_words(self._others, self.unit, driven if self.driven else TURNS)
 
     @property
     def _others(self) -> dict[str, float]:

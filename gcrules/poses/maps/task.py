@@ -40,7 +40,8 @@ MEASURES = ("margin", "value", *INDICES)
 
 
 class Slice(Protocol):
-    """The poses of a map: its `axes`, and `rest`, what the other coordinates are, in words.
+    """The poses of a map: its `axes`, and `rest`, what the other coordinates are, in words; `fixed` are these one by
+    one, for pictures, empty where there are none.
 
     `title` and `unit` are those of the mechanism, `actuators` the names of its legs or actuators, `angles_driven` which
     of these turn; `home` is the given pose in the axes' coordinates (not a number where it is not in the slice),
@@ -63,6 +64,8 @@ class Slice(Protocol):
     def actuators(self) -> tuple[str, ...]: ...
     @property
     def rest(self) -> str: ...
+    @property
+    def fixed(self) -> str: ...
     @property
     def moved(self) -> bool: ...
     @property

@@ -28,6 +28,7 @@ __all__ = [
     "Text",
     "below",
     "beside",
+    "leader_stroke",
     "mapped",
     "name_runs",
     "scaled",
@@ -82,7 +83,9 @@ class Run:
 
 @dataclass(frozen=True, slots=True)
 class Text:
-    """Text whose baseline starts, is centred or ends at `at`; `halo` sets it off against what lies below."""
+    """Text whose baseline starts, is centred or ends at `at`; `halo` sets it off against what lies below, `leader` are
+    the ends of a thin line from what it names to it.
+    """
 
     at: XY
     runs: tuple[Run, ...]
@@ -90,6 +93,7 @@ class Text:
     anchor: Literal["start", "middle", "end"] = "start"
     fill: str = "ink"
     halo: bool = False
+    leader: tuple[XY, XY] | None = None
 
 
 Shape = Polygon | Stroke | Circle | Text
@@ -189,7 +193,13 @@ def mapped(shape: Shape, factor: float, shift: XY) -> Shape:
             return replace(shape, start=at(shape.start), end=at(shape.end), width=shape.width * factor, dash=dash)
         case Circle():
             return replace(shape, center=at(shape.center), radius=shape.radius * factor, width=shape.width * factor)
-    return replace(shape, at=at(shape.at), size=shape.size * factor)
+    leader = (at(shape.leader[0]), at(shape.leader[1])) if shape.leader else None
+    return replace(shape, at=at(shape.at), size=shape.size * factor, leader=leader)
+
+
+def leader_stroke(text: Text) -> Stroke | None:
+    """The line from what a text names to it, where it stands away from it."""
+    return Stroke(*text.leader, text.fill, 0.045 * text.size, 0.8) if text.leader else None
 
 
 def name_runs(*names: str) -> tuple[Run, ...]:
@@ -292,7 +302,9 @@ def _svg_text(text: Text) -> str:
             dropped = not dropped
         pieces.append(f"<tspan{attributes}>{escape(run.text)}</tspan>" if attributes else escape(run.text))
     content = "".join(pieces)
+    line = leader_stroke(text)
     return (
+        f"{_svg_shape(line) if line else ''}"
         f'<text x="{_n(x)}" y="{_n(y)}" font-size="{_n(text.size)}"{anchor}{paint}{halo} '
         f'xml:space="preserve">{content}</text>'
     )

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from functools import cache
 from math import cos, hypot, pi, sin
 
@@ -15,10 +16,12 @@ Box = tuple[float, float, float, float]
 """left, top, right, bottom"""
 
 _DIRECTIONS = 24
-_GAPS = (3.0, 7.0, 12.0, 19.0)
+_GAPS = (3.0, 7.0, 12.0, 19.0, 28.0, 40.0)
+_LED = 19.0  # from this gap on a line leads to the label
 _ASCENT, _DESCENT = 0.72, 0.24
 _SWEEPS = 8
 _AGAINST = 8.0  # what a square point of overlap of two labels costs
+_OVER = 60.0  # and what it costs that they overlap at all
 
 
 @dataclass(frozen=True, slots=True)
@@ -60,7 +63,8 @@ def place_labels(
     """One text for each label, in order.
 
     Labels stay inside the bounds and keep off each other and the `taken` boxes, then off the discs (centre, radius),
-    then off the strokes. Starting from each label's own best place, labels are moved in turn until none gains by it.
+    then off the strokes; a line leads to those that stand far away. Starting from each label's own best place, labels
+    are moved in turn until none gains by it.
     """
     choices = []
     for label in labels:
@@ -72,7 +76,10 @@ def place_labels(
         for i, placed in enumerate(choices):
             others = [box for j, (_, _, box) in enumerate(chosen) if j != i]
             chosen[i] = min(
-                placed, key=lambda o: round(o[0] + _AGAINST * sum(overlap(o[2], box, 1.5) for box in others), 6)
+                placed,
+                key=lambda o: round(
+                    o[0] + sum(_OVER + _AGAINST * area for box in others if (area := overlap(o[2], box, 1.5))), 6
+                ),
             )
         if chosen == before:
             break
@@ -96,8 +103,18 @@ def _options(label: Label) -> list[tuple[Text, float]]:
             x = label.at[0] + dx * reach
             baseline = label.at[1] + dy * reach + half_height - _DESCENT * label.size
             bias = 6 * (1 - dx * wish[0] - dy * wish[1]) + 1.5 * (gap - _GAPS[0])
-            found.append((Text((x, baseline), label.runs, label.size, "middle", label.fill, halo=True), bias))
+            text = Text((x, baseline), label.runs, label.size, "middle", label.fill, halo=True)
+            if gap >= _LED:
+                text = replace(text, leader=_leader(label, text, (dx, dy)))
+            found.append((text, bias))
     return found
+
+
+def _leader(label: Label, text: Text, along: XY) -> tuple[XY, XY]:
+    """From the rim of what is named to the box of its label."""
+    (x, y), (dx, dy), (left, top, right, bottom) = label.at, along, label_box(text)
+    start = (x + label.radius * dx, y + label.radius * dy)
+    return start, (min(max(start[0], left), right), min(max(start[1], top), bottom))
 
 
 @cache

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
 from io import BytesIO
 from threading import Lock
 from typing import Any
@@ -15,10 +16,10 @@ from matplotlib.patches import Polygon as PolygonPatch
 from matplotlib.patheffects import withStroke
 from matplotlib.text import Text as TextArtist
 
-from gcrules.views.drawing.drawing import Circle, Drawing, Polygon, Run, Shape, Stroke, Text
+from gcrules.views.drawing.drawing import Circle, Drawing, Polygon, Run, Shape, Stroke, Text, leader_stroke
 from gcrules.views.drawing.palette import LIGHT
 
-__all__ = ["pdf"]
+__all__ = ["artists", "pdf"]
 
 _SETTINGS: Any = {
     "pdf.fonttype": 42,
@@ -40,12 +41,24 @@ def pdf(drawing: Drawing) -> bytes:
         axes.set_xlim(0, drawing.width)
         axes.set_ylim(drawing.height, 0)
         axes.set_axis_off()
-        for layer, shape in enumerate(drawing.shapes):
-            artist = _artist(shape)
-            artist.set_zorder(layer + 1)
+        for artist in artists(drawing):
             axes.add_artist(artist)
         figure.savefig(out, format="pdf", metadata={"CreationDate": None, "Title": drawing.title or None})
     return out.getvalue()
+
+
+def artists(drawing: Drawing) -> Iterator[Any]:
+    """The artists of matplotlib for all shapes, one above the other, in points of the drawing."""
+    for layer, shape in enumerate(_with_leaders(drawing.shapes)):
+        artist = _artist(shape)
+        artist.set_zorder(layer + 1)
+        yield artist
+
+
+def _with_leaders(shapes: Sequence[Shape]) -> Iterator[Shape]:
+    for shape in shapes:
+        line = leader_stroke(shape) if isinstance(shape, Text) else None
+        yield from (line, shape) if line else (shape,)
 
 
 def _artist(shape: Shape) -> Any:

@@ -12,6 +12,10 @@ from gcrules.views.drawing.legend import convex_hull, rounded
 __all__ = ["center", "direction", "flat_normal", "outline", "patch", "stretched", "tetrahedron", "through_ball"]
 
 
+_THICK = 0.25  # of its size a body is high that is drawn as a solid
+_MOST = 12  # joints of one
+
+
 def center(points: Sequence[XYZ]) -> XYZ:
     """The mean of points (the origin for none)."""
     n = len(points) or 1
@@ -38,8 +42,8 @@ def direction(a: XYZ, b: XYZ) -> XYZ | None:
 def outline(corners: Sequence[XYZ]) -> list[tuple[tuple[XYZ, ...], tuple[bool, ...]]]:
     """A body through its joints as polygons, each with the marks of its true edges.
 
-    Joints in one plane give their convex hull, others triangles around their centre; fewer than three, or all in one
-    line, give nothing.
+    Joints in one plane give their convex hull, those of a thick body the faces of theirs, others triangles around their
+    centre; fewer than three, or all in one line, give nothing.
     """
     normal = flat_normal(corners)
     if len(corners) < 3 or normal is None:
@@ -51,9 +55,29 @@ def outline(corners: Sequence[XYZ]) -> list[tuple[tuple[XYZ, ...], tuple[bool, .
     if all(abs(dot(minus(c, origin), normal)) <= 0.01 * size for c in corners):
         hull = convex_hull(flat)
         return [(tuple(corners[flat.index(p)] for p in hull), (True,) * len(hull))]
+    if max(abs(dot(minus(c, origin), normal)) for c in corners) > _THICK * size and len(corners) <= _MOST:
+        return [(face, (True,) * len(face)) for face in _faces(corners, size)]
     order = sorted(range(len(corners)), key=lambda i: atan2(flat[i][1], flat[i][0]))
     ring = [corners[i] for i in order]
     return [((origin, a, b), (False, True, False)) for a, b in zip(ring, [*ring[1:], ring[0]], strict=True)]
+
+
+def _faces(corners: Sequence[XYZ], size: float) -> list[tuple[XYZ, ...]]:
+    """The faces of the convex hull of points that are not in one plane."""
+    found: dict[frozenset[int], tuple[XYZ, ...]] = {}
+    for i, j, k in combinations(range(len(corners)), 3):
+        normal = flat_normal([corners[i], corners[j], corners[k]])
+        if normal is None:
+            continue
+        heights = [dot(minus(c, corners[i]), normal) / size for c in corners]
+        face = frozenset(n for n, h in enumerate(heights) if abs(h) <= 1e-6)
+        if face in found or (min(heights) < -1e-6 and max(heights) > 1e-6):
+            continue
+        own = [corners[n] for n in sorted(face)]
+        u, v = _basis(own, normal)
+        flat = [_flat(_scaled(minus(c, own[0]), 1 / size), u, v) for c in own]
+        found[face] = tuple(own[flat.index(p)] for p in convex_hull(flat))
+    return list(found.values())
 
 
 def tetrahedron(corners: Sequence[XYZ]) -> list[tuple[XYZ, ...]]:

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
-from itertools import combinations
-from math import cos, hypot, inf, radians, sin
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from itertools import chain, combinations
+from math import cos, dist, hypot, inf, radians, sin
 
 from gcrules.core.dataclass import dataclass
 from gcrules.views.drawing.bsp import XYZ, cross, dot
@@ -12,11 +12,19 @@ from gcrules.views.drawing.drawing import XY
 
 __all__ = ["View", "choose_view", "distance_to_stroke"]
 
+Segment = tuple[XYZ, XYZ]
+
 _AZIMUTHS = range(0, 360, 10)
 _ELEVATIONS = (14, 20, 27)
 _OFF_LEGS = 0.05  # sizes of the picture from a joint to a leg of others
 _OFF_AXIS = 0.3  # of what is seen edge on or from its end
 _ROUNDING = 1e-6  # costs are compared in so large steps
+_CROSSED = 2.0  # what it costs that links of two limbs cross
+_LIMBS_APART = 0.33  # sizes of the picture between the middles of two limbs
+_SHORTENED = 0.5  # of its length a link is seen at least
+_LINK = 0.12  # of the size of the robot a link is long that counts
+_STEEP = 0.03  # what each degree from above costs, where limbs are seen
+_UPRIGHT = (0.0, 0.0, 1.0)
 
 
 @dataclass(frozen=True, slots=True)
@@ -28,12 +36,12 @@ class View:
     up: XYZ
 
     @classmethod
-    def at(cls, azimuth: float, elevation: float) -> View:
-        """From the given angles in degrees, with the z axis upright in the picture."""
+    def at(cls, azimuth: float, elevation: float, upright: XYZ = _UPRIGHT) -> View:
+        """From the given angles in degrees, with the z axis, or another unit vector, upright in the picture."""
         a, e = radians(azimuth), radians(elevation)
         ca, sa, ce, se = (round(f(x), 12) for f, x in ((cos, a), (sin, a), (cos, e), (sin, e)))  # alike everywhere
-        eye = (ca * ce, sa * ce, se)
-        right = (-sa, ca, 0.0)
+        turned = _standing(upright)
+        eye, right = turned((ca * ce, sa * ce, se)), turned((-sa, ca, 0.0))
         return cls(eye, right, cross(eye, right))
 
     def flat(self, point: XYZ) -> XY:
@@ -47,20 +55,27 @@ def choose_view(
     normals: Sequence[XYZ] = (),
     directions: Sequence[XYZ] = (),
     *,
+    limbs: Sequence[Sequence[Segment]] = (),
     elevations: Sequence[float] = _ELEVATIONS,
     apart: float = 0.09,
+    upright: XYZ = _UPRIGHT,
 ) -> tuple[View, float]:
     """The best of a fixed set of viewpoints, and how much still hides each other there (0 for nothing).
 
     Joints should be `apart` from each other (in sizes of the picture) and off foreign legs, the planes with the given
-    unit normals should not be seen edge on, nor lines with the given unit directions from their ends. `elevations` are
-    angles in degrees. Equal merits are decided by the order of the viewpoints.
+    unit normals should not be seen edge on, nor lines with the given unit directions from their ends. The links of
+    `limbs` should neither cross those of others nor be seen from their ends, and limbs should stand apart. `elevations`
+    are angles in degrees over the plane whose unit normal is `upright`. Equal merits are decided by the order of the
+    viewpoints.
     """
-    views = list(_views(elevations))
-    best, least = views[0], inf
-    for view in views:
-        total = 0.0
-        for fault in _clutter(view, points, legs, normals, directions, apart):
+    views = [(e, View.at(a - 60, e, upright)) for e in elevations for a in _AZIMUTHS]
+    best, least = views[0][1], inf
+    foreign = list(_foreign([*points.values()], limbs))
+    for elevation, view in views:
+        total = _STEEP * elevation if limbs else 0.0
+        size = _size(view, points)
+        clutter = _clutter(view, points, legs, normals, directions, apart, size)
+        for fault in chain(clutter, _limb_clutter(view, limbs, foreign, size)):
             total += fault
             if total > least + _ROUNDING:
                 break
@@ -78,10 +93,28 @@ def distance_to_stroke(p: XY, start: XY, end: XY) -> float:
     return hypot(p[0] - start[0] - t * dx, p[1] - start[1] - t * dy)
 
 
-def _views(elevations: Sequence[float]) -> Iterator[View]:
-    for elevation in elevations:
-        for azimuth in _AZIMUTHS:
-            yield View.at(azimuth - 60, elevation)
+def _standing(upright: XYZ) -> Callable[[XYZ], XYZ]:
+    """The turn that takes the z axis to a unit vector and keeps the picture of the x axis as it can."""
+    if upright == _UPRIGHT:
+        return lambda p: p
+    aside = cross((1.0, 0.0, 0.0) if abs(upright[0]) < 0.9 else (0.0, 1.0, 0.0), upright)
+    length = dot(aside, aside) ** 0.5
+    v = (aside[0] / length, aside[1] / length, aside[2] / length)
+    u, w = cross(v, upright), upright
+    u = (-u[0], -u[1], -u[2]) if abs(upright[0]) < 0.9 and u[0] < 0 else u
+    v = cross(w, u)
+
+    def turned(p: XYZ) -> XYZ:
+        x, y, z = (p[0] * u[i] + p[1] * v[i] + p[2] * w[i] for i in range(3))
+        return x, y, z
+
+    return turned
+
+
+def _size(view: View, points: Mapping[str, XYZ]) -> float:
+    at = [view.flat(p) for p in points.values()]
+    xs, ys = [x for x, _ in at], [y for _, y in at]
+    return max(max(xs) - min(xs), max(ys) - min(ys)) or 1.0
 
 
 def _clutter(
@@ -91,11 +124,10 @@ def _clutter(
     normals: Sequence[XYZ],
     directions: Sequence[XYZ],
     apart: float,
+    size: float,
 ) -> Iterator[float]:
     """What speaks against a viewpoint, each part positive; who adds them up may stop at any."""
     at = {name: view.flat(p) for name, p in points.items()}
-    xs, ys = [x for x, _ in at.values()], [y for _, y in at.values()]
-    size = max(max(xs) - min(xs), max(ys) - min(ys)) or 1.0
     for p, q in combinations(at.values(), 2):
         if (distance := hypot(p[0] - q[0], p[1] - q[1]) / size) < apart:
             yield _near(distance, apart)
@@ -110,6 +142,61 @@ def _clutter(
         yield _near(abs(dot(normal, view.eye)), _OFF_AXIS)
     for direction in directions:
         yield _near(1 - abs(dot(direction, view.eye)), _OFF_AXIS)
+
+
+def _limb_clutter(
+    view: View, limbs: Sequence[Sequence[Segment]], foreign: Sequence[tuple[XYZ, XYZ, XYZ]], size: float
+) -> Iterator[float]:
+    """The same of links: those seen from their ends, places near `foreign` links, limbs near each other,
+    links that cross those of others.
+    """
+    for p, a, b in foreign:
+        yield _near(distance_to_stroke(view.flat(p), view.flat(a), view.flat(b)) / size, _OFF_LEGS)
+    seen = [[(view.flat(a), view.flat(b)) for a, b in links] for links in limbs]
+    for links, flat in zip(limbs, seen, strict=True):
+        for (a, b), (start, end) in zip(links, flat, strict=True):
+            if (length := dist(a, b)) > _LINK * size + _ROUNDING:
+                yield _near(dist(start, end) / length, _SHORTENED)
+    middles = [_middle(flat) for flat in seen if flat]
+    for here, there in combinations(middles, 2):
+        yield _near(dist(here, there) / size, _LIMBS_APART)
+    for one, other in combinations(seen, 2):
+        yield _CROSSED * sum(_cross(stroke, against) for stroke in one for against in other)
+
+
+def _foreign(points: Sequence[XYZ], limbs: Sequence[Sequence[Segment]]) -> Iterator[tuple[XYZ, XYZ, XYZ]]:
+    """Joints, and the middles of links, with each link of the limbs on which they are not."""
+    size = max((dist(points[0], p) for p in points), default=0.0)
+    middles = [_halfway(a, b) for own in limbs for a, b in own if dist(a, b) > _LINK * size + _ROUNDING]
+    for p in (*points, *middles):
+        for own in limbs:
+            if not _on_limb(p, own):
+                yield from ((p, a, b) for a, b in own)
+
+
+def _halfway(a: XYZ, b: XYZ) -> XYZ:
+    return (a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2
+
+
+def _on_limb(p: XYZ, links: Sequence[Segment]) -> bool:
+    return any(dist(p, a) + dist(p, b) - dist(a, b) < 1e-6 for a, b in links)
+
+
+def _middle(strokes: Sequence[tuple[XY, XY]]) -> XY:
+    """The middle of strokes, by their lengths."""
+    weights = [dist(p, q) or 1e-9 for p, q in strokes]
+    x, y = (sum(w * (p[i] + q[i]) / 2 for w, (p, q) in zip(weights, strokes, strict=True)) for i in (0, 1))
+    return x / sum(weights), y / sum(weights)
+
+
+def _cross(one: tuple[XY, XY], other: tuple[XY, XY]) -> bool:
+    """Whether two strokes cross between their ends."""
+    (a, b), (c, d) = one, other
+    return _side(a, b, c) * _side(a, b, d) < 0 and _side(c, d, a) * _side(c, d, b) < 0
+
+
+def _side(a: XY, b: XY, p: XY) -> float:
+    return round((b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0]), 9)
 
 
 def _near(distance: float, enough: float) -> float:

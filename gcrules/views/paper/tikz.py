@@ -10,7 +10,19 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from gcrules.views.drawing.drawing import XY, Circle, Drawing, Polygon, Run, Shape, Stroke, Text, mapped, text_width
+from gcrules.views.drawing.drawing import (
+    XY,
+    Circle,
+    Drawing,
+    Polygon,
+    Run,
+    Shape,
+    Stroke,
+    Text,
+    leader_stroke,
+    mapped,
+    text_width,
+)
 from gcrules.views.drawing.palette import LIGHT
 from gcrules.views.formulas.latex_text import latex_words
 
@@ -73,7 +85,9 @@ def _text(text: Text) -> str:
     font = rf"font=\fontsize{{{_n(size)}}}{{{_n(1.2 * size)}}}\selectfont"
     style = [f"anchor={_ANCHORS[text.anchor]}", f"text=gc{text.fill}", font]
     style += ["fill=gcpaper", "fill opacity=0.75", "text opacity=1"] if text.halo else []
-    return rf"\node[{', '.join(style)}] at {_xy(text.at)} {{{''.join(map(_run, text.runs))}}};"
+    line = leader_stroke(text)
+    led = f"{_shape(line)}\n" if line else ""
+    return led + rf"\node[{', '.join(style)}] at {_xy(text.at)} {{{''.join(map(_run, text.runs))}}};"
 
 
 def _run(run: Run) -> str:

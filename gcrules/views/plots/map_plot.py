@@ -12,6 +12,7 @@ import numpy as np
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.colors import BoundaryNorm, LinearSegmentedColormap, ListedColormap
 from matplotlib.figure import Figure
+from matplotlib.layout_engine import ConstrainedLayoutEngine
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 from matplotlib.patheffects import withStroke
@@ -21,6 +22,7 @@ from gcrules.mechanisms.kinematics.amplification import INDICES
 from gcrules.poses.maps.cells import CROSSED, UNDECIDED
 from gcrules.poses.maps.report import SingularMap
 from gcrules.views.drawing.palette import LIGHT
+from gcrules.views.plots.map_head import HEAD, add_head
 from gcrules.views.plots.map_surface import views
 from gcrules.views.plots.saving import saved
 
@@ -33,6 +35,7 @@ _SIGMA = LinearSegmentedColormap.from_list("margin", ["#08306B", "#2F74B5", "#7F
 _BELOW, _ABOVE = "#F6E3D3", "#D8E6F2"
 _WIDTH = 6.3  # inches
 _MOST = 500  # nodes of each axis that are drawn
+_FINE = 240  # places of each axis between which the margin is drawn
 _FAR = 8.0
 
 
@@ -51,7 +54,8 @@ def _flat(m: SingularMap) -> Figure:
     span = [float(a.stop - a.start) for a in m.grid.axes]
     same = first.unit == second.unit and first.kind == second.kind
     tall = 0.78 * (min(max(span[1] / span[0], 0.55), 1.25) if same else 0.8)
-    made = Figure(figsize=(_WIDTH, 0.95 + tall * 5.0), layout="constrained")
+    size = (_WIDTH, 0.75 + HEAD + tall * 5.0)
+    made = Figure(figsize=size, layout=ConstrainedLayoutEngine(rect=(0, 0, 1, 1 - HEAD / size[1])))
     FigureCanvasAgg(made)
     axes = made.add_subplot()
     x, y, step = _places(m)
@@ -60,7 +64,7 @@ def _flat(m: SingularMap) -> Figure:
     if m.task.measure in INDICES:
         _index(m, made, axes, x, y, m.values(m.task.measure)[:: step[0], :: step[1]].astype(np.float64))
     elif "margin" in m.arrays:
-        _margin(m, made, axes, x, y, m.values("margin")[:: step[0], :: step[1]].astype(np.float64), handles)
+        _margin(m, made, axes, x, y, _signed(m)[:: step[0], :: step[1]], handles)
     else:
         values = m.values("superbracket")[:: step[0], :: step[1]]
         axes.pcolormesh(
@@ -95,8 +99,8 @@ def _flat(m: SingularMap) -> Figure:
         style: Any = {"marker": "P", "ms": 8.5, "mfc": "white", "mec": _INK, "mew": 1.1, "ls": "none"}
         axes.plot(*home, **style, zorder=7, clip_on=False)
         handles.append(Line2D([], [], **style, label="given pose" if m.grid.moved else "home pose"))
-    axes.set(xlabel=first.label, ylabel=second.label, xlim=extent[:2], ylim=extent[2:])
-    axes.set_title(m.grid.title, fontsize=11)
+    axes.set(xlabel=first.caption, ylabel=second.caption, xlim=extent[:2], ylim=extent[2:])
+    add_head(made, m)
     axes.tick_params(direction="out", length=3, width=0.7)
     if same:
         axes.set_aspect("equal", adjustable="box" if 0.4 < span[1] / span[0] < 2.5 else "datalim")
@@ -118,14 +122,36 @@ def _places(m: SingularMap) -> tuple[Floats, Floats, list[int]]:
     return x, y, step
 
 
-def _margin(m: SingularMap, made: Figure, axes: Any, x: Floats, y: Floats, sigma: Floats, handles: list[Any]) -> None:
-    top = float(np.nanmax(sigma, initial=0.0))
-    bounds = _bounds(top)
-    _field(made, axes, x, y, sigma, bounds, _SIGMA, "margin σ (0 is singular)")
-    if float(np.nanmin(sigma, initial=1.0)) < m.sigma < top:
+def _signed(m: SingularMap) -> Floats:
+    """The margin at the nodes, below 0 where the determinant is: so it goes straight through 0 between nodes."""
+    margin = m.values("margin").astype(np.float64)
+    return np.where(m.level < 0, -margin, margin)
+
+
+def _finer(nodes: Floats, values: Floats) -> tuple[Floats, Floats]:
+    """Nodes between those of the first axis, and the values there, each between its two neighbours."""
+    parts = max(1, -(-_FINE // (len(nodes) - 1)))
+    places = np.arange(parts * (len(nodes) - 1) + 1) / parts
+    low = np.minimum(places.astype(int), len(nodes) - 2)
+    weight = (places - low)[:, None]
+    between = np.where(weight > 0, (1 - weight) * values[low] + weight * values[low + 1], values[low])
+    between = np.where(weight < 1, between, values[low + 1])
+    return np.interp(places, np.arange(len(nodes)), nodes), between
+
+
+def _margin(m: SingularMap, made: Figure, axes: Any, x: Floats, y: Floats, signed: Floats, handles: list[Any]) -> None:
+    """Colours and threshold from what changes its sign at singular poses; from the margin itself they would be beads
+    where the threshold is nearer to a curve than the nodes are.
+    """
+    top = float(np.nanmax(np.abs(signed), initial=0.0))
+    x, values = _finer(x, signed)
+    y, turned = _finer(y, values.T)
+    values = turned.T
+    _field(made, axes, x, y, np.abs(values), _bounds(top), _SIGMA, "margin σ (0 is singular)")
+    if float(np.nanmin(np.abs(values), initial=1.0)) < m.sigma < top:
         rim: Any = {"path_effects": [withStroke(linewidth=2.0, foreground=_INK)]}
-        lines = axes.contour(x, y, sigma.T, levels=[m.sigma], colors=[_YELLOW], linewidths=1.0, zorder=3)
-        lines.set(**rim)
+        style: Any = {"colors": [_YELLOW], "linewidths": 1.0, "linestyles": "solid", "zorder": 3}
+        axes.contour(x, y, values.T, levels=[-m.sigma, m.sigma], **style).set(**rim)
         handles.append(Line2D([], [], color=_YELLOW, lw=1.0, label=f"threshold {m.threshold.text}", **rim))
 
 

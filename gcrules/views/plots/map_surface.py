@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from gcrules.poses.maps.mesh import Mesh
 from gcrules.poses.maps.report import SingularMap
 from gcrules.views.drawing.palette import LIGHT
+from gcrules.views.plots.map_head import HEAD, add_head
 from gcrules.views.plots.map_meshes import SHEETS, sheet_colours
 
 __all__ = ["views"]
@@ -35,7 +36,8 @@ def views(m: SingularMap) -> Figure:
     mesh = m.mesh
     handles = _legend(m, mesh)
     foot = 0.3 if handles else 0.0  # inches
-    made = Figure(figsize=(7.2, 3.85 + foot))
+    tall = 3.6 + foot + HEAD
+    made = Figure(figsize=(7.2, tall))
     FigureCanvasAgg(made)
     low = np.array([float(a.start) for a in m.grid.axes])
     high = np.array([float(a.stop) for a in m.grid.axes])
@@ -44,7 +46,7 @@ def views(m: SingularMap) -> Figure:
     width = 1 / len(VIEWS)
     half = max(_half(_frame(*view), size) for view in VIEWS)
     for k, view in enumerate(VIEWS):
-        axes = made.add_axes((k * width, foot / (3.85 + foot), width, 3.6 / (3.85 + foot)))
+        axes = made.add_axes((k * width, foot / tall, width, 3.6 / tall))
         axes.set(xlim=(-half, half), ylim=(-half, half), aspect="equal")
         axes.set_axis_off()
         frame = _frame(*view)
@@ -56,7 +58,7 @@ def views(m: SingularMap) -> Figure:
         axes.imshow(image, extent=(-half, half, -half, half), origin="lower", zorder=2, interpolation="antialiased")
         _box(axes, frame, size, front=True)
         _ranges(axes, m, frame, size)
-    made.suptitle(m.grid.title, fontsize=11, y=0.985)
+    add_head(made, m)
     if handles:
         made.legend(handles=handles, loc="lower center", ncols=min(4, len(handles)), frameon=False, fontsize=9)
     return made

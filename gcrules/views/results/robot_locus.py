@@ -112,7 +112,7 @@ def _part(
     part: LocusPart, name: str, found: RobotLocus, unicode: bool, digits: int | None
 ) -> Iterator[tuple[str, str]]:
     times = "·" if unicode else "*"
-    yield "factor", f"{part.expression} ({part.kind}): {part.statement}"
+    yield "factor", f"{part.expression} ({part.kind})" + (f": {part.statement}" if part.statement else "")
     if part.vanishes:
         yield name, f"0: it vanishes at each of these poses, in {'some' if found.multiplied else 'every'} working mode"
         return
@@ -155,13 +155,16 @@ def _factor(f: RobotLocusFactor, single: bool, roots: Sequence[str], others: Seq
 def _modes(seen: Sightings, roots: Sequence[str], others: Sequence[str]) -> str:
     """In which modes zeros were met; the roots that are none of the part's had home's signs."""
     if not seen.zeros:
-        return "no real zeros were met"
+        return "it has no real zeros" if seen.every else "no real zeros were met near home"
+    alone = seen.every and seen.zeros == 1
+    of = f"its {seen.zeros} real zeros" if seen.every else f"{counted(seen.zeros, 'zero')} met near home"
+    every = "its one real zero" if alone else f"all of {of}"
     if not seen.assembled:
-        return f"of {counted(seen.zeros, 'zero')} that {'was' if seen.zeros == 1 else 'were'} met none is assembled"
+        return f"at {every} the robot is not assembled" if alone else f"at none of {of} the robot is assembled"
     signs = f"signs of {listed(roots)}, home's are +; {listed(others)} as at home" if others else ""
     modes = f"{', '.join(seen.modes)} ({signs or _SIGNS})"
-    where = "at all" if seen.assembled == seen.zeros else f"at {seen.assembled}"
-    return f"{where} of {counted(seen.zeros, 'zero')} met the robot is singular, in the working modes {modes}"
+    where = every if seen.assembled == seen.zeros else f"{seen.assembled} of {of}"
+    return f"at {where} the robot is singular, in the working modes {modes}"
 
 
 def as_latex(found: RobotLocus) -> str:

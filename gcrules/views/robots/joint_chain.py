@@ -1,14 +1,15 @@
 r"""Where the joints and links of a robot are drawn in space: each limb as a chain of places, in the robot's size.
 
 A prismatic joint between two joints whose line it follows is a sleeve on the link; one that comes first, or goes
-another way, is a carriage on a rail; a limb whose axes all pass through one point is drawn on a sphere around it.
+another way, is a carriage on a rail; a limb whose axes all pass through one point is drawn on spheres around it, each
+link on a smaller one than the link before.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import field
-from itertools import pairwise
+from itertools import pairwise, product
 from math import atan2, cos, dist, sin
 from typing import SupportsFloat
 
@@ -20,12 +21,14 @@ from gcrules.views.drawing.bsp import XYZ, cross, dot, minus
 from gcrules.views.drawing.frame import Unit
 from gcrules.views.drawing.solids import center
 
-__all__ = ["DrawnJoint", "DrawnLimb", "Rod", "bodies", "chains", "plus", "unit_vector"]
+__all__ = ["DrawnJoint", "DrawnLimb", "Rod", "bodies", "chains", "plus", "unit_vector", "upright"]
 
-_SPHERE = 1.0
+_SHELL = 0.22  # from the sphere of one link to that of the next
+_FOOT, _HEAD = 0.14, 0.16  # from the first and the last sphere to base and platform
 _RAIL = 0.3
 _BAR = 0.075  # half the distance of the bars of a parallelogram
 _SLEEVE = 0.42  # where on a link its sleeve is
+_TUBE = 0.62  # how much of a limb that only guides is a tube
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,7 +43,7 @@ class DrawnJoint:
 
 @dataclass(frozen=True, slots=True)
 class Rod:
-    """A link, a `bar` (thinner), a `rail` or an `axis` from one place to another."""
+    """A link, a `bar` (thinner), a `tube` (thicker), a `rail` or an `axis` from one place to another."""
 
     start: XYZ
     end: XYZ
@@ -50,7 +53,8 @@ class Rod:
 @dataclass
 class DrawnLimb:
     """A limb in space, or one of its chains: its joints, its strokes, and its first and last place; from which body it
-    leads to which.
+    leads to which; `normals` are those of its parallelograms and arcs,
+    `around` is the point through which all its axes pass.
     """
 
     limb: LimbSpec
@@ -59,8 +63,10 @@ class DrawnLimb:
     end: str = PLATFORM
     places: list[DrawnJoint] = field(default_factory=list)
     strokes: list[Rod] = field(default_factory=list)
+    normals: list[XYZ] = field(default_factory=list)
     foot: XYZ = (0.0, 0.0, 0.0)
     head: XYZ = (0.0, 0.0, 0.0)
+    around: XYZ | None = None
 
 
 def plus(p: XYZ, u: XYZ, s: float = 1.0) -> XYZ:
@@ -87,15 +93,42 @@ def chains(family: Family, limbs: Sequence[LimbSpec], values: Values) -> tuple[U
         unit = Unit(points[0] if points else (0.0, 0.0, 0.0), 1.0)
     firsts = [limb.joints[0].points for limb in limbs if len(limb.joints) > 1]
     ground = [unit.place(values[names[0]]) for names in firsts if names]
+    opposite = _base_opposite(limbs, values)
     found: list[DrawnLimb] = []
     for limb in limbs:
         own = [
-            _Builder(unit, family, values, limb, part, joints, center(ground) if ground else None).chain()
+            _Builder(unit, family, values, limb, part, joints, center(ground) if ground else None, opposite).chain()
             for part, joints in limb.parts
         ]
         _join_bodies(own)
         found += own
     return unit, found
+
+
+def _is_round(joints: Sequence[JointSpec]) -> bool:
+    """Whether a chain consists of revolute joints whose axes pass through one point."""
+    return len(joints) > 1 and all(j.kind == "R" for j in joints) and len({j.points for j in joints}) == 1
+
+
+def _base_opposite(limbs: Sequence[LimbSpec], values: Values) -> bool:
+    """Whether the first joints of limbs around a point are drawn on the other side of it than the last ones, so that
+    the platform stands over the base.
+    """
+    ends = [(joints[0], joints[-1]) for limb in limbs for _, joints in limb.parts if _is_round(joints)]
+    if len(ends) < 2:
+        return False
+    first, last = ([unit_vector(_sum(pair[k].directions[0], values)) for pair in ends] for k in (0, 1))
+    return dot(center(first), center(last)) > 0.1
+
+
+def upright(made: Sequence[DrawnLimb]) -> XYZ:
+    """What is upright in a picture: the z axis, for a robot around a point rather the way from it to the platform."""
+    heads = [unit_vector(minus(c.head, c.around)) for c in made if c.around]
+    middle = center(heads)
+    if len(heads) < 2 or len(heads) < len(made) or dot(middle, middle) < 0.1 or abs(unit_vector(middle)[2]) > 0.9:
+        return 0.0, 0.0, 1.0
+    x, y, z = unit_vector(middle)
+    return round(x, 12), round(y, 12), round(z, 12)
 
 
 def bodies(made: Sequence[DrawnLimb]) -> tuple[tuple[XYZ, ...], tuple[XYZ, ...]]:
@@ -149,11 +182,12 @@ class _Builder:
     part: Subchain
     joints: tuple[JointSpec, ...]
     ground: XYZ | None  # the middle of the first joints of other limbs
+    opposite: bool  # whether limbs around a point begin on the other side of it
 
     def chain(self) -> DrawnLimb:
         joints = self.joints
         made = DrawnLimb(self.limb, joints, self.part.start, self.part.end)
-        if len(joints) > 1 and all(j.kind == "R" for j in joints) and len({j.points for j in joints}) == 1:
+        if _is_round(joints):
             return self._on_sphere(made)
         at: XYZ | None = None
         waiting: list[JointSpec] = []
@@ -168,7 +202,13 @@ class _Builder:
                 self._between(made, waiting, at, anchor)
             waiting = []
             at = self._joint(made, j, anchor)
-        if at is None:
+        carried = [own for part, own in self.limb.parts if part.start == self.part.end]
+        following = [j for own in carried for j in own[:1] if j.points]
+        if at is None and following:  # slides that carry what holds other chains
+            at = center([self._point(n) for j in following for n in j.points])
+            made.foot = self._rails(made, waiting, at, self._away(following[0], at))
+            waiting = []
+        elif at is None:
             at = made.foot = self._rails(made, waiting[:-1], (0.0, 0.0, 0.0), None)
         if waiting:
             at = self._beyond(made, waiting, at)
@@ -186,7 +226,9 @@ class _Builder:
 
     def _away(self, j: JointSpec, anchor: XYZ) -> XYZ | None:
         """The direction from a joint to the next one that has a place."""
-        rest = self.joints[self.joints.index(j) + 1 :]
+        if j.kind == "4S":
+            return self._direction(j.directions[0])
+        rest = self.joints[self.joints.index(j) + 1 :] if j in self.joints else ()
         following = next((p for k in rest if (p := self._anchor(k)) and dist(p, anchor) > 1e-9), None)
         return unit_vector(minus(following, anchor)) if following else None
 
@@ -204,6 +246,7 @@ class _Builder:
         made.strokes += [Rod(at, second), Rod(*ends)]
         made.strokes += [Rod(a, b, "bar") for a, b in zip((at, second), ends, strict=True)]
         made.places += [DrawnJoint("pin", p) for p in (at, second, *ends)]
+        made.normals.append(unit_vector(cross(minus(second, at), (x, y, z))))
         return center(ends)
 
     def _rails(self, made: DrawnLimb, slides: Sequence[JointSpec], at: XYZ, away: XYZ | None) -> XYZ:
@@ -265,10 +308,13 @@ class _Builder:
     def _slide(self, made: DrawnLimb, j: JointSpec, start: XYZ, end: XYZ) -> None:
         if j.kind != "Pa":
             made.strokes.append(Rod(start, end))
+            if not any(one.actuated for one in self.limb.joints):
+                made.strokes.append(Rod(start, plus(start, minus(end, start), _TUBE), "tube"))
             middle = plus(start, minus(end, start), _SLEEVE)
             made.places.append(DrawnJoint(j.kind, middle, (unit_vector(minus(end, start)),), bool(j.actuated)))
             return
         across = unit_vector(cross(self._direction(j.directions[1]), minus(end, start)))
+        made.normals.append(unit_vector(self._direction(j.directions[1])))
         corners = [(plus(p, across, _BAR), plus(p, across, -_BAR)) for p in (start, end)]
         made.strokes += [Rod(*pair) for pair in corners]
         made.strokes += [Rod(a, b, "bar") for a, b in zip(*corners, strict=True)]
@@ -285,20 +331,31 @@ class _Builder:
         return at
 
     def _on_sphere(self, made: DrawnLimb) -> DrawnLimb:
-        o = self._anchor(self.joints[0]) or (0.0, 0.0, 0.0)
-        before: XYZ | None = None
-        for j in self.joints:
-            axis = self._direction(j.directions[0])
-            if before is not None:
-                axis = axis if dot(axis, before) >= 0 else (-axis[0], -axis[1], -axis[2])
-                arc = [plus(o, u, _SPHERE) for u in _arc(before, axis)]
-                made.strokes += [Rod(a, b) for a, b in pairwise(arc)]
-            at = plus(o, axis, _SPHERE)
+        made.around = o = self._anchor(self.joints[0]) or (0.0, 0.0, 0.0)
+        axes = self._outward([self._direction(j.directions[0]) for j in self.joints])
+        for k, (j, axis) in enumerate(zip(self.joints, axes, strict=True)):
+            outer, inner = 1.0 - _SHELL * max(k - 1, 0), 1.0 - _SHELL * min(k, len(axes) - 2)
+            at = plus(o, axis, (outer + inner) / 2)
             made.strokes.append(Rod(o, at, "axis"))
+            if outer > inner:
+                made.strokes.append(Rod(plus(o, axis, outer), plus(o, axis, inner)))
             made.places.append(DrawnJoint("R", at, (axis,), bool(j.actuated)))
-            before = axis
-        made.foot, made.head = made.places[0].at, made.places[-1].at
+            if k < len(axes) - 1:
+                made.normals += [unit_vector(n)] if dot(n := cross(axis, axes[k + 1]), n) > 1e-9 else []
+                made.strokes += [
+                    Rod(plus(o, u, inner), plus(o, v, inner)) for u, v in pairwise(_arc(axis, axes[k + 1]))
+                ]
+        made.foot = plus(o, axes[0], 1.0 + _FOOT)
+        made.head = plus(o, axes[-1], 1.0 - _SHELL * (len(axes) - 2) - _HEAD)
         return made
+
+    def _outward(self, axes: Sequence[XYZ]) -> list[XYZ]:
+        """On which side of the point each joint is drawn: so that the longest link is as short as can be."""
+        first = (-1,) if self.opposite else (1,)
+        last = (1,) if self.opposite else (1, -1)
+        sides = product(first, *([(1, -1)] * (len(axes) - 2)), last)
+        turned = [[(s * u[0], s * u[1], s * u[2]) for s, u in zip(one, axes, strict=True)] for one in sides]
+        return max(turned, key=lambda one: round(min(dot(u, v) for u, v in pairwise(one)), 9))
 
 
 def _arc(a: XYZ, b: XYZ) -> Iterator[XYZ]:
@@ -309,7 +366,7 @@ def _arc(a: XYZ, b: XYZ) -> Iterator[XYZ]:
         return
     side = unit_vector(across)
     sine, cosine = dot(b, side), dot(a, b)
-    steps = 8
+    steps = 12
     for k in range(steps + 1):
         angle = atan2(sine, cosine) * k / steps
         yield plus((a[0] * cos(angle), a[1] * cos(angle), a[2] * cos(angle)), side, sin(angle))

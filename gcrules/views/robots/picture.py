@@ -16,7 +16,7 @@ from gcrules.views.drawing.labels import Label, place_labels
 from gcrules.views.drawing.scene_pieces import Look
 from gcrules.views.drawing.solids import center, outline
 from gcrules.views.robots.forces import REACH, force
-from gcrules.views.robots.joint_chain import plus, unit_vector
+from gcrules.views.robots.joint_chain import DrawnLimb, plus, unit_vector
 from gcrules.views.robots.scene import HEIGHT, TOP, WIDTH, Scene, joint_names
 from gcrules.views.robots.symbols import SIGN, arrow, couple, sign
 
@@ -25,7 +25,7 @@ __all__ = ["CONSTRAINT_DASH", "body_pieces", "dot_at", "piece_shapes", "robot_sh
 CONSTRAINT_DASH = (4.0, 2.6)
 
 _AXIS = 27.0  # points
-_LINK = {"link": 4.4, "bar": 2.6, "rail": 2.2}
+_LINK = {"link": 4.4, "bar": 2.6, "rail": 2.2, "tube": 8.4}
 _CABLE = 1.5
 
 
@@ -33,8 +33,10 @@ def body_pieces(s: Scene, fill: float = 0.2) -> list[CutPolygon[Look]]:
     """Base and platform as areas; two corners as a bar."""
     pieces = []
     for role, corners in (("base", s.base), ("platform", s.plate)):
-        look = Look(role, fill=fill, edge=0.9, width=1.4)
-        pieces += [CutPolygon(polygon, look, edges) for polygon, edges in outline(corners)]
+        faces = outline(corners)
+        solid = len(faces) > 1 and all(all(edges) for _, edges in faces)
+        look = Look(role, fill=0.3 * fill if solid else fill, edge=0.9, width=1.4)
+        pieces += [CutPolygon(polygon, look, edges) for polygon, edges in faces]
         if len(corners) == 2:
             pieces.append(CutPolygon((corners[0], corners[1]), Look(role, width=3.0)))
     return pieces
@@ -110,7 +112,6 @@ def _axes(s: Scene) -> tuple[list[Shape], list[Label]]:
     named: set[str] = set()
     for c in s.chains:
         placed = iter(p for p in c.places if p.kind != "pin")
-        round_about = any(one.look == "axis" for one in c.strokes) and len({p.kind for p in c.places}) == 1
         by_kind = {(p.kind, tuple(round(x, 9) for x in p.at)): p for p in placed}
         for j in c.joints:
             for place in by_kind.values():
@@ -120,17 +121,26 @@ def _axes(s: Scene) -> tuple[list[Shape], list[Label]]:
                     name = term[0][1]
                     if len(term) > 1 or name in named or name in "xyz":
                         continue
-                    if name not in s.a.structure.ideal and not round_about:
+                    if name not in s.a.structure.ideal and not c.around:
                         continue
                     if abs(dot(axis, s.ideal[name])) < 0.999999:
                         continue
                     named.add(name)
+                    if c.around:
+                        labels.append(_beside_joint(s, name, place.at, c))
+                        continue
                     u = axis if dot(axis, s.ideal[name]) > 0 else s.ideal[name]
                     start, tip = s.frame.place(place.at), s.frame.place(plus(place.at, u, _AXIS / s.frame.scale))
                     shapes.append(Stroke(start, tip, s.roles[c.limb.name], 1.2))
                     toward = (tip[0] - start[0], tip[1] - start[1])
                     labels.append(Label(name_runs(name), tip, toward, 1.0, fill=s.roles[c.limb.name]))
     return shapes, labels
+
+
+def _beside_joint(s: Scene, name: str, at: XYZ, c: DrawnLimb) -> Label:
+    """The name of an axis beside its joint, away from the point through which the axes pass."""
+    (x, y), (x0, y0) = s.frame.place(at), s.frame.place(c.around or s.heart)
+    return Label(name_runs(name), (x, y), (x - x0, y - y0), 9.0 * s.frame.size, fill=s.roles[c.limb.name])
 
 
 def dot_at(at: XY, platform: bool) -> Circle:

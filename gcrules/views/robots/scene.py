@@ -16,14 +16,14 @@ from gcrules.views.drawing.palette import entity_role
 from gcrules.views.drawing.solids import center, flat_normal
 from gcrules.views.drawing.viewpoint import View, choose_view
 from gcrules.views.robots.forces import REACH, forces
-from gcrules.views.robots.joint_chain import DrawnLimb, bodies, chains, plus, unit_vector
+from gcrules.views.robots.joint_chain import DrawnLimb, bodies, chains, plus, unit_vector, upright
 
 __all__ = ["HEIGHT", "TOP", "WIDTH", "Scene", "joint_names", "scene"]
 
 WIDTH, HEIGHT = 410.0, 380.0
 
 _MARGIN = 40.0
-_ELEVATIONS = (18, 25, 32, 39)
+_ELEVATIONS = (16, 22, 29, 36)
 TOP = 24.0  # points for the heading
 
 
@@ -73,12 +73,11 @@ def scene(a: RobotAnalysis, values: Values, normals: Sequence[XYZ] = ()) -> Scen
     plate, base = bodies(made)
     joints = {f"{i}/{k}": p.at for i, c in enumerate(made) for k, p in enumerate(c.places) if p.kind != "pin"}
     shown = {**joints, **{n: points[n] for n in _used(a) if n in points}}
-    strokes = [(f"{i}/{k}:", f":{i}/{k}") for i, c in enumerate(made) for k, _ in enumerate(c.strokes)]
-    ends = {f"{i}/{k}:": s.start for i, c in enumerate(made) for k, s in enumerate(c.strokes)}
-    ends |= {f":{i}/{k}": s.end for i, c in enumerate(made) for k, s in enumerate(c.strokes)}
-    view = _view(robot.family.plane, shown, strokes, ends, [*normals, *_normals(plate)], _directions(a, points))
+    ends = [e for c in made for one in c.strokes for e in (one.start, one.end)]
+    normals = [*normals, *_normals(plate), *(n for c in made for n in c.normals)]
+    view = _view(robot.family.plane, shown, made, normals, _directions(a, points))
     tips = [plus(t, u, REACH) for c in made for t, u in forces(a, c, points, ideal, plate)]
-    everything = (*shown.values(), *ends.values(), *tips)
+    everything = (*shown.values(), *ends, *tips)
     roles = {limb.limb.name: entity_role(i) for i, limb in enumerate(a.structure.limbs)}
     frame = framed(view, everything, WIDTH, HEIGHT, _MARGIN, TOP)
     return Scene(a, tuple(made), points, ideal, roles, plate, base, frame, unit, everything)
@@ -107,23 +106,28 @@ def _directions(a: RobotAnalysis, points: Mapping[str, XYZ]) -> list[XYZ]:
 def _view(
     plane: bool,
     shown: Mapping[str, XYZ],
-    strokes: Sequence[tuple[str, str]],
-    ends: Mapping[str, XYZ],
+    made: Sequence[DrawnLimb],
     normals: Sequence[XYZ],
     directions: Sequence[XYZ],
 ) -> View:
     if plane:
         return View.at(-90, 90)
-    apart = {tuple(round(c, 6) for c in p): (n, p) for n, p in shown.items()}
-    places = dict(apart.values())
-    known = {at: n for at, (n, _) in apart.items()}
-    named = {n: known.get(tuple(round(c, 6) for c in p)) for n, p in ends.items()}
-    legs = [(a, b) for p, q in strokes if (a := named[p]) and (b := named[q]) and a != b]
-    return choose_view(places, legs, normals, directions, elevations=_ELEVATIONS, apart=0.13)[0]
+    places = {tuple(round(c, 6) for c in p): (n, p) for n, p in shown.items()}
+    links = [[(one.start, one.end) for one in c.strokes if one.look in ("link", "bar")] for c in made]
+    return choose_view(
+        dict(places.values()),
+        (),
+        normals,
+        directions,
+        limbs=links,
+        elevations=_ELEVATIONS,
+        apart=0.17,
+        upright=upright(made),
+    )[0]
 
 
 def _sign_size(frame: Frame, made: Sequence[DrawnLimb]) -> float:
     """Smaller signs where joints are near to each other on the page."""
     places = [frame.place(p.at) for c in made for p in c.places if p.kind != "pin"]
     gaps = sorted(d for p, q in combinations(places, 2) if (d := dist(p, q)) > 4)
-    return min(1.0, max(0.7, round(gaps[min(2, len(gaps) - 1)] / 26, 2))) if gaps else 1.0
+    return min(1.0, max(0.66, round(gaps[min(1, len(gaps) - 1)] / 26, 2))) if gaps else 1.0

@@ -121,6 +121,8 @@ class MapAnswer(TypedDict):
     """The measure at the nodes, where it is another one than the margin; null where it is infinite."""
     status: list[list[CellStatus]]
     """Of the cells between them."""
+    fixed: str
+    """What the coordinates are that no axis shows; empty where there are none."""
     guarantee: str
     statement: str
     facts: list[FactItem]

@@ -1,14 +1,13 @@
 // Terms of the glossary in a sentence.
-import { GLOSSARY } from "../../protocol";
+import { EVERYDAY, GLOSSARY } from "../../protocol";
 
 export type GlossaryTerm = (typeof GLOSSARY)[number];
 
 const NAMES = new Map<string, GlossaryTerm>(
   GLOSSARY.flatMap((entry) => [entry.term, ...entry.forms.split("|").filter(Boolean)].map((name) => [name.toLowerCase(), entry] as const)),
 );
-/** Words that mean something else in most sentences: they are explained where the page puts them by themselves only. */
-const EVERYDAY = ["join", "joins", "meet", "value"];
-const longestFirst = [...NAMES.keys()].filter((name) => !EVERYDAY.includes(name)).sort((a, b) => b.length - a.length);
+const everyday = new Set<string>(EVERYDAY);
+const longestFirst = [...NAMES.keys()].filter((name) => !everyday.has(name)).sort((a, b) => b.length - a.length);
 const NAMED = new RegExp(`(?<![\\p{L}\\p{N}_-])(${longestFirst.join("|")})(?![\\p{L}\\p{N}_-])`, "iu");
 
 export const entryOf = (name: string): GlossaryTerm | null => NAMES.get(name.toLowerCase()) ?? null;

@@ -19,6 +19,8 @@ export interface Editing extends Fields {
   settle(): void;
   /** The way that was driven up to here; no step to undo. */
   drive(driven: readonly Pose[]): void;
+  /** How many rows were ended: the hand has let go. */
+  settled: ReadonlySignal<number>;
   go(where: { panel?: PanelId; stage?: StageId; making?: Making }): void;
   /** Opens a structure at its home pose and shows it. */
   open(source: Source, panel?: PanelId): void;
@@ -55,6 +57,7 @@ const PAUSE = 300; // milliseconds of rest before the address bar is written
 export function createEditing(start: Doc | null): Editing {
   const history = signal<History>(readHistory(isReload() ? recalled(UNDO) : null, start ?? EMPTY));
   const doc = computed(() => history.value.present);
+  const settled = signal(0);
 
   const edit = (change: Partial<Doc>, key: string | null = null): void => {
     // what another robot does is another way
@@ -69,7 +72,11 @@ export function createEditing(start: Doc | null): Editing {
     canRedo: computed(() => history.value.future.length > 0),
     unread: signal(start === null),
     edit,
-    settle: () => void (history.value = closed(history.peek())),
+    settle() {
+      history.value = closed(history.peek());
+      settled.value += 1;
+    },
+    settled,
     drive: (driven) => void (history.value = moved(history.peek(), { driven })),
     go: (where) => void (history.value = moved(history.peek(), where)),
     open(source, panel = "guided") {

@@ -23,16 +23,17 @@ export interface Refining<M extends Refinable> {
   stop(): void;
 }
 
+const COARSE = 5; // poses along each axis of the first picture: even where joints are solved for it is soon there
+
 /** Poses along each axis of each level: a few, half as many as at the end, all. */
-export const levels = (nodes: number, coarse: number): number[] =>
-  [coarse, Math.ceil(nodes / 2)].filter((n, i, all) => n < nodes && n > (all[i - 1] ?? 0)).concat(nodes);
+export const levels = (nodes: number): number[] =>
+  [COARSE, Math.ceil(nodes / 2)].filter((n, i, all) => n < nodes && n > (all[i - 1] ?? 0)).concat(nodes);
 
 export function createRefining<M extends Refinable>(
   client: Client,
   editing: Editing,
   method: M,
   begin: string,
-  coarse: number,
 ): Refining<M> {
   const runner = createRunner(client, editing, method, begin);
   const shown = signal<Refined<M> | null>(null);
@@ -46,7 +47,7 @@ export function createRefining<M extends Refinable>(
 
   async function start(args: (nodes: number) => Methods[M]["args"], nodes: number): Promise<void> {
     const mine = (turn += 1);
-    for (const level of levels(nodes, coarse)) {
+    for (const level of levels(nodes)) {
       const asked = args(level);
       const result = await runner.start(asked);
       if (mine !== turn) return;

@@ -4,6 +4,7 @@ import type { TriangleMesh } from "../../viewer";
 import type { Box } from "./doc";
 import type { Refined } from "./refining";
 
+
 /** Where joints are solved for, each pose takes longer. */
 export const finenessOf = ({ kind }: Study): number => (kind === "robot" ? 9 : 25);
 

@@ -65,7 +65,7 @@ export interface Timeline {
 
 export const SPEEDS: readonly number[] = [0.25, 0.5, 1, 2, 4];
 
-const REST = 150; // milliseconds without a move before the way is proved
+const REST = 150; // milliseconds without a move before the way is proved, if the hand has not let go before
 const LASTS = 5000; // milliseconds of a way that is played
 
 export function createTimeline(client: Client, editing: Editing, studying: Studying, posing: Posing): Timeline {
@@ -171,16 +171,27 @@ export function createTimeline(client: Client, editing: Editing, studying: Study
     });
   });
 
-  // the proof, once the hand rests
+  // the proof, once the hand rests or lets go
   let timer = 0;
+  let waiting: (() => void) | null = null; // what the timer starts
   effect(() => {
     const [list, threshold, source] = [stops.value, threshold$.value, source$.value];
     const there = studying.study.value !== null;
     known.value = false;
     window.clearTimeout(timer);
+    waiting = null;
     const [start, goal] = [list[0], list.at(-1)];
     if (!source || !there || !start || !goal || list.length < 2) return untracked(runner.stop);
-    timer = window.setTimeout(() => void runner.start({ source, start, through: list.slice(1, -1), goal, threshold }), REST);
+    waiting = () => {
+      window.clearTimeout(timer);
+      waiting = null;
+      void runner.start({ source, start, through: list.slice(1, -1), goal, threshold });
+    };
+    timer = window.setTimeout(waiting, REST);
+  });
+  effect(() => {
+    void editing.settled.value;
+    untracked(() => waiting?.());
   });
 
   function lead(parameter: number): void {

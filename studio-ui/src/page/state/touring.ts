@@ -20,8 +20,8 @@ export function createTouring(client: Client, editing: Editing): Touring {
   const { doc, edit } = editing;
   return {
     path: createRunner(client, editing, "path", "Going along the path"),
-    map: createRefining(client, editing, "map", "Mapping", 7),
-    surface: createRefining(client, editing, "surface", "Looking for singular poses", 5),
+    map: createRefining(client, editing, "map", "Mapping"),
+    surface: createRefining(client, editing, "surface", "Looking for singular poses"),
     place: createRunner(client, editing, "place", "Going there"),
     locus: createRunner(client, editing, "locus", "Working out the polynomial"),
     change: (part) => edit({ tour: { ...doc.peek().tour, ...part } }, `tour ${Object.keys(part).join(" ")}`),

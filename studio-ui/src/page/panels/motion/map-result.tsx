@@ -23,7 +23,7 @@ export function MapResult({ asked, result, measures }: Props) {
   const hovered = useSignal<Spot | null>(null);
   const chosen = useSignal<Spot | null>(null);
   const led = useSignal<Pose | null>(null); // where the robot was taken from the map
-  const { axes, guarantee } = result;
+  const { axes, fixed, guarantee } = result;
   const going = touring.place.now.value;
   const mark = marked();
   const spot = hovered.value ?? mark;
@@ -75,6 +75,11 @@ export function MapResult({ asked, result, measures }: Props) {
       >
         {mark && <span class="here" style={{ left: `${100 * mark[0]}%`, bottom: `${100 * mark[1]}%` }} />}
       </Plot>
+      {fixed && (
+        <p class="fixed" data-testid="map-fixed">
+          fixed: {fixed}
+        </p>
+      )}
       <MapLegend result={result} measure={spoken(asked.measure ?? MARGIN)} />
       <p class="readout" data-testid="map-readout" aria-live="polite">
         {spot ? <Spoken result={result} spot={spot} measure={measures.find(({ name }) => name === asked.measure)} /> : "Point at the map to read it; a click takes the robot there."}

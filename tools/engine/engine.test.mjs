@@ -1,0 +1,63 @@
+// Every example of the built guide that has a button gives, in the engine of its pages, what the guide shows.
+import assert from "node:assert/strict";
+import { readdirSync, readFileSync } from "node:fs";
+import { fileURLToPath, pathToFileURL } from "node:url";
+import { before, test } from "node:test";
+
+const SITE = new URL("../../build/site/", import.meta.url);
+const FOLDER = fileURLToPath(new URL("assets/engine/", SITE));
+const NAMED = { amp: "&", lt: "<", gt: ">", quot: '"' };
+const BLOCK = /<div class="language-(?:console|gca) highlight" data-(run|script)="([^"]*)">(.*?)<\/pre><\/div>/gs;
+
+const unescape = (text) => text.replace(/&(?:#x([\da-f]+)|#(\d+)|(\w+));/gi, (_, hex, decimal, name) =>
+  name ? NAMED[name] : String.fromCodePoint(hex ? parseInt(hex, 16) : Number(decimal)));
+const words = (text) => text.replaceAll(/\s+/g, " ").replace(/file: \S+\//, "file: ").trim();
+
+let engine;
+before(async () => {
+  const { loadPyodide } = await import(pathToFileURL(`${FOLDER}pyodide.mjs`));
+  const { start } = await import(new URL("assets/try/engine.mjs", SITE));
+  engine = await start(loadPyodide, FOLDER, (name) => readFileSync(FOLDER + name).buffer);
+});
+
+function ask(kind, text) {
+  let out = "";
+  const { code, files } = engine[kind](text, (piece) => { out += piece; });
+  return { code, files, out };
+}
+
+const pages = readdirSync(SITE, { recursive: true }).filter((name) => name.endsWith(".html"));
+const blocks = pages.flatMap((page) =>
+  [...readFileSync(new URL(page, SITE), "utf8").matchAll(BLOCK)].map(([, kind, text, shown]) => ({ page, kind, text: unescape(text), shown })));
+
+test("the guide has examples that run", () => assert.ok(blocks.length > 100, `${blocks.length} examples`));
+
+for (const [number, { page, kind, text, shown }] of blocks.entries()) {
+  test(`${page}: ${text.split("\n")[0]} (${number})`, () => {
+    if (kind === "script") {
+      const { code, out } = ask("script", text);
+      assert.ok(code === 0 || code === 1, out);
+      return;
+    }
+    const plain = unescape(shown.replaceAll(/<[^>]*>/g, ""));
+    const parts = plain.replaceAll("\\\n", "").split(/^\$ .*$/m).slice(1);
+    for (const [k, line] of text.split("\n").entries()) {
+      const { out } = ask("line", line);
+      const [seen, wanted] = [words(out), words(parts[k])];
+      assert.doesNotMatch(seen, /is not installed here|fault of gcrules/);
+      if (wanted && !/…|\.\.\.|\d s\b/.test(wanted)) assert.equal(seen, wanted);
+    }
+  });
+}
+
+test("faults of the line, files and what is missing are told", () => {
+  const open = ask("line", 'gcrules analyze "ab');
+  assert.equal(open.code, 2);
+  assert.match(open.out, /error: the line is not complete/);
+  const written = ask("line", 'gcrules analyze "ab af cb cd ed ef" -o answer.txt');
+  assert.deepEqual(written.files.map(({ name }) => name), ["answer.txt"]);
+  assert.deepEqual(ask("line", "gcrules cite").files, []);
+  const missing = ask("line", "gcrules pose examples/octahedral.yaml");
+  assert.equal(missing.code, 2);
+  assert.match(missing.out, /needs numpy, which is not installed here/);
+});
