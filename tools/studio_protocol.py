@@ -24,6 +24,7 @@ from gcrules.apps.studio.protocol import (
     motion_views,
     report_requests,
     requests,
+    rule_views,
     study_views,
     where_views,
 )
@@ -47,6 +48,7 @@ MODULES = (
     where_views,
     limb_views,
     bench_words,
+    rule_views,
 )
 
 START = """\

@@ -40,6 +40,7 @@ from gcrules.rules.factorization import SECONDS
 from gcrules.rules.foreign import PluginFault
 from gcrules.rules.plugin import packs
 from gcrules.rules.plugins import load_rules
+from gcrules.rules.rule import SHIPPED
 from gcrules.rules.statement import say
 from gcrules.rules.strategy import SHORTEST, Strategy
 
@@ -90,6 +91,13 @@ class Analysis(Shown):
     def assumed(self) -> tuple[tuple[str, str], ...]:
         """What must not vanish for the assumptions to say what they are taken to say, each with its meaning."""
         return self.structure.assumed
+
+    @property
+    def applied(self) -> tuple[str, ...]:
+        """The rules that led to it: those of the derivation, then those of plugins that made a reading."""
+        brought = {r.id for r in self.strategy.incidences if r.owner != SHIPPED}
+        made = (c.kind for c in (self.condition, *self.readings) if c.certificate.method != "catalog-instance")
+        return tuple(dict.fromkeys((*(s.rule for s in self.derivation), *(kind for kind in made if kind in brought))))
 
     def unfolded(self) -> Derivation:
         """The derivation, each step with the single steps that it is made of."""

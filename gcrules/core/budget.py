@@ -36,6 +36,7 @@ __all__ = [
     "checkpoint",
     "report",
     "seconds_left",
+    "stage",
     "waiting",
     "watched",
     "within",
@@ -199,6 +200,25 @@ def report(words: str) -> None:
     budget = _current.get()
     if budget is not None:
         budget.report(words)
+
+
+@contextmanager
+def stage(words: str) -> Iterator[None]:
+    """Tell what is being done; what is reported inside stands behind these words.
+
+    >>> heard = []
+    >>> with within(progress=heard.append), stage("line 3"):
+    ...     report("7 of 9")
+    >>> heard
+    ['line 3', 'line 3: 7 of 9']
+    """
+    around = _current.get()
+    if around is None:
+        yield
+        return
+    around.report(words)
+    with within(progress=lambda more: around.report(f"{words}: {more}")):
+        yield
 
 
 @dataclass

@@ -271,6 +271,12 @@ export const MOST_WAYPOINTS = 200;
 
 export const LONGEST_FILE = 400000;
 
+export const LONGEST_RULES = 40000;
+
+export const MOST_RULES = 200;
+
+export const MOST_RULE_FILES = 12;
+
 /** Closer than this is close, where nothing else is asked for. */
 export const THRESHOLD = "0.5 deg";
 
@@ -434,8 +440,22 @@ export interface ManualArgs {
   commands: string[];
 }
 
+/** A file of rules (`.gca`) that the user has opened, as text; the rules `off` are left out. */
+export interface RuleFile {
+  name: string;
+  text: string;
+  off: string[];
+}
+
+/** Files of rules, to be checked. */
+export interface RulesArgs {
+  files: RuleFile[];
+}
+
 export interface BenchArgs {
   text: string;
+  /** Rules that hold from the start, those that are wrong left out. */
+  rules?: RuleFile[];
   source?: Source;
   pose?: Pose;
 }
@@ -948,8 +968,28 @@ export interface Manual {
   fault: Fault | null;
 }
 
+export interface RepeatedFile {
+  name: string;
+  text: string;
+}
+
+export interface Repeated {
+  shell: string;
+  /** Empty where no function of Python does it. */
+  python: string;
+  /** What has to be saved first, since the lines name it. */
+  files: RepeatedFile[];
+}
+
 export interface DrawnPlane extends Plane {
   kind: "plane";
+}
+
+export interface AppliedRule {
+  id: string;
+  sentence: string;
+  /** Who brought it: "gcrules", a plugin, a file with line, "" for the text of the bench. */
+  owner: string;
 }
 
 export interface BenchResult {
@@ -961,10 +1001,18 @@ export interface BenchResult {
   command: string | null;
   verdict: "value" | "proved" | "refuted" | "undecided" | "done";
   text: string;
+  /** The whole answer in LaTeX; "" where it is none, or too long. */
+  tex: string;
   pieces: Piece[];
+  /** How many pieces there are; of very many only the first are sent. */
+  terms: number;
   step: number | null;
   /** What can be drawn in 3D with the points of the study, at its pose. */
   drawn: Constructed | DrawnPlane | null;
+  /** The rules that led to it, in their order. */
+  applied: AppliedRule[];
+  /** The lines that give this answer alone; null where they would be too long. */
+  repeat: Repeated | null;
 }
 
 export interface Bench {
@@ -997,19 +1045,6 @@ export interface Saved {
   /** Text, or base64 where `binary`. */
   data: string;
   binary: boolean;
-}
-
-export interface RepeatedFile {
-  name: string;
-  text: string;
-}
-
-export interface Repeated {
-  shell: string;
-  /** Empty where no function of Python does it. */
-  python: string;
-  /** What has to be saved first, since the lines name it. */
-  file: RepeatedFile | null;
 }
 
 export interface Resized {
@@ -1409,14 +1444,65 @@ export interface LimbsAnswer {
   units: string[];
 }
 
-/** The commands of the prompt that work on the bench: none of them opens a file. */
-export const BENCH_COMMANDS = ["expand", "straighten", "steps", "factor", "shorten", "transversals", "prove", "latex"] as const;
+/** The commands of the prompt that work on the bench, where none of them opens a file. */
+export const BENCH_COMMANDS = ["expand", "straighten", "steps", "factor", "shorten", "transversals", "prove", "analyze", "latex"] as const;
 
 /** Each with how it is written and what it is. */
-export const BENCH_WORDS = [["rank", "rank N", "the rank, before everything else; 4 if left out"], ["points", "points NAMES", "long names, and the tableau order"], ["ideal", "ideal NAMES", "points at infinity"], ["given", "given collinear(a, b, c), …", "what is assumed: coplanar, concurrent, incident, LHS == RHS too"], ["let", "let NAME = EXPR", "a name for an expression"], ["claim", "claim [\"label\":] LHS == RHS", "an equation to prove, and to save"], ["show", "show EXPR", "an expression to expand, and to save"], ["rule", "rule ID [\"sentence\"]: LHS => RHS [if …]", "a rule to prove and to rewrite by"], ["rewrite", "rewrite EXPR", "an expression rewritten by the rules so far"], [":expand", ":expand [EXPR]", "expand into brackets, as an expression alone does"], [":straighten", ":straighten [EXPR]", "the normal form of standard tableaux"], [":steps", ":steps [EXPR]", "straighten a scalar, every single syzygy shown"], [":factor", ":factor [EXPR]", "one expression of joins and meets that equals a scalar"], [":shorten", ":shorten [EXPR]", "the bracket polynomial of a scalar with the fewest terms"], [":transversals", ":transversals LEGS", "compare the turns about two lines that meet four legs"], [":prove", ":prove LHS == RHS", "decide an equation, as an equation alone does"], [":latex", ":latex [EXPR|on|off]", "LaTeX of an expression, or of all answers"]] as const;
+export const BENCH_WORDS = [["rank", "rank N", "the rank, before everything else; 4 if left out"], ["points", "points NAMES", "long names, and the tableau order"], ["ideal", "ideal NAMES", "points at infinity"], ["given", "given collinear(a, b, c), …", "what is assumed: coplanar, concurrent, incident, LHS == RHS too"], ["let", "let NAME = EXPR", "a name for an expression"], ["claim", "claim [\"label\":] LHS == RHS", "an equation to prove, and to save"], ["show", "show EXPR", "an expression to expand, and to save"], ["rule", "rule ID [\"sentence\"]: LHS => RHS [if …]", "a rule to prove and to rewrite by"], ["rewrite", "rewrite EXPR", "an expression rewritten by the rules so far"], [":expand", ":expand [EXPR]", "expand into brackets, as an expression alone does"], [":straighten", ":straighten [EXPR]", "the normal form of standard tableaux"], [":steps", ":steps [EXPR]", "straighten a scalar, every single syzygy shown"], [":factor", ":factor [EXPR]", "one expression of joins and meets that equals a scalar"], [":shorten", ":shorten [EXPR]", "the bracket polynomial of a scalar with the fewest terms"], [":transversals", ":transversals LEGS", "compare the turns about two lines that meet four legs"], [":prove", ":prove LHS == RHS", "decide an equation, as an equation alone does"], [":analyze", ":analyze LEGS", "when and why a robot with six legs is singular"], [":latex", ":latex [EXPR|on|off]", "LaTeX of an expression, or of all answers"]] as const;
 
 /** How an operation is written, and what it is; from the tightest to the loosest. */
 export const BENCH_OPERATIONS = [["abc", "points side by side: their join"], ["a \\/ bc", "join: ∨ \\vee"], ["ab /\\ cde", "meet: ∧ ^ \\wedge"], ["2 [abcd] * (ab /\\ cd)", "product; a space or nothing between scalars"], ["[abcd]**2", "power"], ["[abcd], [(ab /\\ cde), f, gh]", "bracket: the determinant of points, or of extensors"], ["[[ab, cd, ef, gh, ij, kl]]", "superbracket of six lines"], ["[.a d e f][.b g h i]", "dotted points: the signed sum over all ways to share them out"], ["LHS == RHS", "an equation, proved or refuted"], ["%, %%, …", "the last result, the one before it, …"]] as const;
+
+export interface CheckedRule {
+  id: string;
+  sentence: string;
+  /** As it is written. */
+  text: string;
+  line: number;
+  verdict: "proved" | "refuted" | "undecided" | "refused";
+  reason: string;
+  /** What is wrong with it, with its place in the file; it is not used then. */
+  fault: Fault | null;
+}
+
+export interface CheckedRuleFile {
+  name: string;
+  rules: CheckedRule[];
+  /** Where the file as a whole cannot be read. */
+  fault: Fault | null;
+}
+
+export interface CheckedRules {
+  files: CheckedRuleFile[];
+}
+
+export interface PluginRule {
+  id: string;
+  family: string;
+  sentence: string;
+  /** An identity as it is written; "" for rules given in Python. */
+  text: string;
+  holds: boolean;
+  /** What was checked, or what is wrong. */
+  reason: string;
+}
+
+/** A plugin with what it brings; its checks are those of `gcrules rules check`. */
+export interface Plugin {
+  name: string;
+  kind: "shipped" | "package" | "folder";
+  rules: PluginRule[];
+  robots: string[];
+  catalogs: string[];
+}
+
+export interface PluginsAnswer {
+  plugins: Plugin[];
+  /** Those that the studio was started with. */
+  folders: string[];
+  /** How many plugins that come with gcrules bring a robot only. */
+  robots: number;
+}
 
 export interface Methods {
   hello: { args: NoArgs; result: Hello };
@@ -1440,6 +1526,8 @@ export interface Methods {
   certify: { args: CertifyArgs; result: CertificateAnswer };
   manual: { args: ManualArgs; result: Manual };
   bench: { args: BenchArgs; result: Bench };
+  rules: { args: RulesArgs; result: CheckedRules };
+  plugins: { args: NoArgs; result: PluginsAnswer };
   complete: { args: CompleteArgs; result: Completed };
   script: { args: ScriptArgs; result: Scripted };
   compose: { args: ComposeArgs; result: Composed };

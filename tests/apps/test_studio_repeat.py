@@ -56,8 +56,8 @@ class Repeat:
     def lines(self, what: str, source: Any, **args: Any) -> dict[str, Any]:
         about = {"source": source} if source else {}
         found = dict(self.page.ask("repeat", what=what, args=about | args, **about))
-        if found["file"]:
-            (self.folder / found["file"]["name"]).write_text(found["file"]["text"], encoding="utf-8")
+        for file in found["files"]:
+            (self.folder / file["name"]).write_text(file["text"], encoding="utf-8")
         return found
 
     def both(self, what: str, source: Any, **args: Any) -> tuple[dict[str, Any], Any]:
@@ -194,7 +194,7 @@ def test_a_file_keeps_its_name_and_its_mode(repeat: Repeat) -> None:
     text = repeat.page.ask("save", source=DELTA, pose=HOME, what="yaml")["data"]
     found = repeat.lines("pose", {"kind": "file", "text": text, "name": "my robot.yaml", "mode": "-+-"}, pose=HOME)
     assert found["shell"] == 'gcrules pose "my robot.yaml" --mode=-+-'
-    assert found["file"] == {"name": "my robot.yaml", "text": text}
+    assert found["files"] == [{"name": "my robot.yaml", "text": text}]
 
 
 def test_what_is_no_such_question_is_refused(page: Page) -> None:

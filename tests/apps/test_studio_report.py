@@ -118,7 +118,7 @@ def test_a_platform_with_the_answers_of_its_panels(page: Page) -> None:
     repeat = page.ask("repeat", source=OCTAHEDRAL, what="map", args={"source": OCTAHEDRAL, "over": over, "pose": MOVED})
     assert repeat["shell"] in words
     assert repeat["python"].split("\n")[-1] in words
-    assert repeat["file"]["name"] in words
+    assert repeat["files"][0]["name"] in words
 
 
 def test_a_robot_of_joints(page: Page) -> None:

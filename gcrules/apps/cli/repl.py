@@ -10,14 +10,17 @@ from gcrules.algebra.expand import MAX_TERMS
 from gcrules.apps.cli.base import ExpressionCommand
 from gcrules.apps.cli.limits import SECONDS, time_limit
 from gcrules.apps.cli.output import Output, mathematics_option
+from gcrules.apps.cli.rule_options import Choice, plugins_option
 from gcrules.apps.repl.answers import worst
 from gcrules.apps.repl.interpreter import Interpreter
 from gcrules.apps.repl.lines import run_pieces, stdin_pieces, tell_all
 from gcrules.apps.repl.reading import pieces
-from gcrules.apps.repl.state import Settings
+from gcrules.apps.repl.state import PromptState, Settings
 from gcrules.core.deferred import deferred
 
 __all__ = ["repl"]
+
+_RULES = "Let the rules of a .gca file, or rules named, hold from the start."
 
 run_terminal = deferred("gcrules.apps.repl.terminal:run_terminal")
 
@@ -36,6 +39,8 @@ run_terminal = deferred("gcrules.apps.repl.terminal:run_terminal")
 )
 @time_limit(SECONDS, "Give an input up after this time.", itself=True)
 @mathematics_option
+@click.option("--rules", "words", multiple=True, metavar="FILE|IDS", help=_RULES)
+@plugins_option
 @click.pass_context
 def repl(
     ctx: click.Context,
@@ -45,6 +50,8 @@ def repl(
     limit: int,
     seconds: float,
     mathematics: bool | None,
+    words: tuple[str, ...],
+    folders: tuple[str, ...],
 ) -> None:
     """Type expressions, equations and statements, and get an answer to each; :help says what there is.
 
@@ -53,14 +60,19 @@ def repl(
     gcrules repl plane.gca              with all that the script declares
     gcrules repl < session.txt          inputs from a file or a pipe
     gcrules repl -e "ab /\\ cde" -e ":latex"
+    gcrules repl --rules mine.gca       rules that hold from the start
 
     Without a terminal the exit code is 2 where any input was at fault, else 1 where anything was refuted, else 3 where
     anything was not decided. GCRULES_HISTORY names the file of the history; none is written where it is empty.
     """
     settings = Settings(
-        Output(mathematics=mathematics).unicode, limit=limit, seconds=seconds, short=sys.stdout.isatty()
+        Output(mathematics=mathematics).unicode,
+        limit=limit,
+        seconds=seconds,
+        short=sys.stdout.isatty(),
+        plugins=folders,
     )
-    session = Interpreter(settings=settings)
+    session = Interpreter(PromptState(rules=Choice(words, folders=folders).rewriting() if words else ()), settings)
     codes = [tell_all(session.load(file))] if file is not None else []
     if not texts and sys.stdin.isatty() and sys.stdout.isatty():
         run_terminal(session)

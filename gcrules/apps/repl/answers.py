@@ -44,13 +44,15 @@ _ELSEWHERE = (
 class Answer:
     """What is printed. `verdict` is proved, refuted, undecided, shown, done, or fault.
 
-    `wraps` tells whether long lines are formulas, which may be broken to the width of a terminal.
+    `wraps` tells whether long lines are formulas, which may be broken to the width of a terminal; `applied` names the
+    rules that led to it, in their order.
     """
 
     text: str
     verdict: str = "done"
     fault: GcrulesError | None = None
     wraps: bool = True
+    applied: tuple[str, ...] = ()
 
     @property
     def code(self) -> int:
@@ -83,7 +85,14 @@ def answer_of(result: Result, settings: Settings, *, brief: bool, line: int | No
     hinted = any(words in _here(shown) for words in (":limit", ":seconds"))
     if isinstance(result, ShowResult | ClaimResult) and result.verdict == "undecided" and not hinted:
         shown += "\nhint: :limit N allows more terms"
-    return Answer(_here(as_typed(shown if line is None else f"line {line}: {shown}")), result.verdict)
+    words = _here(as_typed(shown if line is None else f"line {line}: {shown}"))
+    return Answer(words, result.verdict, applied=_applied(result))
+
+
+def _applied(result: Result) -> tuple[str, ...]:
+    if not isinstance(result, RewriteResult) or result.rewriting is None:
+        return ()
+    return tuple(dict.fromkeys(step.rule for step in result.rewriting.steps))
 
 
 def _in_full(result: Result, settings: Settings) -> str | None:

@@ -24,6 +24,7 @@ from gcrules.apps.repl.reading import Source, is_blank
 from gcrules.apps.repl.session import PromptSession
 from gcrules.apps.repl.state import PromptState
 from gcrules.apps.repl.tables import Command
+from gcrules.conditions.analysis import Analysis
 from gcrules.core.dataclass import dataclass
 from gcrules.core.deferred import deferred
 from gcrules.core.errors import GcrulesError, InputError, Span
@@ -31,8 +32,11 @@ from gcrules.core.files import write_file
 from gcrules.core.hints import near
 from gcrules.core.shown import Shown
 from gcrules.mechanisms.analyze import analyze
+from gcrules.mechanisms.description.platform_file import Platform
 from gcrules.mechanisms.load import Loaded, load
 from gcrules.rules.identity import Identity
+from gcrules.rules.plugins import load_rules
+from gcrules.rules.strategy import Strategy
 from gcrules.views.formulas.latex import latex
 
 __all__ = ["HANDLERS", "Request"]
@@ -158,14 +162,25 @@ def _analyze(repl: PromptSession, request: Request) -> Iterator[Answer]:
         raise request.fault(f"platforms with six legs are in rank 4, and this is rank {at.rank}", ":reset begins anew")
     if is_blank(request.argument):
         raise request.fault("no legs", "six legs, each its two joints:  :analyze ab af cb cd ed ef")
-    found = analyze(_legs(repl, request, _loaded))
+    folders = repl.settings.plugins
+    asked = _legs(repl, request, _loaded if repl.settings.files else read_legs)
+    chosen = _strategy(repl) if isinstance(asked, (Structure, Platform)) else None
+    found = analyze(asked, strategy=chosen, plugins=folders)
     if found.condition is not None:
         repl.remember(found.condition.expression)
-    yield _whole(repl, found, "shown")
+    yield replace(_whole(repl, found, "shown"), applied=found.applied if isinstance(found, Analysis) else ())
 
 
 def _loaded(word: str, points: Names) -> Loaded:
     return load(expanduser(word), points=points)
+
+
+def _strategy(repl: PromptSession) -> Strategy | None:
+    """The usual rules and those so far; None where there are no others."""
+    if not repl.state.rules:
+        return None
+    usual = load_rules(folders=repl.settings.plugins, identities=False).strategy()
+    return Strategy((*repl.state.rules, *usual.rules))
 
 
 def _legs(repl: PromptSession, request: Request, reading: Callable[..., Loaded]) -> Loaded:
@@ -277,7 +292,9 @@ def _help(repl: PromptSession, request: Request) -> Iterator[Answer]:
 # --- files ---------------------------------------------------------------------------------------------------------
 
 
-def _file(request: Request) -> str:
+def _file(repl: PromptSession, request: Request) -> str:
+    if not repl.settings.files:
+        raise request.fault("no files are read or written here")
     name = request.argument
     if len(name) > 1 and name[0] == name[-1] and name[0] in "\"'":
         name = name[1:-1]
@@ -287,11 +304,11 @@ def _file(request: Request) -> str:
 
 
 def _load(repl: PromptSession, request: Request) -> Iterator[Answer]:
-    return repl.script(_file(request))
+    return repl.script(_file(repl, request))
 
 
 def _save(repl: PromptSession, request: Request) -> Iterator[Answer]:
-    name, script = _file(request), repl.state.script()
+    name, script = _file(repl, request), repl.state.script()
     if not script:
         raise request.fault("there are no statements to save")
     if name == "-":

@@ -49,7 +49,8 @@ class PromptState:
 class Settings:
     """How answers are shown, the number of terms beyond which none is sought, and the seconds that an input may take.
 
-    `short` writes many equal brackets as a power.
+    `short` writes many equal brackets as a power. Without `files` none is read or written. An analysis takes in the
+    rules of `plugins`, folders of the user's.
     """
 
     unicode: bool = True
@@ -57,3 +58,5 @@ class Settings:
     limit: int = MAX_TERMS
     seconds: float = inf
     short: bool = False
+    files: bool = True
+    plugins: tuple[str, ...] = ()

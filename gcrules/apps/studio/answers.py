@@ -20,8 +20,10 @@ from gcrules.apps.studio.modes_view import modes_view
 from gcrules.apps.studio.nearest_view import nearest
 from gcrules.apps.studio.numbers import margins, numbers
 from gcrules.apps.studio.path_view import path_view
+from gcrules.apps.studio.plugins_view import plugins_view
 from gcrules.apps.studio.repeating import repeated
 from gcrules.apps.studio.resizing import resized
+from gcrules.apps.studio.rule_files import checked_view
 from gcrules.apps.studio.study import study
 from gcrules.apps.studio.subject import Subject
 from gcrules.apps.studio.surface_view import surface_view
@@ -74,16 +76,22 @@ ANSWERS: Mapping[str, Callable[[Any, Args], Any]] = {
         tilt=args.get("tilt"),
     ),
     "manual": lambda subject, args: replayed(subject, args["commands"]),
-    "bench": lambda subject, args: bench(args["text"], subject, args.get("pose")),
+    "bench": lambda subject, args: bench(
+        args["text"], subject, args.get("pose"), args.get("rules", ()), args.get("folders", ())
+    ),
+    "rules": lambda subject, args: checked_view(args["files"]),
+    "plugins": lambda subject, args: plugins_view(args["folders"]),
     "complete": lambda subject, args: completed(args["text"], subject),
     "script": lambda subject, args: scripted(args["text"], subject),
     "compose": lambda subject, args: composed(args["drawing"]),
     "limbs": lambda subject, args: limbs_answer(
         args.get("text"), args.get("start"), args.get("edit"), plane=args.get("plane", False)
     ),
-    "repeat": lambda subject, args: repeated(subject, args["what"], args["args"]),
+    "repeat": lambda subject, args: repeated(subject, args["what"], args["args"], args.get("folders", ())),
     "resize": lambda subject, args: resized(subject, args["points"], args.get("limits")),
-    "save": lambda subject, args: saved(subject, args["pose"], args["what"], args.get("threshold"), args.get("state")),
+    "save": lambda subject, args: saved(
+        subject, args["pose"], args["what"], args.get("threshold"), args.get("state"), args.get("folders", ())
+    ),
 }
 
 

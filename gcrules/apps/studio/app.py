@@ -29,10 +29,13 @@ def make_app(
     opened: SourceJson | None = None,
     tickets: set[str] | None = None,
     shared: SharedPose | None = None,
+    folders: tuple[str, ...] = (),
 ) -> Starlette:
-    """The application that is served at http://127.0.0.1:port to whom the token, or one of the tickets, is known."""
+    """The application that is served at http://127.0.0.1:port to whom the token, or one of the tickets, is known;
+    `folders` are those of plugins.
+    """
     guide = guide_folder()
-    service = Service(opened, shared, guide=guide is not None)
+    service = Service(opened, shared, folders, guide=guide is not None)
     pages = Pages()
     of_guide = [] if guide is None else [Route("/guide/{name:path}", Pages(guide).answer)]
 

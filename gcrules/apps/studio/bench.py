@@ -9,7 +9,8 @@ r"""The expression bench: statements and expressions of the language, their resu
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from functools import lru_cache
 from typing import Any, Literal
 
 from gcrules.algebra.expr import Expr, points_of
@@ -18,25 +19,33 @@ from gcrules.algebra.language.text import SHORT_NAME
 from gcrules.apps.repl.answers import Answer, bound_text
 from gcrules.apps.repl.interpreter import Interpreter
 from gcrules.apps.repl.reading import InputPiece as Input
-from gcrules.apps.repl.reading import Source, first_word, pieces, split_command
+from gcrules.apps.repl.reading import Source, first_word, pieces, split_command, statements
 from gcrules.apps.repl.state import PromptState, Settings
 from gcrules.apps.repl.tables import STATEMENTS, meant
+from gcrules.apps.studio.bench_questions import Question, of_command, of_equation, of_expression, of_name, of_statement
+from gcrules.apps.studio.bench_repeating import Rules, answer_lines
 from gcrules.apps.studio.faults import fault_view, units
 from gcrules.apps.studio.formulas import pieces as in_pieces
 from gcrules.apps.studio.places import homogeneous_at
-from gcrules.apps.studio.protocol.answer_views import Bench, BenchResult, DrawnPlane
+from gcrules.apps.studio.protocol.answer_views import AppliedRule, Bench, BenchResult, DrawnPlane
 from gcrules.apps.studio.protocol.bench_words import BENCH_COMMANDS
-from gcrules.apps.studio.protocol.requests import HOME, PoseJson
-from gcrules.apps.studio.protocol.study_views import Piece
+from gcrules.apps.studio.protocol.requests import HOME, PoseJson, RuleFile
+from gcrules.apps.studio.protocol.study_views import FaultView
+from gcrules.apps.studio.rule_files import usable
 from gcrules.apps.studio.subject import Subject
-from gcrules.core.errors import GcrulesError, InputError, Span
+from gcrules.core.budget import stage
+from gcrules.core.dataclass import dataclass
+from gcrules.core.errors import GcrulesError, InputError, LimitReached, Span
 from gcrules.poses.numbers.extensors import coordinates, line_vectors, plane_equation
+from gcrules.rules.plugins import load_rules
+from gcrules.views.formulas.latex import latex
 from gcrules.views.scene_data import Constructed, NamedLineView, NamedPointView
 
 __all__ = ["bench", "context_of"]
 
 _MOST_PIECES = 2_000
 _MOST_TERMS = 20_000
+_SHOWN_LENGTH = 60
 _FAR = 1e-9  # of the size of a homogeneous coordinate: what is nearer to 0 counts as at infinity
 _VERDICTS: Mapping[str, Literal["value", "proved", "refuted", "undecided", "done"]] = {
     "proved": "proved",
@@ -47,26 +56,87 @@ _VERDICTS: Mapping[str, Literal["value", "proved", "refuted", "undecided", "done
 }
 
 
-def bench(text: str, subject: Subject | None, pose: PoseJson | None) -> Bench:
+def bench(
+    text: str,
+    subject: Subject | None,
+    pose: PoseJson | None,
+    files: Sequence[RuleFile] = (),
+    folders: Sequence[str] = (),
+) -> Bench:
     """The results of all inputs of a text up to the first fault. Extensors of points of the subject are drawn at the
-    pose.
+    pose. The rules of `files` hold from the start, an analysis takes in those of `folders` of plugins.
     """
-    interpreter = Interpreter(PromptState(context_of(subject)), Settings(limit=_MOST_TERMS))
+    rules = tuple((f["name"], f["text"], tuple(f["off"])) for f in files)
+    try:
+        found = _answered(text, context_of(subject), rules, tuple(folders))
+    except _Unfinished as part:
+        found = part.found
     at = _places(subject, pose or HOME)
-    results: list[BenchResult] = []
+    results: list[BenchResult] = [
+        {**one.result, "drawn": _drawn(one.shape, one.label, at) if one.shape is not None else None}
+        for one in found.results
+    ]
+    return {"results": results, "fault": found.fault}
+
+
+@dataclass(frozen=True)
+class _Result:
+    """A result, and the extensor that is drawn under a label, if there is one."""
+
+    result: BenchResult
+    shape: Expr | None = None
+    label: str = ""
+
+
+@dataclass(frozen=True)
+class _Found:
+    results: tuple[_Result, ...]
+    fault: FaultView | None
+
+
+class _Unfinished(Exception):
+    """What was found when a limit was reached, which may not be so the next time."""
+
+    def __init__(self, found: _Found) -> None:
+        super().__init__()
+        self.found = found
+
+
+@lru_cache(maxsize=16)
+def _answered(
+    text: str, context: Context, rules: tuple[tuple[str, str, tuple[str, ...]], ...], folders: tuple[str, ...]
+) -> _Found:
+    """All that does not depend on the pose: where the robot only moves it is not worked out again."""
+    files: list[RuleFile] = [{"name": name, "text": body, "off": list(off)} for name, body, off in rules]
+    settings = Settings(limit=_MOST_TERMS, files=False, plugins=folders)
+    repl = Interpreter(PromptState(context, rules=usable(files) if files else ()), settings)
+    before = Rules.of(files, folders)
+    results: list[_Result] = []
     lines = text.split("\n")
     starts = [0]
     for line in lines:
         starts.append(starts[-1] + len(line) + 1)
     for given in pieces(lines):
         start = starts[given.line - 1]
-        place = Span(units(text[:start]), units(text[:start]) + units(given.text.rstrip()))
+        body = given.text.rstrip()
+        place = Span(units(text[:start]), units(text[:start]) + units(body))
         try:
-            results += _results(interpreter, given, place, at if interpreter.state.context.rank == 4 else {})
+            with stage(f"line {given.line}, {_shortened(body)}"):
+                for result in _results(repl, given, place, before):
+                    results.append(result)
         except GcrulesError as fault:
-            _in_text(fault, text, starts)
-            return {"results": results, "fault": fault_view(fault)}
-    return {"results": results, "fault": None}
+            _in_text(fault, text, starts, Span(start, start + len(body)))
+            found = _Found(tuple(results), fault_view(fault))
+            if isinstance(fault, LimitReached):
+                raise _Unfinished(found) from None
+            return found
+    return _Found(tuple(results), None)
+
+
+def _shortened(text: str) -> str:
+    """An input in one line, for words of progress."""
+    line = " ".join(text.split())
+    return line if len(line) <= _SHOWN_LENGTH else f"{line[:_SHOWN_LENGTH]} …"
 
 
 def _places(subject: Subject | None, pose: PoseJson) -> Mapping[str, Any]:
@@ -87,89 +157,114 @@ def context_of(subject: Subject | None) -> Context:
     return Context(s.rank, tuple(n for n in s.names if not SHORT_NAME.fullmatch(n)), s.ideal)
 
 
-def _results(interpreter: Interpreter, given: Input, place: Span, at: Mapping[str, Any]) -> Iterator[BenchResult]:
+def _results(repl: Interpreter, given: Input, place: Span, before: Rules) -> Iterator[_Result]:
     called = split_command(given.text)
     if called is not None:
-        yield from _asked(interpreter, given, place, *called)
+        yield from _asked(repl, given, place, before, *called)
         return
     source = Source.of(given.text, "<bench>", given.line)
     if first_word(given.text) in STATEMENTS:
-        known = set(interpreter.state.context.bound)
-        answers = [a for a in interpreter.run(source) if " = " not in a.text or a.verdict != "done"]
-        context = interpreter.state.context
-        for name in [n for n in context.bound if n not in known]:
-            e = context.bound[name]
-            words = bound_text(name, context, interpreter.settings)
-            yield _result(place, words, "value", name, in_pieces(e), e.step, _drawn(e, name, at))
-        yield from (_said(place, a) for a in answers)
+        for part in _statements(source):
+            yield from _statement(repl, part, place, before)
     elif "==" in given.text:
-        yield from (_said(place, a) for a in interpreter.equation(source))
+        question = of_equation(repl, source)
+        for answer in repl.equation(source):
+            yield _Result(_said(repl, place, before, answer, question))
     else:
-        yield from _expression(interpreter, source, place, at)
+        question, e = of_expression(repl, source), repl.expression(source)
+        for answer in repl.shown(e, source):
+            found = _said(repl, place, before, answer, question)
+            yield _drawable(repl, {**found, "step": e.step}, e, str(e) if e.step else answer.text)
 
 
-def _asked(interpreter: Interpreter, given: Input, place: Span, name: str, at: int) -> Iterator[BenchResult]:
+def _statements(source: Source) -> list[Source]:
+    with source.placed():
+        return statements(source)
+
+
+def _statement(repl: Interpreter, part: Source, place: Span, before: Rules) -> Iterator[_Result]:
+    """A single statement: names with what they stand for, or its answer."""
+    known = set(repl.state.context.bound)
+    question = of_statement(repl, part)
+    answers = [a for a in repl.run(part) if " = " not in a.text or a.verdict != "done"]
+    context = repl.state.context
+    for name in [n for n in context.bound if n not in known]:
+        e = context.bound[name]
+        said = Answer(bound_text(name, context, repl.settings), "shown")
+        found = _said(repl, place, before, said, of_name(repl, name, e), e)
+        yield _drawable(repl, {**found, "name": name, "step": e.step}, e, name)
+    for answer in answers:
+        yield _Result(_said(repl, place, before, answer, question))
+
+
+def _drawable(repl: Interpreter, result: BenchResult, e: Expr, label: str) -> _Result:
+    """With what is drawn of it, where the text is of space."""
+    return _Result(result, e if repl.state.context.rank == 4 else None, label)
+
+
+def _asked(repl: Interpreter, given: Input, place: Span, before: Rules, name: str, at: int) -> Iterator[_Result]:
     """What a command of the prompt answers, if it asks something of algebra; files and a session are none here."""
+    source = Source.of(given.text, "<bench>", given.line, skip=at)
     if not set(meant(name)) <= {*BENCH_COMMANDS}:
         span = Span(given.line - 1, given.line - 1 + len(given.text))
         known = ", ".join(f":{n}" for n in BENCH_COMMANDS)
         hint = f"write {known}; or statements (let, points, claim, show …), expressions and equations"
-        source = Source.of(given.text, "<bench>", given.line)
         raise InputError("this command of the prompt does not work here", span=span, source=source.text, hint=hint)
-    before = interpreter.state.results
-    for answer in interpreter.command(given, "<bench>", name, at):
-        after = interpreter.state.results
-        shown = in_pieces(after[0])[:_MOST_PIECES] if after is not before else []
-        verdict = _VERDICTS.get(answer.verdict, "done")
-        asked = next(iter(meant(name)), name)
-        yield _result(place, answer.text, verdict, shown=shown, command=asked)
+    asked = next(iter(meant(name)), name)
+    whole = len(meant(name)) == 1
+    question = of_command(repl, source, asked, given.text[at:].strip()) if whole else None
+    for answer in repl.command(given, "<bench>", name, at):
+        yield _Result({**_said(repl, place, before, answer, question), "command": asked})
 
 
-def _said(place: Span, answer: Answer) -> BenchResult:
-    return _result(place, answer.text, _VERDICTS.get(answer.verdict, "done"))
-
-
-def _expression(interpreter: Interpreter, source: Source, place: Span, at: Mapping[str, Any]) -> Iterator[BenchResult]:
-    """The expansion of an expression."""
-    e = interpreter.expression(source)
-    before = interpreter.state.results
-    for answer in interpreter.shown(e, source):
-        after = interpreter.state.results
-        shown: list[Piece] = []
-        if after is not before:
-            shown = in_pieces(after[0])[:_MOST_PIECES]
-        words = str(e) if e.step else answer.text
-        yield _result(
-            place, answer.text, _VERDICTS.get(answer.verdict, "done"), None, shown, e.step, _drawn(e, words, at)
-        )
-
-
-def _result(
-    place: Span,
-    text: str,
-    verdict: Literal["value", "proved", "refuted", "undecided", "done"],
-    name: str | None = None,
-    shown: list[Piece] | None = None,
-    step: int | None = None,
-    drawn: Constructed | DrawnPlane | None = None,
-    command: str | None = None,
+def _said(
+    repl: Interpreter, place: Span, before: Rules, answer: Answer, question: Question | None, e: Expr | None = None
 ) -> BenchResult:
+    """An answer, with the expression that it gives: `e`, or else the result that there was not before the question."""
+    if e is None and question is not None and repl.state.results is not question.state.results:
+        e = repl.state.results[0]
+    shown = in_pieces(e) if e is not None and answer.verdict == "shown" else []
+    proved = question.tex if question and answer.verdict == "proved" and not question.state.context.given else ""
+    limit = repl.settings.limit if answer.verdict == "undecided" else None
     return {
         "start": place.start,
         "end": place.end,
-        "name": name,
-        "command": command,
-        "verdict": verdict,
-        "text": text,
-        "pieces": shown or [],
-        "step": step,
-        "drawn": drawn,
+        "name": None,
+        "command": None,
+        "verdict": _VERDICTS.get(answer.verdict, "done"),
+        "text": answer.text,
+        "tex": latex(e) if e is not None and 0 < len(shown) <= _MOST_PIECES else proved,
+        "pieces": shown[:_MOST_PIECES],
+        "terms": len(shown),
+        "step": None,
+        "drawn": None,
+        "applied": _applied(repl, answer),
+        "repeat": answer_lines(question, before, limit) if question else None,
     }
 
 
-def _in_text(fault: GcrulesError, text: str, starts: list[int]) -> None:
-    """The place of a fault in the whole text, which the interpreter reads input by input."""
+def _applied(repl: Interpreter, answer: Answer) -> list[AppliedRule]:
+    """The rules behind an answer, with who brought them."""
+    if not answer.applied:
+        return []
+    known = {r.id: r for r in load_rules(folders=repl.settings.plugins, identities=False)}
+    known |= {r.id: r for r in repl.state.rules}
+    return [
+        {
+            "id": name,
+            "sentence": known[name].sentence if name in known else "",
+            "owner": "" if name not in known or known[name].owner.startswith("<bench>") else known[name].owner,
+        }
+        for name in answer.applied
+    ]
+
+
+def _in_text(fault: GcrulesError, text: str, starts: list[int], whole: Span) -> None:
+    """The place of a fault in the whole text, which the interpreter reads input by input; that of the `whole` input
+    where there is none.
+    """
     if fault.span is None or fault.source is None:
+        fault.span, fault.source = whole, text
         return
     line, column = fault.span.line_column(fault.source)
     start = min(starts[min(line, len(starts)) - 1] + column - 1, len(text))

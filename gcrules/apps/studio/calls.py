@@ -15,7 +15,7 @@ from __future__ import annotations
 import json
 import re
 import shlex
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from gcrules.core.dataclass import dataclass
 
@@ -71,6 +71,16 @@ class Call:
     def shell(self, word: str, mode: str | None = None) -> str:
         modes = [f"--mode={quoted(mode)}"] if mode else []
         return " ".join(["gcrules", self.command, quoted(word), *modes, *(w for o in self.options for w in o.words())])
+
+    def direct(self, word: str, *more: str, before: Sequence[str] = ()) -> str:
+        """The same where the function takes a text itself, with `more` arguments behind it and lines `before` it;
+        nothing where no function does it.
+        """
+        if not self.function:
+            return ""
+        arguments = ", ".join([json.dumps(word, ensure_ascii=False), *more, *(o.argument() for o in self.options)])
+        call = f"print(gc.{self.function}({arguments}))"
+        return "\n".join(["import gcrules as gc", "", *before, call])
 
     def python(self, word: str, mode: str | None = None) -> str:
         """Nothing where no function does it."""

@@ -20,7 +20,7 @@ from gcrules.core.threads import with_one_thread
 __all__ = ["Pool", "WorkerFault"]
 
 _GONE = (asyncio.IncompleteReadError, ConnectionError)  # what is seen of a worker that has ended
-_STILL = 1.0  # seconds after which it is said that work goes on
+_STILL = 1.0  # seconds after which it is said that work goes on, and for how long it has
 _LATE = 5.0
 _MOST = 16_000_000  # bytes of an answer that are taken in at once
 
@@ -126,18 +126,23 @@ async def _answer(process: Process, job: Job, tell: Tell) -> Any:
     process.stdin.write(framed(job))
     await process.stdin.drain()
     start, words = monotonic(), "working"
+
+    def told() -> str:
+        gone = monotonic() - start
+        return words if gone < _STILL else f"{words}, {gone:.0f} s"
+
     frame = asyncio.ensure_future(read_frame(process.stdout))
     try:
         while True:
             finished, _ = await asyncio.wait([frame], timeout=_STILL)
             if not finished:
-                tell(f"{words}, {monotonic() - start:.0f} s")
+                tell(told())
                 continue
             found = frame.result()
             if found[0] != "progress":
                 return found
             words = found[1]
-            tell(words)
+            tell(told())
             frame = asyncio.ensure_future(read_frame(process.stdout))
     finally:
         frame.cancel()

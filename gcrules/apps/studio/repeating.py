@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import json
 import re
 from collections.abc import Callable, Mapping, Sequence
-from itertools import count
 from math import degrees
 from typing import Any
 
@@ -13,6 +11,7 @@ from gcrules.algebra.language.syntax import Context
 from gcrules.algebra.language.text import SHORT_NAME
 from gcrules.apps.repl.reading import first_word, is_blank, split_command
 from gcrules.apps.repl.tables import STATEMENTS, meant
+from gcrules.apps.studio.bench_repeating import Rules, prompt_lines
 from gcrules.apps.studio.boxes_view import rest_at
 from gcrules.apps.studio.calls import Call, Option
 from gcrules.apps.studio.locus_view import asked_locus
@@ -43,20 +42,20 @@ __all__ = ["repeated"]
 Args = Mapping[str, Any]
 
 
-def repeated(subject: Subject | None, what: str, args: Args) -> Repeated:
-    """The lines for a method with these arguments. Raises InputError for what is no such argument, and where nothing
-    repeats it.
+def repeated(subject: Subject | None, what: str, args: Args, folders: Sequence[str] = ()) -> Repeated:
+    """The lines for a method with these arguments, in a studio with these folders of plugins. Raises
+    InputError for what is no such argument, and where nothing repeats it.
     """
     asked = METHODS[_OF.get(what, what)].check(args, "args")
     if what == "bench":
-        return _bench(subject, asked["text"])
+        return _bench(subject, asked["text"], Rules.of(asked.get("rules", ()), folders))
     if subject is None:
         raise InputError("this is about no robot")
     call = _CALLS[what](subject, asked)
     word, mode, file = _named(subject, alone=what in ("open", "manual"))
     if what == "assemblies" and subject.limbs:
         mode = None  # they are those of the home that the file gives
-    return {"shell": call.shell(word, mode), "python": call.python(word, mode), "file": file}
+    return {"shell": call.shell(word, mode), "python": call.python(word, mode), "files": [file] if file else []}
 
 
 # --- what the robot is called ----------------------------------------------------------------------------------------
@@ -233,7 +232,7 @@ _CONTROLS = re.compile(r"[^\S\n\t ]|[\x00-\x08\x0e-\x1f\x7f-\x9f]")
 """What a terminal may take for a key, where a line is pasted into it."""
 
 
-def _bench(subject: Subject | None, text: str) -> Repeated:
+def _bench(subject: Subject | None, text: str, rules: Rules) -> Repeated:
     """The prompt takes what the bench takes; an expression or a claim alone is a call of Python too."""
     s = subject.structure if subject else None
     declared = {"points": [n for n in s.names if not SHORT_NAME.fullmatch(n)], "ideal": list(s.ideal)} if s else {}
@@ -242,21 +241,14 @@ def _bench(subject: Subject | None, text: str) -> Repeated:
         raise InputError("the bench is empty")
     ranks = [f"rank {s.rank}"] if s and s.rank != Context().rank else []
     start = [*ranks, *(f"{word} {' '.join(names)}" for word, names in declared.items() if names)]
-    shell = _given("gcrules repl", [*start, *text.strip().split("\n")])
+    shell = prompt_lines([*start, *text.strip().split("\n")], rules)
     alone = "\n" not in text.strip() and not ranks and first_word(text.strip()) not in STATEMENTS
-    return {"shell": shell, "python": _evaluated(text.strip(), declared) if alone else "", "file": None}
-
-
-def _given(command: str, lines: Sequence[str]) -> str:
-    """A command that is given these lines, ended by a word that is none of them: whatever they hold, the shell runs
-    nothing of it.
-    """
-    end = next(word for n in count() if (word := f"END{n or ''}") not in {line.strip() for line in lines})
-    return "\n".join([f"{command} <<'{end}'", *lines, end])
+    python = _evaluated(text.strip(), declared) if alone else ""
+    return {"shell": shell, "python": python, "files": list(rules.files)}
 
 
 _FUNCTIONS = ("expand", "straighten", "factor", "shorten", "transversals", "prove")
-"""The questions of the prompt that are functions of Python by the same name."""
+"""The questions of the prompt that are functions of Python by the same name, whatever rules hold."""
 
 
 def _evaluated(text: str, declared: Mapping[str, Sequence[str]]) -> str:
@@ -268,6 +260,5 @@ def _evaluated(text: str, declared: Mapping[str, Sequence[str]]) -> str:
         text = text[called[1] :].strip()
         if function not in _FUNCTIONS or is_blank(text) or "%" in text:
             return ""
-    names = (f"{word}={json.dumps(' '.join(names))}" for word, names in declared.items() if names)
-    given = json.dumps(text, ensure_ascii=False)
-    return f"import gcrules as gc\n\nprint(gc.{function}({', '.join([given, *names])}))"
+    names = tuple(Option("", word, " ".join(names)) for word, names in declared.items() if names)
+    return Call("", function, names).direct(text)

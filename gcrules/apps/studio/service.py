@@ -47,15 +47,21 @@ def _load(alone: bool) -> None:
 
 class Service:
     """Answers for all pages; `opened` is the source that the command, or Python, was given, `shared` its pose where
-    Python follows it; `guide` says whether the guide is served beside the page.
+    Python follows it, `folders` those of plugins; `guide` says whether the guide is served beside the page.
     """
 
     def __init__(
-        self, opened: SourceJson | None = None, shared: SharedPose | None = None, *, guide: bool = False
+        self,
+        opened: SourceJson | None = None,
+        shared: SharedPose | None = None,
+        folders: tuple[str, ...] = (),
+        *,
+        guide: bool = False,
     ) -> None:
         self.opened = opened
         self.guide = guide
         self.shared = shared
+        self.folders = folders
         self.instance = secrets.token_hex(8)
         self.pool = Pool()
         self.numbers = ThreadPoolExecutor(2, "numbers")
@@ -94,6 +100,8 @@ class Service:
         if name == "gallery" and self.gallery is not None:
             return self.gallery
         method = METHODS[name]
+        if method.folders:
+            args = {**args, "folders": self.folders}
         source = args.get("source")
         known = self._known(source)
         if method.where == "numbers":

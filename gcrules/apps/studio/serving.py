@@ -79,9 +79,15 @@ class _Place:
         self.tickets.add(ticket)
         return f"{self.address}?ticket={ticket}"
 
-    def server(self, opened: SourceJson | None, shared: SharedPose | None, ready: Callable[[], None]) -> _Server:
+    def server(
+        self,
+        opened: SourceJson | None,
+        shared: SharedPose | None,
+        ready: Callable[[], None],
+        folders: tuple[str, ...] = (),
+    ) -> _Server:
         config = uvicorn.Config(
-            make_app(self.port, self.token, opened, self.tickets, shared),
+            make_app(self.port, self.token, opened, self.tickets, shared, folders),
             log_level="critical",  # what pages send wrong is told to them; the studio logs its own faults
             lifespan="on",
             ws="websockets-sansio",
@@ -94,9 +100,14 @@ class _Place:
 
 
 def serve(
-    opened: SourceJson | None = None, *, port: int = PORT, browser: bool = True, say: Callable[[str], None] = print
+    opened: SourceJson | None = None,
+    *,
+    port: int = PORT,
+    browser: bool = True,
+    folders: tuple[str, ...] = (),
+    say: Callable[[str], None] = print,
 ) -> None:
-    """Serve until Ctrl-C; `say` hears the address."""
+    """Serve until Ctrl-C, with the plugins of these folders; `say` hears the address."""
     place = _Place(port)
 
     def ready() -> None:
@@ -109,7 +120,7 @@ def serve(
 
     try:
         with interrupts.deferred():  # the server hears them itself, once it has begun
-            place.server(opened, None, ready).run(sockets=[place.socket])
+            place.server(opened, None, ready, folders).run(sockets=[place.socket])
     except KeyboardInterrupt:
         interrupts.go_on()
     finally:

@@ -26,15 +26,14 @@ class Titled:
 
 @dataclass(frozen=True)
 class Repetition:
-    """What is repeated by a line for the shell, and by lines of Python ("" where no function does it); `file` is the
-    name of the file that they read, and `text` what it holds.
+    """What is repeated by a line for the shell, and by lines of Python ("" where no function does it); `files` are the
+    names of the files that they read, with their texts.
     """
 
     title: str
     shell: str
     python: str
-    file: str = ""
-    text: str = ""
+    files: tuple[tuple[str, str], ...] = ()
 
 
 @dataclass(frozen=True)

@@ -135,6 +135,10 @@ def _message(rng: Random, number: int) -> str:
             args = {"text": mutated(rng, text, WORDS) if rng.random() < 0.3 else text}
             if rng.random() < 0.2:
                 args |= {"source": cheap, "pose": _pose(rng)}
+            if rng.random() < 0.2:
+                sound = "rule r: ab /\\ cde => [acde] b - [bcde] a"
+                rule = rng.choice((sound, "rule r: ab => ba", "rule", script(rng)))
+                args["rules"] = [{"name": "x.gca", "text": mutated(rng, rule, WORDS), "off": rng.choice(([], ["r"]))}]
         case "compose":
             points = {n: [rng.choice((0, 1, -2, 0.5, 1e9)) for _ in range(3)] for n in "abcdef"}
             drawn = [["a", "b"], ["a", "f"], ["c", "b"], ["c", "d"], ["e", "d"], ["e", "f"]]

@@ -21,6 +21,7 @@ from gcrules.views.scene_data import (
 __all__ = [
     "ActuatorView",
     "Along",
+    "AppliedRule",
     "Bench",
     "BenchResult",
     "Cancelled",
@@ -201,8 +202,28 @@ class Manual(TypedDict):
     fault: FaultView | None
 
 
+class RepeatedFile(TypedDict):
+    name: str
+    text: str
+
+
+class Repeated(TypedDict):
+    shell: str
+    python: str
+    """Empty where no function of Python does it."""
+    files: list[RepeatedFile]
+    """What has to be saved first, since the lines name it."""
+
+
 class DrawnPlane(PlaneView):
     kind: Literal["plane"]
+
+
+class AppliedRule(TypedDict):
+    id: str
+    sentence: str
+    owner: str
+    """Who brought it: "gcrules", a plugin, a file with line, "" for the text of the bench."""
 
 
 class BenchResult(TypedDict):
@@ -214,10 +235,18 @@ class BenchResult(TypedDict):
     """The command of the prompt that was asked, if it is one."""
     verdict: Literal["value", "proved", "refuted", "undecided", "done"]
     text: str
+    tex: str
+    """The whole answer in LaTeX; "" where it is none, or too long."""
     pieces: list[Piece]
+    terms: int
+    """How many pieces there are; of very many only the first are sent."""
     step: int | None
     drawn: Constructed | DrawnPlane | None
     """What can be drawn in 3D with the points of the study, at its pose."""
+    applied: list[AppliedRule]
+    """The rules that led to it, in their order."""
+    repeat: Repeated | None
+    """The lines that give this answer alone; null where they would be too long."""
 
 
 class Bench(TypedDict):
@@ -251,19 +280,6 @@ class Saved(TypedDict):
     data: str
     """Text, or base64 where `binary`."""
     binary: bool
-
-
-class RepeatedFile(TypedDict):
-    name: str
-    text: str
-
-
-class Repeated(TypedDict):
-    shell: str
-    python: str
-    """Empty where no function of Python does it."""
-    file: RepeatedFile | None
-    """What has to be saved first, since the lines name it."""
 
 
 class Resized(TypedDict):

@@ -6,8 +6,8 @@ from gcrules.apps.repl.tables import COMMANDS, OPERATIONS, QUESTIONS, STATEMENTS
 
 __all__ = ["BENCH_COMMANDS", "BENCH_OPERATIONS", "BENCH_WORDS"]
 
-BENCH_COMMANDS = tuple(name for name in QUESTIONS if name != "analyze")
-"""The commands of the prompt that work on the bench: none of them opens a file."""
+BENCH_COMMANDS = QUESTIONS
+"""The commands of the prompt that work on the bench, where none of them opens a file."""
 
 BENCH_WORDS = (
     *((word, usage, line) for word, (usage, line) in STATEMENTS.items()),

@@ -17,6 +17,7 @@ from gcrules.apps.studio.protocol.limb_views import LimbsAnswer
 from gcrules.apps.studio.protocol.locus_views import LocusAnswer
 from gcrules.apps.studio.protocol.motion_views import MapAnswer, PathAnswer, PlacedPose, SurfaceAnswer, WaypointsAnswer
 from gcrules.apps.studio.protocol.report_requests import RepeatArgs, SaveArgs
+from gcrules.apps.studio.protocol.rule_views import CheckedRules, PluginsAnswer
 from gcrules.apps.studio.protocol.shape_checks import check_of
 from gcrules.apps.studio.protocol.study_views import Gallery, Hello, Study
 from gcrules.apps.studio.protocol.where_views import (
@@ -38,12 +39,14 @@ LONGEST = 1_000_000
 class Method:
     """`args` and `answer` are typed dictionaries. It works in the `session` with the page, in the server itself, in
     turn (`numbers`), or in a `worker` process, which is ended after so many `seconds`, and when the page gives up.
+    With `folders` it is told the folders of plugins that the studio was started with, which no page can name.
     """
 
     args: Any
     answer: Any
     where: Literal["session", "numbers", "worker"] = "worker"
     seconds: float = 60.0
+    folders: bool = False
 
     @cached_property
     def check(self) -> Check:
@@ -72,14 +75,16 @@ METHODS: Mapping[str, Method] = {
     "boxes": Method(requests.BoxesArgs, BoxesAnswer, seconds=600),
     "certify": Method(requests.CertifyArgs, CertificateAnswer, seconds=600),
     "manual": Method(requests.ManualArgs, answers.Manual),
-    "bench": Method(requests.BenchArgs, answers.Bench, seconds=60),
+    "bench": Method(requests.BenchArgs, answers.Bench, seconds=60, folders=True),
+    "rules": Method(requests.RulesArgs, CheckedRules, seconds=60),
+    "plugins": Method(requests.NoArgs, PluginsAnswer, seconds=120, folders=True),
     "complete": Method(requests.CompleteArgs, answers.Completed, seconds=5),
     "script": Method(requests.ScriptArgs, answers.Scripted, seconds=10),
     "compose": Method(requests.ComposeArgs, answers.Composed),
     "resize": Method(requests.ResizeArgs, answers.Resized),
     "limbs": Method(LimbsArgs, LimbsAnswer),
-    "save": Method(SaveArgs, answers.Saved, seconds=600),
-    "repeat": Method(RepeatArgs, answers.Repeated),
+    "save": Method(SaveArgs, answers.Saved, seconds=600, folders=True),
+    "repeat": Method(RepeatArgs, answers.Repeated, folders=True),
     "follow": Method(requests.FollowArgs, answers.Followed, where="session"),
     "show": Method(requests.ShowArgs, answers.Shown, where="session"),
     "cancel": Method(requests.CancelArgs, answers.Cancelled, where="session"),

@@ -13,11 +13,14 @@ __all__ = [
     "FARTHEST",
     "HOME",
     "LONGEST_FILE",
+    "LONGEST_RULES",
     "MOST_BOXES",
     "MOST_COMMANDS",
     "MOST_COORDINATES",
     "MOST_LEGS",
     "MOST_POINTS",
+    "MOST_RULES",
+    "MOST_RULE_FILES",
     "MOST_WAYPOINTS",
     "THRESHOLD",
     "AlongArgs",
@@ -48,6 +51,8 @@ __all__ = [
     "Quaternion",
     "ResizeArgs",
     "RobotSource",
+    "RuleFile",
+    "RulesArgs",
     "ScriptArgs",
     "ShowArgs",
     "Sketch",
@@ -64,6 +69,9 @@ MOST_COMMANDS = 200
 MOST_BOXES = 2_000_000
 MOST_WAYPOINTS = 200
 LONGEST_FILE = 400_000
+LONGEST_RULES = 40_000
+MOST_RULES = 200
+MOST_RULE_FILES = 12
 THRESHOLD = DEFAULT.text
 """Closer than this is close, where nothing else is asked for."""
 
@@ -284,8 +292,27 @@ class ManualArgs(TypedDict):
     commands: Annotated[list[Annotated[str, text(500)]], EntryCount(0, MOST_COMMANDS)]
 
 
+class RuleFile(TypedDict):
+    """A file of rules (`.gca`) that the user has opened, as text; the rules `off` are left out."""
+
+    name: _Name
+    text: Annotated[str, text(LONGEST_RULES, empty=True)]
+    off: Annotated[list[_Name], EntryCount(0, MOST_RULES)]
+
+
+_RuleFiles = Annotated[list[RuleFile], EntryCount(0, MOST_RULE_FILES)]
+
+
+class RulesArgs(TypedDict):
+    """Files of rules, to be checked."""
+
+    files: _RuleFiles
+
+
 class BenchArgs(TypedDict):
     text: Annotated[str, text(20_000, empty=True)]
+    rules: NotRequired[_RuleFiles]
+    """Rules that hold from the start, those that are wrong left out."""
     source: NotRequired[SourceJson]
     pose: NotRequired[PoseJson]
 

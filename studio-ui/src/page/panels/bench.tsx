@@ -5,13 +5,16 @@ import { BENCH_OPERATIONS, type BenchResult, type Fault, type Study } from "../.
 import { StoreProvider } from "../parts/context";
 import { FaultBox } from "../parts/fault-box";
 import { Icon } from "../parts/icon";
+import { Seeks } from "../pose/nearest-view";
 import type { Overlay } from "../state/scene";
 import { Answers, labelOf } from "./bench/answers";
 import { Editor, type Below } from "./bench/editor";
 import { createEvaluation } from "./bench/evaluation";
 import { examplesFor } from "./bench/examples";
 import { helping } from "./bench/helping";
+import { declareText } from "./bench/asking";
 import { Operations } from "./bench/operations";
+import { Rules } from "./bench/rules";
 import { ScriptFiles } from "./bench/script-files";
 import type { PanelProps } from "./index";
 import "./bench/bench.css";
@@ -109,20 +112,14 @@ export function Bench({ store }: PanelProps) {
           <Help />
           <ScriptFiles store={store} say={say} />
           <span class="space" />
-          {evaluation.busy.value && (
-            <span class="busy" role="status">
-              <span class="spinner" aria-hidden="true" />
-              <button type="button" class="quiet" onClick={evaluation.stop} data-testid="bench-stop">
-                Stop
-              </button>
-            </span>
-          )}
+          {evaluation.busy.value && <span class="spinner" role="status" aria-label="Working" />}
           <button type="button" class="primary" disabled={!text.trim()} title="Ctrl Enter" onClick={evaluation.run} data-testid="bench-run">
             <Icon name="play" size={13} /> Evaluate
           </button>
         </div>
       </header>
       <Operations view={() => editor.current} results={results} legs={legsOf(study)} say={say} />
+      {evaluation.words.value && <Seeks words={evaluation.words.value} stop={evaluation.stop} testid="bench-stop" />}
       <Editor
         text$={store.bench$}
         below={below}
@@ -134,11 +131,14 @@ export function Bench({ store }: PanelProps) {
       />
       {fault && !fault.place && <FaultBox fault={fault} />}
       <p class="note" role="status" data-testid="bench-note">
-        {words || noteOf(results, drawn, study !== null, fault !== null)}
+        {words || (evaluation.stopped.value ? STOPPED : noteOf(results, drawn, study !== null, fault !== null))}
       </p>
+      <Rules store={store} results={results} text={text} say={say} write={(rule) => editor.current && declareText(editor.current, rule)} />
     </div>
   );
 }
+
+const STOPPED = "Stopped. Evaluate begins anew.";
 
 const NONE: readonly BenchResult[] = [];
 

@@ -4,8 +4,8 @@ import type { Fault, Repeated } from "../../protocol";
 import { useStore } from "../parts/context";
 import { FaultBox } from "../parts/fault-box";
 import { Icon } from "../parts/icon";
+import { LineToCopy } from "../parts/line-to-copy";
 import { Modal } from "../parts/modal";
-import { download } from "../lib/download";
 import { repeatables, type Repeatable } from "../state/repeating";
 import { faultOf } from "../state/studying";
 
@@ -45,7 +45,7 @@ export function Repeat({ onClose }: { onClose(): void }) {
 }
 
 function Lines({ one, language }: { one: Repeatable; language: Language }) {
-  const { client, source$, study, front } = useStore();
+  const { client, source$, study } = useStore();
   const [found, show] = useState<Repeated | null>(null);
   const [fault, tell] = useState<Fault | null>(null);
   useEffect(() => {
@@ -53,44 +53,13 @@ function Lines({ one, language }: { one: Repeatable; language: Language }) {
     client.ask("repeat", { what: one.what, args: one.args, ...(source && { source }) }).then(show, (error) => tell(faultOf(error)));
   }, []);
   const text = found?.[language];
-  const file = found?.file;
-
-  function copy(): void {
-    navigator.clipboard.writeText(text ?? "").then(
-      () => front.tell(`${one.title}: copied`),
-      () => front.tell("The browser does not allow copying: select the lines and copy them"),
-    );
-  }
-
   return (
     <section data-testid={`repeat-of-${one.what}`}>
       <h3>{one.title}</h3>
       {fault && <FaultBox fault={fault} />}
       {!found && !fault && <span class="spinner" role="status" aria-label="Writing the lines" />}
       {found && !text && <p class="none">The prompt takes it; no function of Python does.</p>}
-      {text && (
-        <div class="line">
-          <pre class="mono" tabIndex={0} aria-label={`${one.title}, ${language}`}>
-            {text}
-          </pre>
-          <button type="button" onClick={copy} aria-label={`Copy: ${one.title}`} data-testid={`repeat-copy-${one.what}`}>
-            Copy
-          </button>
-        </div>
-      )}
-      {text && file && (
-        <p class="tip">
-          It reads <code>{file.name}</code>.{" "}
-          <button
-            type="button"
-            class="quiet"
-            onClick={() => download({ name: file.name, blob: new Blob([file.text], { type: "text/plain" }) })}
-            data-testid={`repeat-file-${one.what}`}
-          >
-            <Icon name="take-away" size={14} /> Save this file
-          </button>
-        </p>
-      )}
+      {text && <LineToCopy title={one.title} language={language} text={text} files={found?.files ?? []} name={one.what} />}
     </section>
   );
 }

@@ -1,5 +1,5 @@
 // What the user has made: everything that undo brings back and that the link in the address bar restores.
-import { THRESHOLD, type Pose, type Sketch, type Source, type StageId, type Vec3 } from "../../protocol";
+import { THRESHOLD, type Pose, type RuleFile, type Sketch, type Source, type StageId, type Vec3 } from "../../protocol";
 
 export type PanelId = "start" | "guided" | "manual" | "motion" | "where" | "dimensions" | "bench" | "draw" | "take-away" | "project";
 
@@ -45,6 +45,8 @@ export interface Doc {
   commands: string[];
   /** Text of the expression bench. */
   bench: string;
+  /** Files of rules that hold on the bench. */
+  rules: readonly RuleFile[];
   tour: Tour;
   making: Making;
   /** What is being drawn, if anything. */
@@ -73,6 +75,7 @@ export const EMPTY: Doc = {
   threshold: THRESHOLD,
   commands: [],
   bench: "",
+  rules: [],
   tour: TOUR,
   making: "legs",
   sketch: null,

@@ -36,6 +36,7 @@ function fieldsOf(doc: ReadonlySignal<Doc>): Fields {
     threshold$: computed(() => doc.value.threshold),
     commands$: computed(() => doc.value.commands),
     bench$: computed(() => doc.value.bench),
+    rules$: computed(() => doc.value.rules),
     tour$: computed(() => doc.value.tour),
     making$: computed(() => doc.value.making),
     sketch$: computed(() => doc.value.sketch),

@@ -1,6 +1,7 @@
 // Reads a document that comes from outside (a link): every field is checked, what is not understood is left out.
 import {
-  FARTHEST, LONGEST_FILE, MOST_COMMANDS, MOST_COORDINATES, MOST_LEGS, MOST_POINTS, STAGE_IDS, type Pose, type Sketch, type Source, type Vec3,
+  FARTHEST, LONGEST_FILE, LONGEST_RULES, MOST_COMMANDS, MOST_COORDINATES, MOST_LEGS, MOST_POINTS, MOST_RULES, MOST_RULE_FILES, STAGE_IDS,
+  type Pose, type RuleFile, type Sketch, type Source, type Vec3,
 } from "../../protocol";
 import { EMPTY, FINENESS, HOME, NODES, TOUR, type Doc, type Making, type PanelId, type Range, type Tour } from "./doc";
 
@@ -62,6 +63,14 @@ function readSketch(x: unknown): Sketch | null {
   };
 }
 
+const isRuleFile = (x: unknown): x is RuleFile =>
+  isObject(x) && isText(x.name) && x.name.trim() !== "" && x.name.length <= 200 && isText(x.text) && x.text.length <= LONGEST_RULES && listOf(isText)(x.off) && x.off.length <= MOST_RULES;
+
+function readRules(x: unknown): readonly RuleFile[] {
+  if (!listOf(isRuleFile)(x)) return EMPTY.rules;
+  return x.slice(0, MOST_RULE_FILES).map(({ name, text, off }) => ({ name, text, off: off.filter((id) => id.trim() !== "" && id.length <= 200) }));
+}
+
 function readTour(x: unknown): Tour {
   if (!isObject(x)) return TOUR;
   const { start, to, over, nodes, measure, box, fineness } = x;
@@ -90,6 +99,7 @@ export function readDoc(x: unknown): Doc {
     threshold: isText(x.threshold) ? x.threshold : EMPTY.threshold,
     commands: listOf(isText)(x.commands) ? x.commands.slice(0, MOST_COMMANDS) : [],
     bench: isText(x.bench) ? x.bench : "",
+    rules: readRules(x.rules),
     tour: readTour(x.tour),
     making: among(MADE)(x.making) ? x.making : EMPTY.making,
     sketch: readSketch(x.sketch),

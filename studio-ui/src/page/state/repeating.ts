@@ -10,7 +10,7 @@ export interface Repeatable {
 }
 
 /** In the order of the panels; answers that were asked for count as long as they are there. */
-export function repeatables({ source$, pose$, threshold$, commands$, bench$, study, posing, timeline, touring, roaming }: Store): Repeatable[] {
+export function repeatables({ source$, pose$, threshold$, commands$, bench$, rules$, study, posing, timeline, touring, roaming }: Store): Repeatable[] {
   const [source, shown, pose, threshold, text] = [source$.value, study.value, pose$.value, threshold$.value, bench$.value];
   const commands = commands$.value;
   const actuated = (posing.numbers.value?.actuators.length ?? 0) > 0;
@@ -30,7 +30,7 @@ export function repeatables({ source$, pose$, threshold$, commands$, bench$, stu
     ["The free region", "free", askedOf(roaming.free.now.value)],
     ["Whole ranges, mapped", "boxes", askedOf(roaming.boxes.now.value)],
     ["Whole ranges, certified", "certify", askedOf(roaming.certify.now.value)],
-    ["The bench", "bench", text.trim() !== "" && { text }],
+    ["The bench", "bench", text.trim() !== "" && { text, ...(rules$.value.length > 0 && { rules: rules$.value }) }],
   ];
   return rows.flatMap(([title, what, args]) => (args ? [{ title, what, args }] : []));
 }

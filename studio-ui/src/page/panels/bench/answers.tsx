@@ -1,8 +1,9 @@
 // What one statement gave: a formula, a verdict, and whether it stands in the picture.
 import { useState } from "preact/hooks";
-import type { BenchResult, Piece } from "../../../protocol";
+import type { AppliedRule, BenchResult, Piece, Repeated } from "../../../protocol";
 import { Formula } from "../../parts/formula";
 import { Icon, type IconName } from "../../parts/icon";
+import { LineToCopy, useCopy } from "../../parts/line-to-copy";
 
 const STEPS = ["scalar", "point", "line", "plane"];
 const MOST = 40; // pieces that are shown without being asked for
@@ -41,7 +42,10 @@ interface AnswerProps {
 
 function Answer({ result, rank, shown, onToggle }: AnswerProps) {
   const [all, showAll] = useState(false);
-  const { name, command, pieces, verdict, text, step, drawn } = result;
+  const [repeating, repeat] = useState(false);
+  const copy = useCopy();
+  const { name, command, verdict, text, tex, terms, step, drawn } = result;
+  const pieces = IN_WORDS.has(command ?? "") ? [] : result.pieces;
   const said = VERDICTS[verdict];
   const kind = step === null || rank !== 4 ? undefined : STEPS[step];
   return (
@@ -54,14 +58,15 @@ function Answer({ result, rank, shown, onToggle }: AnswerProps) {
       {pieces.length > 0 ? (
         <Formula left={name ? [nameOf(name)] : []} right={all ? pieces : pieces.slice(0, MOST)} />
       ) : (
-        (verdict !== "proved" || !said) && <pre class="said">{said ? reasonsOf(text) : text}</pre>
+        (verdict !== "proved" || !said) && (command === "analyze" ? <Analysed text={text} /> : <Said text={said ? reasonsOf(text) : text} />)
       )}
-      {command && pieces.length > 0 && reasonsOf(text) !== text && <pre class="said">{reasonsOf(text)}</pre>}
+      {pieces.length > 0 && (command || isWay(text)) && reasonsOf(text) !== text && <Said text={reasonsOf(text)} />}
       {pieces.length > MOST && (
         <button type="button" class="quiet" onClick={() => showAll(!all)}>
-          {all ? "Less" : `All ${pieces.length} terms`}
+          {all ? "Less" : pieces.length < terms ? `The first ${pieces.length} of ${terms} terms` : `All ${terms} terms`}
         </button>
       )}
+      <Applied rules={result.applied} />
       <span class="about">
         {kind && <span class="kind">{kind}</span>}
         {drawn && (
@@ -77,10 +82,107 @@ function Answer({ result, rank, shown, onToggle }: AnswerProps) {
             <Icon name="orbit" size={15} /> 3D
           </button>
         )}
+        <button type="button" class="quiet act" title="Copy this answer" aria-label="Copy this answer" data-testid="bench-copy" onClick={() => copy(text, "The answer")}>
+          <Icon name="copy" size={15} />
+        </button>
+        {tex && (
+          <button type="button" class="quiet act" title={texTitle(command)} aria-label={texTitle(command)} data-testid="bench-copy-tex" onClick={() => copy(tex, "LaTeX")}>
+            TeX
+          </button>
+        )}
+        <button
+          type="button"
+          class="quiet act"
+          title="Repeat this answer: lines for the shell and for Python"
+          aria-label="Repeat this answer"
+          aria-expanded={repeating}
+          data-testid="bench-repeat"
+          onClick={() => repeat(!repeating)}
+        >
+          <Icon name="terminal" size={15} />
+        </button>
       </span>
+      {repeating && <Lines repeated={result.repeat} />}
     </div>
   );
 }
+
+/** Answers that are sentences, with the formulas in them. */
+const IN_WORDS = new Set(["analyze", "transversals"]);
+
+const texTitle = (command: string | null): string => `Copy ${IN_WORDS.has(command ?? "") ? "the condition" : "this answer"} as LaTeX`;
+
+const FEW = 12; // lines of an answer in words that are shown without being asked for
+
+function Said({ text }: { text: string }) {
+  const [all, showAll] = useState(false);
+  const lines = text.split("\n");
+  const long = lines.length > FEW + 3;
+  return (
+    <>
+      <pre class="said">{long && !all ? lines.slice(0, FEW).join("\n").trimEnd() : text}</pre>
+      {long && (
+        <button type="button" class="quiet" onClick={() => showAll(!all)} data-testid="bench-more">
+          {all ? "Less" : `All ${lines.length} lines`}
+        </button>
+      )}
+    </>
+  );
+}
+
+/** The condition in sentences, as the analysis begins; the way to it when it is asked for. */
+function Analysed({ text }: { text: string }) {
+  const [all, showAll] = useState(false);
+  const [first = "", ...steps] = text.split("\n\n");
+  const sentences = first.split(/\n(?=- )/).map((part) => part.replace(/^- /, "").replace(/\s+/g, " "));
+  return (
+    <div class="analysed">
+      {sentences.map((sentence) => (
+        <p key={sentence}>{sentence}</p>
+      ))}
+      {all && <pre class="said">{steps.join("\n\n")}</pre>}
+      {steps.length > 0 && (
+        <button type="button" class="quiet" onClick={() => showAll(!all)} data-testid="bench-more">
+          {all ? "Less" : "The analysis, step by step"}
+        </button>
+      )}
+    </div>
+  );
+}
+
+/** The rules that led to an answer; those that did not come with gcrules stand out. */
+function Applied({ rules }: { rules: readonly AppliedRule[] }) {
+  if (rules.length === 0) return null;
+  return (
+    <p class="applied" data-testid="bench-applied">
+      by{" "}
+      {rules.map(({ id, sentence, owner }) => (
+        <code key={id} class={owner === "gcrules" ? "" : "own"} title={[sentence, owner || "of this text"].filter(Boolean).join(" — ")}>
+          {id}
+        </code>
+      ))}
+    </p>
+  );
+}
+
+function Lines({ repeated }: { repeated: Repeated | null }) {
+  if (!repeated)
+    return (
+      <p class="lines none" data-testid="bench-lines">
+        The lines for this answer would be too long: those for the whole bench repeat it.
+      </p>
+    );
+  const { shell, python, files } = repeated;
+  return (
+    <div class="lines" data-testid="bench-lines">
+      <LineToCopy title="Line for the shell" language="shell" text={shell} files={files} name="shell" />
+      {python ? <LineToCopy title="Lines of Python" language="python" text={python} files={[]} name="python" /> : <p class="none">No function of Python does this.</p>}
+    </div>
+  );
+}
+
+/** Whether an answer is a way of several steps by rules, or one that none of them began. */
+const isWay = (text: string): boolean => /\n {2}no rule fires$/.test(text) || (text.match(/\n {6}by /g) ?? []).length > 1;
 
 /** Without the first line, which repeats what was written. */
 const reasonsOf = (text: string): string => text.split("\n").slice(1).map((line) => line.replace(/^ {2}/, "")).join("\n") || text;

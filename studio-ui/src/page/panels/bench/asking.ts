@@ -32,6 +32,7 @@ export const OPERATIONS: readonly Operation[] = [
   { id: "rewrite", title: "Rewrite", words: "By the rules of this text", line: ({ expression }) => (expression === "" ? null : `rewrite ${expression}`) },
   { id: "prove", title: "Prove", words: "Decide the equation, or write its other side", line: ({ expression, equation }) => (equation !== "" ? `:prove ${equation}` : expression === "" ? null : `${expression} == `) },
   { id: "transversals", title: "Transversals", words: "Compare the turns about two lines that meet four legs", line: ({ legs }) => (legs === "" ? null : `:transversals ${legs}`) },
+  { id: "analyze", title: "Analyze", words: "When and why a robot on these six legs is singular", line: ({ legs }) => (legs === "" ? null : `:analyze ${legs}`) },
   { id: "latex", title: "LaTeX", words: "As it stands, for a paper", line: ask("latex") },
 ];
 
@@ -89,12 +90,17 @@ export function put(view: EditorView, results: readonly BenchResult[], line: str
 
 /** Puts a declaration behind those at the top; the rank stands first. */
 export function declare(view: EditorView, { id, text, select }: (typeof DECLARATIONS)[number]): void {
+  declareText(view, text, id === "rank", select);
+}
+
+/** Puts a text there, and the cursor on what is to be changed of it. */
+export function declareText(view: EditorView, text: string, first = false, select = text): void {
   const { doc } = view.state;
   let at = 0;
   for (let n = 1; n <= doc.lines; n += 1) {
     const line = doc.line(n);
     const declares = DECLARES.test(line.text);
-    if (id === "rank" && declares) break;
+    if (first && declares) break;
     if (declares) at = line.to + 1;
     else if (COMMENT.test(line.text) && at === line.from && n < doc.lines) at = line.to + 1;
     else if (line.text.trim() !== "" && !COMMENT.test(line.text)) break;

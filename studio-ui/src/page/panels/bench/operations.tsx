@@ -17,7 +17,7 @@ export function Operations({ view, results, legs, say }: Props) {
     if (!editor) return;
     const found = line(askedAt(editor, results, legs));
     if (found) put(editor, results, found);
-    else say(title === "Transversals" ? "Put the cursor on a superbracket [[Aa, Bb, …]], or open a robot on six legs." : `Put the cursor on an expression: ${title} works on the statement there.`);
+    else say(title === "Transversals" || title === "Analyze" ? "Put the cursor on a superbracket [[Aa, Bb, …]], or open a robot on six legs." : `Put the cursor on an expression: ${title} works on the statement there.`);
   }
   return (
     <div class="bench-operations" role="toolbar" aria-label="Of the statement under the cursor">

@@ -1,0 +1,181 @@
+r"""Files of rules that a page has opened: read, proved, and what of them is used.
+
+>>> text = "rule pierce: ab /\\ cde => [acde] b - [bcde] a\nrule wrong: ab /\\ cde => [acde] b + [bcde] a\n"
+>>> (shown,) = checked_view([{"name": "mine.gca", "text": text, "off": []}])["files"]
+>>> [(r["id"], r["verdict"], r["fault"] and r["fault"]["place"]["line"]) for r in shown["rules"]]
+[('pierce', 'proved', None), ('wrong', 'refuted', 2)]
+>>> [r.id for r in usable([{"name": "mine.gca", "text": text, "off": []}])]
+['pierce']
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+from functools import lru_cache
+from typing import Literal, cast
+
+from gcrules.algebra.language.rule_text import RuleText
+from gcrules.algebra.language.statements import Script, parse_script
+from gcrules.apps.studio.faults import fault_view
+from gcrules.apps.studio.protocol.requests import RuleFile
+from gcrules.apps.studio.protocol.rule_views import CheckedRule, CheckedRuleFile, CheckedRules
+from gcrules.core.budget import checkpoint, stage, within
+from gcrules.core.dataclass import dataclass
+from gcrules.core.errors import GcrulesError, InputError, LimitReached
+from gcrules.rules.identity import Identity
+from gcrules.rules.plugins import load_rules
+from gcrules.rules.rule_file import RuleCheck, check_rule, identities
+
+__all__ = ["checked_view", "saved_names", "switched", "usable"]
+
+_SECONDS = 20.0
+"""For one rule: what takes longer is not decided here."""
+
+
+@dataclass(frozen=True)
+class _Read:
+    """A file with the checks of its rules, or the fault that keeps it from being read."""
+
+    script: Script | None
+    checks: tuple[RuleCheck, ...] = ()
+    fault: GcrulesError | None = None
+
+
+def checked_view(files: Sequence[RuleFile]) -> CheckedRules:
+    """What each file holds, and what is wrong with it. A rule whose id is taken is one that is wrong."""
+    return {"files": [_view(file, read) for file, read in zip(files, _all_read(files), strict=True)]}
+
+
+def usable(files: Sequence[RuleFile]) -> tuple[Identity, ...]:
+    """The rules that are proved and not switched off, in the order of the files."""
+    return tuple(
+        check.rule
+        for file, read in zip(files, _all_read(files), strict=True)
+        for check in read.checks
+        if check.ok and check.rule.id not in file["off"]
+    )
+
+
+def _all_read(files: Sequence[RuleFile]) -> list[_Read]:
+    """The files one after the other; ids that one before has taken, or a rule of gcrules, are faults."""
+    owners = {rule.id: rule.owner for rule in load_rules()}
+    found = []
+    for file in files:
+        with stage(f"rules of {file['name']}"):
+            read = _read(file["name"], file["text"])
+        checks = tuple(_clashing(check, owners, read.script) for check in read.checks)
+        owners |= {c.rule.id: c.rule.owner for c in checks if c.ok and c.rule.id not in file["off"]}
+        found.append(_Read(read.script, checks, read.fault))
+    return found
+
+
+def _clashing(check: RuleCheck, owners: dict[str, str], script: Script | None) -> RuleCheck:
+    rule = check.rule
+    if not check.ok or rule.id not in owners or script is None:
+        return check
+    span = next(r.span for r in script.rules if r.id == rule.id)
+    words = f"two rules are called {rule.id}: one of {owners[rule.id]}, one of {rule.owner}"
+    fault = InputError(words, hint="rename one of them, or load only one").located(script.source, script.filename, span)
+    return RuleCheck(rule, check.place, "refused", check.ranks, fault)
+
+
+@lru_cache(maxsize=32)
+def _read(name: str, text: str) -> _Read:
+    try:
+        script = parse_script(text, name)
+    except GcrulesError as fault:
+        return _Read(None, fault=fault)
+    if not script.rules:
+        hint = 'rules are written  rule ID "sentence": A => B'
+        return _Read(script, fault=InputError("the file holds no rules", hint=hint))
+    return _Read(script, tuple(_checks(script)))
+
+
+def _checks(script: Script) -> Iterator[RuleCheck]:
+    for number, rule in enumerate(script.rules, 1):
+        with stage(f"{number} of {len(script.rules)}, {rule.id}"):
+            yield _check(rule, script)
+
+
+def _check(rule: RuleText, script: Script) -> RuleCheck:
+    try:
+        with within(_SECONDS):
+            return check_rule(rule, script, recheck=False)
+    except LimitReached as limited:
+        checkpoint()  # it may be that of all together
+        alone = next(i for i in identities(script) if i.id == rule.id)
+        words = f"the rule {rule.id} is not decided: {limited.message}"
+        fault = LimitReached(words).located(script.source, script.filename, rule.span)
+        return RuleCheck(alone, alone.owner, "undecided", (), fault)
+
+
+# --- as the page is told -------------------------------------------------------------------------------------------
+
+
+def _view(file: RuleFile, read: _Read) -> CheckedRuleFile:
+    lines = {r.id: r.line for r in read.script.rules} if read.script else {}
+    return {
+        "name": file["name"],
+        "rules": [_rule_view(check, lines[check.rule.id]) for check in read.checks],
+        "fault": fault_view(read.fault) if read.fault else None,
+    }
+
+
+def _rule_view(check: RuleCheck, line: int) -> CheckedRule:
+    return {
+        "id": check.rule.id,
+        "sentence": check.rule.sentence,
+        "text": check.rule.text,
+        "line": line,
+        "verdict": cast("Literal['proved', 'refuted', 'undecided', 'refused']", check.verdict),
+        "reason": check.reason,
+        "fault": fault_view(check.fault) if check.fault else None,
+    }
+
+
+# --- as files that lines name --------------------------------------------------------------------------------------
+
+
+def saved_names(files: Sequence[RuleFile]) -> list[str]:
+    """A name for each file that any shell takes and that ends as files of rules do; all different.
+
+    >>> saved_names([{"name": n, "text": "", "off": []} for n in ("mine.gca", "../-a b$(x).gca", "mine.gca", "…")])
+    ['mine.gca', 'a-b-x.gca', 'mine-2.gca', 'rules.gca']
+    """
+    found: list[str] = []
+    for file in files:
+        stem = file["name"].rpartition("/")[2].removesuffix(".gca")
+        stem = re.sub(r"[^A-Za-z0-9_]+", "-", stem).strip("-") or "rules"
+        number = next(n for n in range(1, len(files) + 2) if _numbered(stem, n) not in found)
+        found.append(_numbered(stem, number))
+    return found
+
+
+def _numbered(stem: str, number: int) -> str:
+    return f"{stem}.gca" if number == 1 else f"{stem}-{number}.gca"
+
+
+def switched(file: RuleFile) -> str:
+    r"""The text of a file whose rules that are wrong or switched off are comments; "" where none is left.
+
+    >>> text = "rule one: ab /\\ cd => [abcd] rule two: ab /\\ cde => [acde] b - [bcde] a\n  silent [abcd]\n"
+    >>> print(switched({"name": "x", "text": text, "off": ["one"]}))
+    # rule one: ab /\ cd => [abcd]
+     rule two: ab /\ cde => [acde] b - [bcde] a
+      silent [abcd]
+    <BLANKLINE>
+    """
+    read = _read(file["name"], file["text"])
+    if read.script is None:
+        return ""
+    wrong = {c.rule.id for c in read.checks if not c.ok} | {*file["off"]}
+    text = file["text"]
+    left = [rule for rule in read.script.rules if rule.id not in wrong]
+    for rule in reversed(read.script.rules):
+        if rule.id in wrong:
+            before, body, after = text[: rule.span.start], text[rule.span.start : rule.span.end], text[rule.span.end :]
+            begin = "" if not before or before.endswith("\n") else "\n"
+            end = "" if not after or after.startswith("\n") else "\n"
+            text = f"{before}{begin}" + "\n".join(f"# {line}" for line in body.split("\n")) + end + after
+    return text if left else ""
