@@ -89,7 +89,9 @@ ANSWERS: Mapping[str, Callable[[Any, Args], Any]] = {
     ),
     "repeat": lambda subject, args: repeated(subject, args["what"], args["args"], args.get("folders", ())),
     "resize": lambda subject, args: resized(subject, args["points"], args.get("limits")),
-    "save": lambda subject, args: saved(subject, args["pose"], args["what"], args.get("threshold"), args.get("state")),
+    "save": lambda subject, args: saved(
+        subject, args["pose"], args["what"], args.get("threshold"), args.get("state"), args.get("folders", ())
+    ),
 }
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import base64
 import json
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 
 from gcrules.apps.studio.numbers import numbers
 from gcrules.apps.studio.posed import analysis_of, analysis_there, drawing_there, file_there
@@ -25,11 +25,19 @@ Bytes = Callable[[Subject, PoseJson, str | None], str | bytes]
 
 
 def saved(
-    subject: Subject, pose: PoseJson, what: Format, threshold: str | None, state: StateJson | None = None
+    subject: Subject,
+    pose: PoseJson,
+    what: Format,
+    threshold: str | None,
+    state: StateJson | None = None,
+    folders: Sequence[str] = (),
 ) -> Saved:
     """A file in this format; a `state` goes into the report. Raises InputError where the subject has none."""
     mime, make = _MAKERS[what]
-    found = make(subject, pose, threshold) if state is None else report_there(subject, pose, threshold, state)
+    if state is None:
+        found = make(subject, pose, threshold)
+    else:
+        found = report_there(subject, pose, threshold, state, folders)
     binary = isinstance(found, bytes)
     data = base64.b64encode(found).decode() if isinstance(found, bytes) else found
     ending = "tex" if what == "latex" else what

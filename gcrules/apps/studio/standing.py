@@ -39,7 +39,13 @@ __all__ = ["report_there"]
 Args = Mapping[str, Any]
 
 
-def report_there(subject: Subject, pose: PoseJson, threshold: str | None, state: StateJson | None = None) -> str:
+def report_there(
+    subject: Subject,
+    pose: PoseJson,
+    threshold: str | None,
+    state: StateJson | None = None,
+    folders: Sequence[str] = (),
+) -> str:
     """The page; without a `state` that of the robot in its pose alone. Raises GcrulesError where an answer that is to
     stand in it cannot be had any more.
     """
@@ -47,11 +53,11 @@ def report_there(subject: Subject, pose: PoseJson, threshold: str | None, state:
     asked: Sequence[ReportedJson] = state["answers"] if state else ()
     answers = [_answered(subject, one) for one in asked if one["what"] in _ANSWERS]
     tell("writing the report")
-    return report(analysis, answers=answers, standing=_standing(subject, pose, threshold, state, asked))
+    return report(analysis, answers=answers, standing=_standing(subject, pose, threshold, state, folders))
 
 
 def _standing(
-    subject: Subject, pose: PoseJson, threshold: str | None, state: StateJson | None, asked: Sequence[ReportedJson]
+    subject: Subject, pose: PoseJson, threshold: str | None, state: StateJson | None, folders: Sequence[str]
 ) -> Standing:
     drawing = ""
     with suppress(InputError):  # it has no points to draw
@@ -64,7 +70,9 @@ def _standing(
         picture=state["picture"] if state else "",
         notes=tuple((one["title"], one["text"]) for one in state["notes"]) if state else (),
         link=state["link"] if state else "",
-        repetitions=tuple(found for one in asked if (found := _repetition(subject, one))),
+        repetitions=tuple(
+            found for one in (state["answers"] if state else ()) if (found := _repetition(subject, one, folders))
+        ),
     )
 
 
@@ -141,10 +149,10 @@ _TITLED = (PathReport, RobotPath)
 """There may be several of them."""
 
 
-def _repetition(subject: Subject, asked: ReportedJson) -> Repetition | None:
+def _repetition(subject: Subject, asked: ReportedJson, folders: Sequence[str]) -> Repetition | None:
     """The lines that repeat it; None where none do."""
     with suppress(InputError):
-        found = repeated(subject, asked["what"], _args(subject, asked))
+        found = repeated(subject, asked["what"], _args(subject, asked), folders)
         files = tuple((file["name"], file["text"]) for file in found["files"])
         return Repetition(asked["title"], found["shell"], found["python"], files)
     return None

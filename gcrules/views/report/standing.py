@@ -26,8 +26,8 @@ class Titled:
 
 @dataclass(frozen=True)
 class Repetition:
-    """What is repeated by a line for the shell, and by lines of Python ("" where no function does it); `files`
-    are the names of the files that they read, with what these hold.
+    """What is repeated by a line for the shell, and by lines of Python ("" where no function does it); `files` are the
+    names of the files that they read, with their texts.
     """
 
     title: str

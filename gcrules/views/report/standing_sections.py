@@ -64,7 +64,7 @@ def _link(link: str) -> str:
 
 
 def _lines(s: Standing) -> str:
-    files = dict(file for one in s.repetitions for file in one.files)
+    files = {name: text for one in s.repetitions for name, text in one.files}
     texts = "".join(
         f"<details><summary>{escape(name)}, the file that lines below read</summary><pre>{escape(text)}</pre></details>"
         for name, text in files.items()

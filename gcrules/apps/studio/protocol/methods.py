@@ -83,7 +83,7 @@ METHODS: Mapping[str, Method] = {
     "compose": Method(requests.ComposeArgs, answers.Composed),
     "resize": Method(requests.ResizeArgs, answers.Resized),
     "limbs": Method(LimbsArgs, LimbsAnswer),
-    "save": Method(SaveArgs, answers.Saved, seconds=600),
+    "save": Method(SaveArgs, answers.Saved, seconds=600, folders=True),
     "repeat": Method(RepeatArgs, answers.Repeated, folders=True),
     "follow": Method(requests.FollowArgs, answers.Followed, where="session"),
     "show": Method(requests.ShowArgs, answers.Shown, where="session"),
