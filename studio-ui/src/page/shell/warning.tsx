@@ -22,7 +22,7 @@ export function Warning({ pane }: { pane: RefObject<HTMLElement | null> }) {
   useLayoutEffect(() => {
     const [shown, picture] = [bar.current, pane.current];
     if (shown && picture) put(placeOf(place, shown.offsetWidth, shown.offsetHeight, picture.clientWidth, picture.clientHeight, marks));
-  }, [marks, numbers, open, place]);
+  }, [marks, numbers, open]); // once for what is on show: it is as large in each place
   if (!warns) return null;
   const causes = numbers.causes.flatMap((cause) => cause.split("\n"));
   const motion = numbers.motion ? [sentence(numbers.motion.text)] : [];
