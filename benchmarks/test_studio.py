@@ -253,7 +253,7 @@ def test_slider_to_value(timed: Callable[..., Any], browser: Any, studio: Studio
 
 
 LET_GO = """async part => {
-  const slider = document.querySelector("[data-testid=slider-q1]"), {timeline} = gcrules;
+  const slider = document.querySelector("[data-testid^=slider-][type=range]"), {timeline} = gcrules;
   const until = async ready => { while (!ready()) await new Promise(done => setTimeout(done, 2)); };
   const low = Number(slider.min), high = Number(slider.max);
   for (const share of [0.5, 1]) {
