@@ -109,7 +109,7 @@ def test_what_is_seen_at_zeros() -> None:
         (
             "3-rps",
             "roll=0deg, pitch=-90deg",
-            "8*z + 57; at its one real zero the robot is singular, in the working modes -",
+            "8*z + 57; at its one real zero the robot is singular, in the working mode -",
         ),
         # a slide at right angles to its bar: all bars are along z there, and a root is 0
         ("orthoglide", "x=0, y=0", "z - 4, to the power 2; at its one real zero the robot is singular"),
@@ -316,3 +316,27 @@ def test_the_signs_of_roots_that_a_factor_does_not_have_are_told() -> None:
     assert words.count("signs of s_A2 and s_A3, home's are +; s_A1 as at home") == 2
     assert "over all signs of its roots" in words
     assert words.count("product of the factor over the 4 choices of signs") == 2
+
+
+def test_a_factor_that_is_known_up_to_a_cofactor_says_so() -> None:
+    """4-UPU, whose platform only shifts at yaw 0: the expressions at shifted points, beside the polynomial."""
+    (part,) = gc.locus("4-upu").parts
+    home = {
+        "A": [(4, 0, 1), (0, 4, 0), (-4, 0, 0), (0, -4, 2)],
+        "B": [(-1, 1, 2), (-1, 2, 3), (-2, 2, 2), (1, -1, 3)],
+    }
+    directions = {n: tuple(int(n == m) for m in "xyz") for n in "xyz"}
+    points = [*directions, *(f"{body}{k}" for body in home for k in range(1, 5))]
+    ratios = set()
+    for shift in [(0, 0, 0), (1, 2, 3), (2, -1, 5), (-3, 7, 1)]:
+        at = {n: (*d, 0) for n, d in directions.items()}
+        at |= {f"A{k}": (*c, 1) for k, c in enumerate(home["A"], 1)}
+        at |= {f"B{k}": (*(a + b for a, b in zip(c, shift, strict=True)), 1) for k, c in enumerate(home["B"], 1)}
+        above, below = (gc.evaluate(gc.parse(e, points=points), at) for e in (part.expression, part.cofactor))
+        wanted = part.form([*shift, 0])
+        ratios.add((above == below * wanted * part.coefficient, below == 0))
+    assert {same for same, _ in ratios} == {True}
+    assert (True, False) in ratios
+    shown = str(gc.locus("4-upu"))
+    assert f"cofactor  {part.cofactor}" in shown
+    assert "factor / cofactor = " in shown

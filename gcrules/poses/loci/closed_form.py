@@ -44,9 +44,12 @@ _INSTEAD = "gcrules map, path and pose --nearest close the loops by numbers inst
 
 @dataclass(frozen=True, eq=False)
 class ClosedFactor:
-    """A factor of the condition, what divides it, and both as nodes of the graph; `over` is 1 where nothing does."""
+    """A factor of the condition, what divides it, and both as nodes of the graph; where nothing does, `cofactor` is ""
+    and `over` 1.
+    """
 
     expression: str
+    cofactor: str
     kind: str
     statement: str
     value: Ring
@@ -161,8 +164,13 @@ def _factors(m: Limbs, places: LimbPlaces, vectors: Mapping[str, Vector]) -> tup
     def value(e: Expr) -> Any:
         return 1 if e == ONE else evaluator.value(e)[0]
 
+    def shown(e: Expr) -> str:
+        return "" if e == ONE else text(e, names=names)
+
     return tuple(
-        ClosedFactor(text(p.expression, names=names), p.kind, p.statement, value(p.expression), value(p.over))
+        ClosedFactor(
+            text(p.expression, names=names), shown(p.over), p.kind, p.statement, value(p.expression), value(p.over)
+        )
         for p in analysis.parts
         if p.kind not in ASIDE
     )

@@ -85,6 +85,7 @@ def _part(modes: Modes, factor: ClosedFactor, numerator: Numerator, every: Elimi
             found, undecided = None, (fault.message, fault.hint)
     return LocusPart(
         factor.expression,
+        factor.cofactor,
         factor.kind,
         factor.statement,
         numerator.form,

@@ -41,7 +41,8 @@ class RobotLocusFactor(LocusFactor):
 
 @dataclass(frozen=True)
 class LocusPart:
-    """A factor of the condition: its `expression`, `kind` and `statement`, as those of `RobotAnalysis.parts`.
+    """A factor of the condition: its `expression`, `kind` and `statement`, as those of `RobotAnalysis.parts`. Where the
+    expression is known up to a `cofactor` ("" if not), it is their quotient that is meant.
 
     The product of it over all signs of the `roots`, the working modes, is `coefficient` · `form` / ∏ `below`^power,
     exactly, in lowest terms. So `form`, with whole coefficients without a common divisor, is 0 exactly where the
@@ -52,6 +53,7 @@ class LocusPart:
     """
 
     expression: str
+    cofactor: str
     kind: str
     statement: str
     form: PolynomialForm
@@ -81,6 +83,7 @@ class LocusPart:
     def to_json(self) -> dict[str, Any]:
         return {
             "expression": self.expression,
+            "cofactor": self.cofactor or None,
             "kind": self.kind,
             "statement": self.statement,
             "degrees": self.degrees,

@@ -113,14 +113,17 @@ def _part(
 ) -> Iterator[tuple[str, str]]:
     times = "·" if unicode else "*"
     yield "factor", f"{part.expression} ({part.kind})" + (f": {part.statement}" if part.statement else "")
+    if part.cofactor:
+        yield "cofactor", part.cofactor
     if part.vanishes:
         yield name, f"0: it vanishes at each of these poses, in {'some' if found.multiplied else 'every'} working mode"
         return
     multiplied = found.multiplied and part.roots
     count = 2 ** len(part.roots)
-    product = f"product over {count} working modes of the factor" if multiplied else "factor"
+    what = "factor / cofactor" if part.cofactor else "factor"
+    product = f"product over {count} working modes of the {what}" if multiplied else what
     if multiplied and _others(part, found):
-        product = f"product of the factor over the {count} choices of signs"
+        product = f"product of the {what} over the {count} choices of signs"
     coefficient = f"({number(part.coefficient)}) {times} {name}" if part.coefficient != 1 else name
     below = f" {times} ".join(f"({_short(p)})^{n}" if n > 1 else f"({_short(p)})" for p, n in part.below)
     yield "identity", f"{product} = {coefficient}{f' / ({below})' if below else ''}"
@@ -164,7 +167,7 @@ def _modes(seen: Sightings, roots: Sequence[str], others: Sequence[str]) -> str:
     signs = f"signs of {listed(roots)}, home's are +; {listed(others)} as at home" if others else ""
     modes = f"{', '.join(seen.modes)} ({signs or _SIGNS})"
     where = every if seen.assembled == seen.zeros else f"{seen.assembled} of {of}"
-    return f"at {where} the robot is singular, in the working modes {modes}"
+    return f"at {where} the robot is singular, in the working mode{'s' * (len(seen.modes) > 1)} {modes}"
 
 
 def as_latex(found: RobotLocus) -> str:
