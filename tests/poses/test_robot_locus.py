@@ -115,7 +115,7 @@ def test_what_is_seen_at_zeros() -> None:
         ("orthoglide", "x=0, y=0", "z - 4, to the power 2; at its one real zero the robot is singular"),
         ("orthoglide", "x=1, y=0", "z^2 - 15, to the power 2; at all of its 2 real zeros the robot is singular"),
         ("delta", "x=0, y=0", "13*z^4 - 312*z^3 + 4104*z^2 - 26784*z + 80720, to the power 2; it has no real zeros"),
-        ("4-ruu", "x=0, y=0", "z - 4, to the power 16; at its one real zero the robot is not assembled"),
+        ("4-ruu", "x=0, y=0", "z - 6, to the power 16; at its one real zero the robot is not assembled"),
     ],
 )
 def test_all_real_zeros_in_one_variable_are_looked_at(name: str, at: str, text: str) -> None:
