@@ -7,6 +7,7 @@ from fractions import Fraction
 from pathlib import Path
 
 import pytest
+import yaml
 from click.testing import CliRunner
 from commands import assert_refused
 
@@ -169,3 +170,17 @@ def test_kinds(names: list[str], said: str) -> None:
 def test_coordinates_that_do_not_determine_the_pose() -> None:
     done = CliRunner().invoke(cli, ["robot", "pose", "3-rps", "--at", "yaw=1deg, x=0, y=0"])
     assert_refused(done, 2, "yaw, x and y do not determine the pose of 3-rps near home")
+
+
+def test_lengths_in_another_unit_than_directions_are_named_as_a_cause() -> None:
+    """Delta with joints ten million times as close together, and its bars as long as before."""
+    home = {
+        name: ([Fraction(c) / 10**7 for c in place] if name[0] in "OAB" else place)
+        for name, place in yaml.safe_load(shipped("delta"))["home"].items()
+    }
+    text = shipped("delta").partition("home:")[0] + "home:\n"
+    text += "".join(f"  {name}: [{', '.join(map(str, place))}]\n" for name, place in home.items())
+    for asked in ({"x": 0, "y": 0, "z": 0}, {"x": 0}):
+        with pytest.raises(gc.InputError, match="no 3 coordinates determine the pose") as fault:
+            gc.pose(gc.load(text), asked, nearest=False)
+        assert "Directions count where bars lie along them" in fault.value.render()

@@ -159,7 +159,7 @@ def check_target(m: Linkage, wanted: Target) -> None:
         return
     if not wanted.driven and len(wanted.names) != m.robot.mobility:
         told = dict(zip(wanted.names, map(float, wanted.values), strict=True))
-        example = written({n: told.get(n, 0.0) for n in free_coordinates(m, wanted.names)})
+        example = written({n: told.get(n, 0.0) for n in _independent(m, wanted.names)})
         check_count(told, m.robot.mobility, "coordinate", f"the others follow from them: {example}")
     if len(wanted.names) >= m.robot.mobility and _told(Course(m, wanted), m.home) > _DEPENDENT:
         return
@@ -170,8 +170,20 @@ def check_target(m: Linkage, wanted: Target) -> None:
         )
     raise InputError(
         f"{agreeing(wanted.names, 'does', 'do')} not determine the pose of {m.robot.id} near home",
-        hint=f"independent there are, for example, {listed(free_coordinates(m))}",
+        hint=f"independent there are, for example, {listed(_independent(m))}",
     )
+
+
+def _independent(m: Linkage, first: Sequence[str] = ()) -> tuple[str, ...]:
+    """The free coordinates. Raises InputError where rounding leaves fewer of them than the platform has freedoms."""
+    found = free_coordinates(m, first)
+    if len(found) < m.robot.mobility:
+        raise InputError(
+            f"no {m.robot.mobility} coordinates determine the pose of {m.robot.id} near home, as far as numbers of 16"
+            " digits tell",
+            hint="is home singular, or are some lengths in another unit? Directions count where bars lie along them",
+        )
+    return found
 
 
 def free_coordinates(m: Linkage, first: Sequence[str] = ()) -> tuple[str, ...]:
