@@ -7,6 +7,7 @@ run in their pages (site_runs.py). Anything that is wrong is printed, and is an 
 
 from __future__ import annotations
 
+import hashlib
 import os
 import re
 import shutil
@@ -41,6 +42,7 @@ def build(root: Path, site: Path, engine: Path | None = None) -> list[str]:
     except RuntimeError as error:
         return [*guide.faults, str(error)]
     _keep_at_home(folder / "site")
+    _scripts_apart(folder / "site")
     if engine:
         for page in (folder / "site").rglob("*.html"):
             page.write_text(site_runs.marked(page.read_text(encoding="utf-8")), encoding="utf-8")
@@ -48,6 +50,23 @@ def build(root: Path, site: Path, engine: Path | None = None) -> list[str]:
     shutil.rmtree(site, ignore_errors=True)
     shutil.move(folder / "site", site)
     return guide.faults
+
+
+_SCRIPT = re.compile(r"<script>(.*?)</script>", re.DOTALL)
+
+
+def _scripts_apart(site: Path) -> None:
+    """Scripts in pages as files beside them, so that a server may forbid all scripts that stand in pages."""
+    folder = site / "assets" / "javascripts" / "of-pages"
+    folder.mkdir(parents=True)
+    for page in site.rglob("*.html"):
+
+        def apart(match: re.Match[str], page: Path = page) -> str:
+            name = f"{hashlib.sha256(match[1].encode()).hexdigest()[:16]}.js"
+            (folder / name).write_text(match[1], encoding="utf-8")
+            return f'<script src="{Path(os.path.relpath(folder / name, page.parent)).as_posix()}"></script>'
+
+        page.write_text(_SCRIPT.sub(apart, page.read_text(encoding="utf-8")), encoding="utf-8")
 
 
 def _keep_at_home(site: Path) -> None:

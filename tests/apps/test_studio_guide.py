@@ -37,13 +37,19 @@ def test_the_guide_is_served_where_it_is_built(monkeypatch: pytest.MonkeyPatch, 
     with TestClient(app.make_app(PORT, TOKEN), base_url=OWN) as client:
         with client.websocket_connect("/ws", headers=KNOWN) as socket:
             assert Page(socket).ask("hello")["guide"] is there
+        assert client.get("/guide/index.html").status_code == 403, "it is for whom the token is known"
+        client.headers.update(KNOWN)
         found = client.get("/guide/course/bracket.html")
         assert (found.status_code, found.text) == ((200, "brackets") if there else (404, "There is no such file.\n"))
         (built / "course" / "later.html").write_text("later")
         assert client.get("/guide/course/later.html").status_code == (200 if there else 404)
-        for name in ("../secret.html", "%2e%2e/secret.html", "..%2fsecret.html", "/etc/passwd", "none.html"):
+        (built / "link.html").symlink_to(built.parent / "secret.html")
+        outside = ("../secret.html", "%2e%2e/secret.html", "..%2fsecret.html", "/etc/passwd", "link.html", "a%00.html")
+        for name in (*outside, "none.html"):
             assert client.get(f"/guide/{name}").status_code == 404, name
         assert "default-src 'self'" in found.headers["content-security-policy"]
+        assert "wasm" in found.headers["content-security-policy"]
+        assert "wasm" not in client.get("/").headers["content-security-policy"]
 
 
 def test_every_term_names_a_page_of_the_guide() -> None:

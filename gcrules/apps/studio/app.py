@@ -10,7 +10,7 @@ from starlette.middleware import Middleware
 from starlette.routing import Route, WebSocketRoute
 from starlette.websockets import WebSocket
 
-from gcrules.apps.studio.guard import Guard
+from gcrules.apps.studio.guard import GUIDE, Guard
 from gcrules.apps.studio.pages import Pages, guide_folder
 from gcrules.apps.studio.protocol.requests import SourceJson
 from gcrules.apps.studio.service import Service
@@ -37,7 +37,7 @@ def make_app(
     guide = guide_folder()
     service = Service(opened, shared, folders, guide=guide is not None)
     pages = Pages()
-    of_guide = [] if guide is None else [Route("/guide/{name:path}", Pages(guide).answer)]
+    of_guide = [] if guide is None else [Route(f"{GUIDE}{{name:path}}", Pages(guide).answer)]
 
     sessions: set[PageSession] = set()
 

@@ -18,9 +18,11 @@ from starlette.datastructures import Headers, QueryParams
 from starlette.responses import PlainTextResponse, RedirectResponse, Response
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
-__all__ = ["COOKIE", "Guard"]
+__all__ = ["COOKIE", "GUIDE", "Guard"]
 
 COOKIE = "gcrules-studio"
+GUIDE = "/guide/"
+"""Where the guide lies."""
 _YEAR = 365 * 24 * 3600
 _UNSAID = 80  # browsers leave this port out of Host and Origin
 
@@ -40,7 +42,7 @@ class Guard:
         self.token = token
         self.tickets = tickets
         self.hosts = {name if port == _UNSAID else f"{name}:{port}" for name in ("127.0.0.1", "localhost")}
-        self.headers = headers(port)
+        self.headers, self.of_guide = headers(port), headers(port, engine=True)
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         if scope["type"] not in ("http", "websocket"):
@@ -59,7 +61,8 @@ class Guard:
 
         async def with_headers(message: Message) -> None:
             if message["type"] == "http.response.start":
-                message["headers"] = [*message["headers"], *self.headers]
+                beside = self.of_guide if scope["path"].startswith(GUIDE) else self.headers
+                message["headers"] = [*message["headers"], *beside]
             await send(message)
 
         answer = refused or self._entrance(scope, asked) or self.app
@@ -78,8 +81,11 @@ class Guard:
     def _entrance(self, scope: Scope, asked: Headers) -> Response | None:
         """A right token or ticket in the address becomes a cookie, and goes out of the address; else there is no page.
 
-        The stylesheet, the scripts and fonts of the page are the same for everyone, and hold nothing secret.
+        The stylesheet, the scripts and fonts of the page are the same for everyone, and hold nothing secret; the guide
+        may be one of somebody's own.
         """
+        if scope["path"].startswith(GUIDE):
+            return None if self._known(asked) else PlainTextResponse(_NO_TOKEN, 403)
         if scope["path"] != "/":
             return None
         given = QueryParams(scope["query_string"])
@@ -116,12 +122,14 @@ async def _rejected(receive: Receive, send: Send) -> None:
     await send({"type": "websocket.close", "code": 1008})
 
 
-def headers(port: int) -> list[tuple[bytes, bytes]]:
-    """What every answer says: nothing is loaded from elsewhere, no other page holds or reads this one."""
+def headers(port: int, *, engine: bool = False) -> list[tuple[bytes, bytes]]:
+    """What every answer says: nothing is loaded from elsewhere, no other page holds or reads this one. With `engine`
+    pages may run WebAssembly, as the guide's do.
+    """
     sockets = " ".join(f"ws://{name}:{port}" for name in ("127.0.0.1", "localhost"))
     policy = {
         "default-src": "'self'",
-        "script-src": "'self'",
+        "script-src": "'self' 'wasm-unsafe-eval'" if engine else "'self'",
         "style-src": "'self' 'unsafe-inline'",  # KaTeX and the editor set styles of single elements
         "img-src": "'self' data: blob:",
         "font-src": "'self' data:",

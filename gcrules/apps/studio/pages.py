@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+from contextlib import suppress
 from pathlib import Path
 
 from starlette.requests import Request
@@ -21,13 +22,17 @@ def guide_folder() -> Path | None:
     """The guide that `make docs` has built beside the package, in a checkout of the sources; None where there is none:
     what is installed from a package comes without it.
     """
-    built = Path(__file__).resolve().parents[3] / "build" / "site"
-    return built if (built / "index.html").is_file() else None
+    root = Path(__file__).resolve().parents[3]
+    built = root / "build" / "site"
+    return built if (root / "mkdocs.yml").is_file() and (built / "index.html").is_file() else None
 
 
 _TYPES = {
     ".html": "text/html; charset=utf-8",
     ".js": "text/javascript; charset=utf-8",
+    ".mjs": "text/javascript; charset=utf-8",
+    ".wasm": "application/wasm",
+    ".zip": "application/zip",
     ".css": "text/css; charset=utf-8",
     ".woff2": "font/woff2",
     ".svg": "image/svg+xml",
@@ -56,7 +61,6 @@ class Pages:
     def __init__(self, *folders: Path) -> None:
         self.folders = folders or STATIC
         self.known: dict[Path, _File] = {}
-        self.listed: dict[str, Path] = {}
 
     async def answer(self, request: Request) -> Response:
         """The file that is asked for."""
@@ -72,19 +76,13 @@ class Pages:
         return Response(file.data, media_type=_TYPES[path.suffix], headers=headers)
 
     def _path(self, name: str) -> Path | None:
-        """The file of this name; they are listed again where there is none, or it is gone."""
-        if name not in self.listed or not self.listed[name].is_file():
-            self.listed = self._listed()
-        return self.listed.get(name)
-
-    def _listed(self) -> dict[str, Path]:
-        """What there is, by the name in the address: nothing outside the folder has one."""
-        return {
-            p.relative_to(folder).as_posix(): p
-            for folder in reversed(self.folders)
-            for p in folder.rglob("*")
-            if p.suffix in _TYPES and p.is_file()
-        }
+        """The file of this name, of the first folder that has one; nothing that lies outside them is one."""
+        for folder in self.folders:
+            with suppress(OSError, ValueError):  # names that no file can have
+                path, home = (folder / name).resolve(), folder.resolve()
+                if path.is_relative_to(home) and path.suffix in _TYPES and path.is_file():
+                    return path
+        return None
 
     def _file(self, path: Path) -> _File:
         changed = path.stat().st_mtime_ns
