@@ -65,10 +65,13 @@ def runs(line: str) -> bool:
     """Whether the engine of the pages answers a command line."""
     if re.search(r"[|<>&;]", re.sub(r"\"[^\"]*\"|'[^']*'", "", line)):
         return False
-    words = shlex.split(line)
-    if words[:1] != ["gcrules"] or WITHOUT & set(words):
+    try:
+        first, command, *rest = shlex.split(line)
+    except ValueError:  # no command, or an open quotation mark
         return False
-    return words[1] in COMMANDS or (words[1] == "robot" and words[2] in ROBOT)
+    if first != "gcrules" or WITHOUT & {command, *rest}:
+        return False
+    return command in COMMANDS or (command == "robot" and rest[:1] != [] and rest[0] in ROBOT)
 
 
 def marked(html: str) -> str:

@@ -13,7 +13,7 @@ from commands import Run
 from gcrules.apps.studio.bench import bench
 from gcrules.apps.studio.plugins_view import plugins_view
 from gcrules.apps.studio.protocol.requests import LONGEST_RULES, MOST_RULE_FILES, MOST_RULES
-from gcrules.apps.studio.rule_files import checked_view, saved_names, switched, usable
+from gcrules.apps.studio.rule_files import checked_view, saved, usable
 from gcrules.core.budget import within
 from gcrules.core.errors import FileError
 
@@ -140,10 +140,14 @@ def test_a_limit_has_its_line_and_what_stands_before_it_stays() -> None:
 
 
 def test_what_is_saved_beside_a_line_holds_what_was_used() -> None:
-    text = switched(opened(f"{PIERCE}\n{WRONG}\n{TURN}\n", "turn"))
-    assert text.splitlines() == [PIERCE, f"# {WRONG}", f"# {TURN}"]
-    assert switched(opened(f"{WRONG}\n")) == ""
-    assert switched(opened("rule (")) == ""
+    (found,) = saved([opened(f"{PIERCE}\n{WRONG}\n{TURN}\n", "turn")])
+    assert found["text"].splitlines() == [PIERCE, f"# {WRONG}", f"# {TURN}"]
+    assert saved([opened(f"{WRONG}\n"), opened("rule (")]) == []
+    twice = [opened(f"{PIERCE}\n", name="Mine.gca"), opened(f"{PIERCE}\n{TURN}\n", name="mine.gca")]
+    assert [(one["name"], one["text"].splitlines()) for one in saved(twice)] == [
+        ("Mine.gca", [PIERCE]),
+        ("mine-2.gca", [f"# {PIERCE}", TURN]),
+    ], "an id that is taken is not used twice, and no disk takes two names for one"
 
 
 # --- hostile -------------------------------------------------------------------------------------------------------
@@ -163,8 +167,9 @@ NAMES = [
 
 def test_names_of_files_in_lines_are_plain() -> None:
     files = [opened(PIERCE.replace("pierce", f"p{i}"), name=name) for i, name in enumerate(NAMES)]
-    assert all(name.isascii() and name[:1].isalnum() and "/" not in name for name in saved_names(files))
-    assert len(set(saved_names(files))) == len(files)
+    names = [one["name"] for one in saved(files)]
+    assert all(name.isascii() and name[:1].isalnum() and "/" not in name for name in names)
+    assert len(set(names)) == len(files)
     (found,) = bench("rewrite ab /\\ cde", None, None, files[:3])["results"]
     assert found["repeat"] is not None
     assert "$" not in found["repeat"]["shell"]

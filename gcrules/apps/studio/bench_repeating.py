@@ -25,7 +25,7 @@ from gcrules.apps.studio.bench_questions import Question
 from gcrules.apps.studio.calls import Call, Option
 from gcrules.apps.studio.protocol.answer_views import Repeated, RepeatedFile
 from gcrules.apps.studio.protocol.requests import RuleFile
-from gcrules.apps.studio.rule_files import saved_names, switched
+from gcrules.apps.studio.rule_files import saved
 from gcrules.core.dataclass import dataclass
 
 __all__ = ["Rules", "answer_lines", "pasted", "prompt_lines"]
@@ -44,11 +44,7 @@ class Rules:
     @classmethod
     def of(cls, files: Sequence[RuleFile], folders: Sequence[str] = ()) -> Rules:
         """Those of files that a page has opened, what is switched off in them left out."""
-        texts = map(switched, files)
-        kept: list[RepeatedFile] = [
-            {"name": name, "text": text} for name, text in zip(saved_names(files), texts, strict=True) if text
-        ]
-        return cls(tuple(kept), tuple(folders))
+        return cls(tuple(saved(files)), tuple(folders))
 
     @property
     def of_files(self) -> list[Option]:

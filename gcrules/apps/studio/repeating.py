@@ -58,6 +58,10 @@ def repeated(subject: Subject | None, what: str, args: Args, folders: Sequence[s
     return {"shell": call.shell(word, mode), "python": call.python(word, mode), "files": [file] if file else []}
 
 
+_PLAIN = re.compile(r"[^\W_][\w .+()-]*\.\w+")
+"""Names of files that mean themselves, in a shell and on a disk."""
+
+
 # --- what the robot is called ----------------------------------------------------------------------------------------
 
 
@@ -74,7 +78,7 @@ def _named(subject: Subject, *, alone: bool) -> tuple[str, str | None, RepeatedF
         return " ".join(source["legs"].split()), None, None
     if source["kind"] == "file":
         name, text = source["name"], source["text"]
-        if name.startswith("<"):
+        if not _PLAIN.fullmatch(name):  # it may come from a link, and stands in lines to paste
             name = file_name(subject.title, "xml" if is_xml(text) else "yaml")
         return name, source.get("mode"), {"name": name, "text": text}
     name = file_name(subject.title, "yaml")

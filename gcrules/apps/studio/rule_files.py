@@ -18,6 +18,7 @@ from typing import Literal, cast
 from gcrules.algebra.language.rule_text import RuleText
 from gcrules.algebra.language.statements import Script, parse_script
 from gcrules.apps.studio.faults import fault_view
+from gcrules.apps.studio.protocol.answer_views import RepeatedFile
 from gcrules.apps.studio.protocol.requests import RuleFile
 from gcrules.apps.studio.protocol.rule_views import CheckedRule, CheckedRuleFile, CheckedRules
 from gcrules.core.budget import checkpoint, stage, within
@@ -27,7 +28,7 @@ from gcrules.rules.identity import Identity
 from gcrules.rules.plugins import load_rules
 from gcrules.rules.rule_file import RuleCheck, check_rule, identities
 
-__all__ = ["checked_view", "saved_names", "switched", "usable"]
+__all__ = ["checked_view", "saved", "usable"]
 
 _SECONDS = 20.0
 """For one rule: what takes longer is not decided here."""
@@ -80,8 +81,29 @@ def _clashing(check: RuleCheck, owners: dict[str, str], script: Script | None) -
     return RuleCheck(rule, check.place, "refused", check.ranks, fault)
 
 
-@lru_cache(maxsize=32)
 def _read(name: str, text: str) -> _Read:
+    """The file with its checks, which are kept, but not those that took too long: the next time there may be more."""
+    try:
+        return _decided(name, text)
+    except _Undecided as fault:
+        return fault.read
+
+
+class _Undecided(Exception):
+    def __init__(self, read: _Read) -> None:
+        super().__init__()
+        self.read = read
+
+
+@lru_cache(maxsize=32)
+def _decided(name: str, text: str) -> _Read:
+    read = _checked(name, text)
+    if any(check.verdict == "undecided" for check in read.checks):
+        raise _Undecided(read)
+    return read
+
+
+def _checked(name: str, text: str) -> _Read:
     try:
         script = parse_script(text, name)
     except GcrulesError as fault:
@@ -137,17 +159,35 @@ def _rule_view(check: RuleCheck, line: int) -> CheckedRule:
 # --- as files that lines name --------------------------------------------------------------------------------------
 
 
-def saved_names(files: Sequence[RuleFile]) -> list[str]:
-    """A name for each file that any shell takes and that ends as files of rules do; all different.
+def saved(files: Sequence[RuleFile]) -> list[RepeatedFile]:
+    r"""The files that lines name, those without a rule that is used left out; in the others rules that are wrong or
+    switched off are comments.
 
-    >>> saved_names([{"name": n, "text": "", "off": []} for n in ("mine.gca", "../-a b$(x).gca", "mine.gca", "…")])
-    ['mine.gca', 'a-b-x.gca', 'mine-2.gca', 'rules.gca']
+    >>> text = "rule one: ab /\\ cd => [abcd] rule two: ab /\\ cde => [acde] b - [bcde] a\n  silent [abcd]\n"
+    >>> (found,) = saved([{"name": "x", "text": text, "off": ["one"]}])
+    >>> print(found["name"], found["text"], sep="\n")
+    x.gca
+    # rule one: ab /\ cd => [abcd]
+     rule two: ab /\ cde => [acde] b - [bcde] a
+      silent [abcd]
+    <BLANKLINE>
+    """
+    texts = (_used(file, read) for file, read in zip(files, _all_read(files), strict=True))
+    return [{"name": name, "text": text} for name, text in zip(_names(files), texts, strict=True) if text]
+
+
+def _names(files: Sequence[RuleFile]) -> list[str]:
+    """A name for each file that any shell and any disk takes and that ends as files of rules do; all different.
+
+    >>> _names([{"name": n, "text": "", "off": []} for n in ("mine.gca", "../-a b$(x).gca", "Mine.gca", "…")])
+    ['mine.gca', 'a-b-x.gca', 'Mine-2.gca', 'rules.gca']
     """
     found: list[str] = []
     for file in files:
         stem = file["name"].rpartition("/")[2].removesuffix(".gca")
         stem = re.sub(r"[^A-Za-z0-9_]+", "-", stem).strip("-") or "rules"
-        number = next(n for n in range(1, len(files) + 2) if _numbered(stem, n) not in found)
+        taken = {name.casefold() for name in found}
+        number = next(n for n in range(1, len(files) + 2) if _numbered(stem, n).casefold() not in taken)
         found.append(_numbered(stem, number))
     return found
 
@@ -156,17 +196,8 @@ def _numbered(stem: str, number: int) -> str:
     return f"{stem}.gca" if number == 1 else f"{stem}-{number}.gca"
 
 
-def switched(file: RuleFile) -> str:
-    r"""The text of a file whose rules that are wrong or switched off are comments; "" where none is left.
-
-    >>> text = "rule one: ab /\\ cd => [abcd] rule two: ab /\\ cde => [acde] b - [bcde] a\n  silent [abcd]\n"
-    >>> print(switched({"name": "x", "text": text, "off": ["one"]}))
-    # rule one: ab /\ cd => [abcd]
-     rule two: ab /\ cde => [acde] b - [bcde] a
-      silent [abcd]
-    <BLANKLINE>
-    """
-    read = _read(file["name"], file["text"])
+def _used(file: RuleFile, read: _Read) -> str:
+    """The text of a file whose rules that are wrong or switched off are comments; "" where none is left."""
     if read.script is None:
         return ""
     wrong = {c.rule.id for c in read.checks if not c.ok} | {*file["off"]}
