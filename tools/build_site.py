@@ -2,7 +2,8 @@
 
 site_pages.py writes the pages into a folder beside the site, Zensical makes HTML of them, and what its scripts would
 load from elsewhere is taken out. With the engine of site_engine.py, the folder that GCRULES_SITE_ENGINE names, examples
-run in their pages (site_runs.py), and the studio beside them answers without a server. Anything that is wrong is printed, and is an error (exit code 1).
+run in their pages (site_runs.py), and the studio beside them answers without a server. Anything that is wrong is
+printed, and is an error (exit code 1).
 """
 
 from __future__ import annotations

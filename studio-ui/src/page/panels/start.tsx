@@ -28,6 +28,7 @@ export function Start({ store }: PanelProps) {
               <Icon name="bench" size={16} /> Expression bench
             </button>
           </div>
+          {alone && <p class="hint" data-testid="alone">All of it is computed in this page. Robots with dimensions, poses, paths and maps need an installation.</p>}
         </div>
         <TypeLegs />
       </section>
@@ -36,7 +37,7 @@ export function Start({ store }: PanelProps) {
           <Icon name="search" size={16} />
           <input
             type="search"
-            placeholder="Search: octahedral, four planes, 3-RPS …"
+            placeholder={alone ? "Search: 3-3, four planes, transversals …" : "Search: octahedral, four planes, 3-RPS …"}
             aria-label="Search the gallery"
             data-testid="gallery-search"
             value={query}

@@ -8,6 +8,14 @@ _SWEEPS = 60
 _EPSILON = 2.0**-52
 
 
+def __getattr__(name):
+    if name.startswith("__"):
+        raise AttributeError(name)
+    raise ModuleNotFoundError(
+        f"numpy.linalg.{name} is not among what the engine in the guide's pages has", name="numpy"
+    )
+
+
 def svd(a, full_matrices=True, compute_uv=True):
     """The singular values of one matrix, the largest first."""
     if compute_uv or a.ndim != 2:
