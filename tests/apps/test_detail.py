@@ -105,3 +105,10 @@ def test_everything_ends_where_it_was_wanted() -> None:
 )
 def test_opening(text: str, alone: str) -> None:
     assert opening(text) == alone
+
+
+def test_what_is_assumed_stands_before_the_answer() -> None:
+    legs, given = "Aa Ab Bc Bd Ce Cf", "coplanar(A, B, a, b)"
+    words = " ".join(invoke("analyze", legs, "--given", given, "--brief").stdout.split())
+    assert words.startswith("Suppose that A, B, a and b lie in a plane. The robot is singular exactly when one of")
+    assert "Suppose" not in invoke("analyze", legs, "--brief").stdout

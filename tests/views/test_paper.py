@@ -163,3 +163,12 @@ def test_from_python(tmp_path: Path) -> None:
     (tmp_path / "file").write_text("mine", "utf-8")
     with pytest.raises(FileError, match="expected a directory"):
         gc.paper("3-rps", tmp_path / "file")
+
+
+def test_a_theorem_under_assumptions_names_them(tmp_path: Path) -> None:
+    given = "coplanar(A, B, C, D), coplanar(A, B, C, E)"
+    assert invoke("paper", "Aa Bb Cc Dd Ee Ff", "--given", given, "-o", str(tmp_path)).exit_code == 0
+    section = (tmp_path / "section.tex").read_text(encoding="utf-8")
+    theorem = section.partition(r"\begin{theorem}")[2].partition(r"\end{theorem}")[0]
+    assert "Suppose that $A$, $B$, $C$ and $D$ lie in a plane;" in theorem
+    assert "and A, B and C are not on a line." in theorem

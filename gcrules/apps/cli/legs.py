@@ -8,29 +8,21 @@ from typing import Any
 import click
 
 from gcrules.algebra.language.legs_text import Structure
+from gcrules.apps.cli.analysis_options import AnalysisOptions, analysis_options
 from gcrules.apps.cli.base import ExpressionCommand
-from gcrules.apps.cli.facts_options import facts_options
 from gcrules.apps.cli.files import OutputFile, figure_option, working
 from gcrules.apps.cli.limits import beside, limited, time_limit
 from gcrules.apps.cli.manual_options import ManualOptions, manual_options
 from gcrules.apps.cli.naming import complete_source
-from gcrules.apps.cli.options import SpaceOptions, catalog_option, given_option, search_option, space_options
 from gcrules.apps.cli.output import Output, output_options
 from gcrules.apps.cli.question_options import question_options
-from gcrules.apps.cli.rule_options import Choice, rules_options
-from gcrules.apps.cli.sources import mode_option, read_source
 from gcrules.conditions.analysis import Analysis
 from gcrules.core.dataclass import dataclass
 from gcrules.core.deferred import deferred
 from gcrules.core.errors import InputError
 from gcrules.core.files import write_file
-from gcrules.mechanisms.analyze import analyze as analyzed
-from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.mechanisms.description.platform_file import Platform
-from gcrules.mechanisms.load import Loaded
-from gcrules.mechanisms.robot import Robot
 from gcrules.poses.questions import Questions
-from gcrules.rules.factorization import SECONDS
 
 __all__ = ["analyze", "report"]
 
@@ -38,45 +30,23 @@ run_manual = deferred("gcrules.apps.cli.manual:run_manual")
 rendered = deferred("gcrules.views.report.report:report")
 save = deferred("gcrules.views.drawing.drawing_files:save")
 figure_of = deferred("gcrules.views.figure:figure")
-home_remark = deferred("gcrules.poses.limbs.remark:home_remark")
 
-_order = click.option("--order", metavar="LEGS", help='Keep this order of the legs: "2 1 3 4 6 5", or the legs.')
-_recheck = click.option("--recheck", is_flag=True, help="Prove instances of catalog identities from scratch.")
-_search = search_option(SECONDS)
 _LEGS = "LEGS|FILE.yaml|ROBOT"
-_SPACE = SpaceOptions(4, (), ())  # where no option says otherwise
 
 
 @click.command(cls=ExpressionCommand)
 @click.argument("legs", nargs=-1, metavar=_LEGS, shell_complete=complete_source)
-@mode_option
-@_order
-@_recheck
 @manual_options
 @figure_option
-@given_option
-@facts_options
-@_search
 @time_limit(itself=True)
-@catalog_option
-@rules_options
-@space_options()
+@analysis_options
 @output_options()
 def analyze(
     legs: tuple[str, ...],
-    mode: str | None,
-    order: str | None,
-    recheck: bool,
     manual: ManualOptions,
     figure: str | None,
-    assumptions: tuple[str, ...],
-    facts: bool,
-    tolerance: float,
-    search: float,
     seconds: float,
-    catalogs: tuple[str, ...],
-    choice: Choice,
-    space: SpaceOptions,
+    asked: AnalysisOptions,
     out: Output,
 ) -> None:
     """Tell when and why a robot with six legs is singular: every stage, the proved condition, a sentence.
@@ -104,18 +74,13 @@ def analyze(
     With --manual you propose the entities and the condition, and each is confirmed or refused with the reason; commands
     come from a prompt, from standard input, or from --propose. Then the exit code is 1 if anything was refused.
     """
-    special = assumptions or space.rank != 4 or search != SECONDS
     if manual.requested:
-        refused = mode or recheck or catalogs or figure or choice.words or choice.without or out.latex or special
-        _check_manual(legs, refused, manual)
-        run_manual(_six_legs(legs, space, choice) if legs else None, order, manual, space, out, seconds)
+        _check_manual(legs, figure or out.latex or asked.beside_order_and_names, manual)
+        run_manual(_six_legs(legs, asked) if legs else None, asked.order, manual, asked.space, out, seconds)
     if not legs:
         raise click.UsageError(f"Missing argument '{_LEGS}...'.")
-    others = order or recheck or assumptions or catalogs or space != _SPACE
-    looked_at: dict[str, Any] = {"given": assumptions, "facts": facts, "tolerance": tolerance}
-    with limited(seconds, beside(search)):
-        loaded = _loaded(legs, assumptions, space, choice, mode)
-        analysis = _analyzed(loaded, order, recheck, search, catalogs, choice, space, others, **looked_at)
+    with limited(seconds, beside(asked.search)):
+        analysis = asked.analysis(legs)
         if figure:
             save(figure_of(analysis), figure)
         out.show(_InFull(analysis) if out.full and isinstance(analysis, Analysis) else analysis)
@@ -123,35 +88,12 @@ def analyze(
 
 @click.command(cls=ExpressionCommand)
 @click.argument("legs", nargs=-1, required=True, metavar=_LEGS, shell_complete=complete_source)
-@mode_option
 @click.option("-o", "--output", "path", type=OutputFile(), default="-", metavar="FILE.html", help="Write to a file.")
-@_order
-@_recheck
-@given_option
-@facts_options
-@_search
 @time_limit(plus="search")
-@catalog_option
-@rules_options
-@space_options()
+@analysis_options
 @click.option("--3d/--no-3d", "interactive", default=True, help="Leave the 3D viewer out: a small file.")
 @question_options
-def report(
-    legs: tuple[str, ...],
-    mode: str | None,
-    path: str,
-    order: str | None,
-    recheck: bool,
-    assumptions: tuple[str, ...],
-    facts: bool,
-    tolerance: float,
-    search: float,
-    catalogs: tuple[str, ...],
-    choice: Choice,
-    space: SpaceOptions,
-    interactive: bool,
-    questions: Questions,
-) -> None:
+def report(legs: tuple[str, ...], path: str, asked: AnalysisOptions, interactive: bool, questions: Questions) -> None:
     """Write the analysis as a self-contained HTML page: formulas, figures, and for a geometry file the numbers.
 
     \b
@@ -181,37 +123,15 @@ def report(
     `gcrules aspects`, `gcrules plan` and `gcrules free` find it.
     """
     _check_page(path)
-    others = order or recheck or assumptions or catalogs or space != _SPACE
-    loaded = _loaded(legs, assumptions, space, choice, mode)
-    looked_at: dict[str, Any] = {"given": assumptions, "facts": facts, "tolerance": tolerance}
-    analysis = _analyzed(loaded, order, recheck, search, catalogs, choice, space, others, **looked_at)
+    analysis = asked.analysis(legs)
     with working("computing"):
         answers = questions.answers(analysis)
     write_file(path, rendered(analysis, interactive=interactive, answers=answers, about=questions.about))
 
 
-def _loaded(
-    words: tuple[str, ...],
-    assumptions: tuple[str, ...],
-    space: SpaceOptions,
-    choice: Choice,
-    mode: str | None = None,
-) -> Loaded:
-    """What the words say."""
-    return read_source(
-        words,
-        mode=mode,
-        plugins=choice.folders,
-        points=space.points,
-        ideal=space.ideal,
-        given=assumptions,
-        rank=space.rank,
-    )
-
-
-def _six_legs(words: tuple[str, ...], space: SpaceOptions, choice: Choice) -> Structure | Platform:
+def _six_legs(words: tuple[str, ...], asked: AnalysisOptions) -> Structure | Platform:
     """The legs for manual mode. Raises InputError for robots of joints."""
-    loaded = _loaded(words, (), space, choice)
+    loaded = asked.loaded(words)
     if not isinstance(loaded, (Structure, Platform)):
         raise InputError(
             "manual mode is for legs, and this is a robot of joints", hint="`gcrules robot analyze` takes it"
@@ -240,58 +160,6 @@ def _check_page(path: str) -> None:
             f"a report is a page in HTML, and {path} is the name of another kind of file",
             hint=f"write {page}; {_OTHER_FORMATS[ending]}",
         )
-
-
-def _analyzed(
-    loaded: Loaded,
-    order: str | None,
-    recheck: bool,
-    search: float,
-    catalogs: tuple[str, ...],
-    choice: Choice,
-    space: SpaceOptions,
-    others: object,
-    *,
-    given: tuple[str, ...],
-    facts: bool,
-    tolerance: float,
-) -> Analysis | RobotAnalysis:
-    """The analysis of what was read. Raises UsageError for options that a robot of joints does not take: `others` is
-    true if there are any.
-    """
-    if isinstance(loaded, Robot):
-        if others or choice.words or choice.without:
-            raise click.UsageError(
-                "A robot of joints takes --search, --plugins, --no-facts, --tolerance, --figure and options of output"
-                " only."
-            )
-        with working("analysing"):
-            found = analyzed(loaded, search=search, facts=facts, tolerance=tolerance)
-            remark = home_remark(found)
-        if remark:
-            click.echo(f"warning: {remark}", err=True)
-        return found
-    of_file: dict[str, Any] = (
-        {"points": space.points, "ideal": space.ideal, "rank": space.rank, "given": given}
-        if isinstance(loaded, Platform)
-        else {}
-    )
-    with working("analysing"):
-        answer = analyzed(
-            loaded,
-            order=order,
-            catalogs=catalogs,
-            recheck=recheck,
-            strategy=choice.strategy(),
-            search=search,
-            plugins=choice.folders,
-            facts=facts,
-            tolerance=tolerance,
-            **of_file,
-        )
-    for warning in answer.platform.warnings if isinstance(answer, Analysis) and answer.platform else ():
-        click.echo(f"warning: {warning}", err=True)
-    return answer
 
 
 @dataclass(frozen=True)

@@ -4,15 +4,12 @@ from __future__ import annotations
 
 import click
 
+from gcrules.apps.cli.analysis_options import AnalysisOptions, analysis_options
 from gcrules.apps.cli.base import ExpressionCommand
 from gcrules.apps.cli.files import working
 from gcrules.apps.cli.limits import time_limit
 from gcrules.apps.cli.naming import complete_source
-from gcrules.apps.cli.options import search_option
-from gcrules.apps.cli.sources import mode_option, read_source, warn
 from gcrules.core.deferred import deferred
-from gcrules.mechanisms.analyze import analyze
-from gcrules.rules.factorization import SECONDS
 
 __all__ = ["cite", "paper"]
 
@@ -21,33 +18,27 @@ _own_entry = deferred("gcrules.views.paper.bibliography:own_entry")
 
 
 @click.command(cls=ExpressionCommand)
-@click.argument(
-    "legs",
-    nargs=-1,
-    required=True,
-    metavar="LEGS|FILE.yaml|ROBOT",
-    shell_complete=complete_source,
-)
-@mode_option
+@click.argument("legs", nargs=-1, required=True, metavar="LEGS|FILE.yaml|ROBOT", shell_complete=complete_source)
 @click.option("-o", "--output", "folder", required=True, metavar="DIR", help="The directory for the files.")
 @click.option("--full", is_flag=True, help="Add an appendix with every single step of the derivation.")
-@search_option(SECONDS)
 @time_limit(plus="search")
-def paper(legs: tuple[str, ...], mode: str | None, folder: str, full: bool, search: float) -> None:
+@analysis_options
+def paper(legs: tuple[str, ...], folder: str, full: bool, asked: AnalysisOptions) -> None:
     """Write the analysis as a section of a paper in LaTeX, with its figures and references.
 
     \b
     gcrules paper "ab af cb cd ed ef" -o paper
     gcrules paper platform.yaml -o paper --full
     gcrules paper delta -o paper
+    gcrules paper "Aa Ab Bc Bd Ce Cf" --given "coplanar(A, B, a, b)" -o paper
 
     The files are section.tex, figure.tex (of a robot of joints figure-2.tex too), references.bib, with --full
     appendix.tex, and main.tex, which sets them all: pdflatex main, bibtex main, and pdflatex main twice. The section
     fits columns of any width. A file of one of these names that gcrules did not write is not overwritten.
     """
-    loaded = warn(read_source(legs, mode=mode))
-    with working("analysing"):
-        paths = _save(analyze(loaded, search=search), folder, full=full)
+    analysis = asked.analysis(legs)
+    with working("writing"):
+        paths = _save(analysis, folder, full=full)
     for path in paths:
         click.echo(path)
 

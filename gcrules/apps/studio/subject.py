@@ -220,7 +220,7 @@ _READERS: Mapping[str, Callable[[Any], Subject]] = {
 
 def _of_loaded(source: SourceJson, loaded: Platform | Robot, mode: str | None = None) -> Subject:
     if mode is not None:
-        loaded = in_mode(loaded, mode)  # type: ignore[assignment]  # of the same kind
+        loaded = in_mode(loaded, mode)
     if isinstance(loaded, Robot):
         return _of_limbs(source, loaded)
     note = " ".join(filter(None, [loaded.note, *loaded.warnings]))

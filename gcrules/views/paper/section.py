@@ -14,6 +14,7 @@ from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.mechanisms.lines.wrenches import LimbWrenches, WrenchLine
 from gcrules.rules.condition import Condition
 from gcrules.views.formulas.latex_text import latex_words
+from gcrules.views.formulas.suppositions import supposed
 from gcrules.views.paper.bibliography import OWN_KEY, cited_in
 from gcrules.views.paper.formulas import breakable, displayed, equation, inline, itemized, named_words, sentence
 from gcrules.views.paper.subject import Subject
@@ -81,8 +82,6 @@ def _of_legs(a: Analysis, shown: str) -> str:
         words += f" The joints of the base are {_points(s.base)}, those of the platform {_points(s.platform)}."
     if s.ideal:
         words += f" At infinity {'lie' if len(s.ideal) > 1 else 'lies'} {_points(s.ideal)}."
-    if s.given:
-        words += f" It is assumed: {latex_words(', '.join(map(str, s.given)))}."
     if a.match:
         words += f" This is class {latex_words(a.match.entry.id)} of the catalog of gcrules~\\cite{{{OWN_KEY}}}."
     return words
@@ -160,12 +159,14 @@ def _result(s: Subject) -> Iterator[str]:
         return
     kind = "theorem" if s.proved else "observation"
     identity = equation(*s.sides, f"eq:{slug(s)}")
-    within = "Suppose that the limbs apply the wrenches above. " if s.robot and s.robot.robot.limbs else ""
+    assumed = supposed(s.lines.structure, inline, lambda words: named_words(words, s.names))
     lead = "The identity" if s.proved else "At all points tried, the identity"
+    equal = "" if _says_nothing(s) else f"{lead}\n{identity}\nholds."
+    within = "Suppose that the limbs apply the wrenches above." if s.robot and s.robot.robot.limbs else ""
     yield "\n".join(
         [
             rf"\begin{{{kind}}}[{{{latex_words(s.title)}}}]\label{{thm:{slug(s)}}}",
-            f"{within}{said}" if _says_nothing(s) else f"{lead}\n{identity}\nholds. {within}{said}",
+            " ".join(filter(None, [assumed, equal, within, said])),
             rf"\end{{{kind}}}",
         ]
     )

@@ -16,6 +16,7 @@ from gcrules.core.english import in_parts, listed
 from gcrules.core.floats import decimal
 from gcrules.rules.condition import Condition, Entity
 from gcrules.screws.verdict import CLOSE
+from gcrules.views.formulas.suppositions import supposed
 from gcrules.views.report.dimension_items import DIMENSIONS, dimension_items
 from gcrules.views.report.items import Formula, Item, KeyValue
 from gcrules.views.report.stage_ids import TITLES
@@ -70,10 +71,11 @@ def stages(a: Analysis) -> list[Stage]:
 
 
 def leading_sentences(a: Analysis) -> tuple[str, ...]:
-    """What stands first: that the robot is singular in every pose, if it is or nearly so, then the condition, in parts
-    where it is long.
+    """What stands first: what is assumed; that the robot is singular in every pose, if it is or nearly so; then the
+    condition, in parts where it is long.
     """
-    return (*in_every_pose(a), *in_parts(a.condition.sentence))
+    first, *rest = (*in_every_pose(a), *in_parts(a.condition.sentence))
+    return (f"{supposed(a.structure)} {first}".lstrip(), *rest)
 
 
 def in_every_pose(a: Analysis) -> tuple[str, ...]:
