@@ -2,7 +2,8 @@
 
 site_pages.py writes the pages into a folder beside the site, Zensical makes HTML of them, and what its scripts would
 load from elsewhere is taken out. With the engine of site_engine.py, the folder that GCRULES_SITE_ENGINE names, examples
-run in their pages (site_runs.py). Anything that is wrong is printed, and is an error (exit code 1).
+run in their pages (site_runs.py), and the studio beside them answers without a server. Anything that is wrong is
+printed, and is an error (exit code 1).
 """
 
 from __future__ import annotations
@@ -14,6 +15,7 @@ import shutil
 import sys
 from pathlib import Path
 
+import site_engine
 import site_runs
 import yaml
 import zensical
@@ -47,6 +49,7 @@ def build(root: Path, site: Path, engine: Path | None = None) -> list[str]:
         for page in (folder / "site").rglob("*.html"):
             page.write_text(site_runs.marked(page.read_text(encoding="utf-8")), encoding="utf-8")
         shutil.copytree(engine, folder / "site" / "assets" / "engine")
+        site_engine.write_studio(folder / "site" / "studio", "../assets/try/worker.mjs")
     shutil.rmtree(site, ignore_errors=True)
     shutil.move(folder / "site", site)
     return guide.faults

@@ -37,6 +37,7 @@ LOADING = {
 }
 STATING = {"canonical", "alternate", "author", "license", "next", "prev", "search"}
 NAMESPACES = ("http://www.w3.org/",)
+OWN_HOST = "ws://${location.host}/"  # of the studio, where a server has sent its page
 IN_CSS = re.compile(r"url\(\s*[\"']?([^\"')]+)|@import\s+[\"']([^\"']+)")
 IN_JS = re.compile(r"[\"'`]((?:https?:|wss?:)?//[^\"'`\s]+)")
 
@@ -95,7 +96,9 @@ def faults(site: Path) -> Iterator[str]:
             continue
         for line, target in loads(path):
             where = f"{path.relative_to(site)}:{line}"
-            if target.startswith(NAMESPACES) or target.startswith(("data:", "#", "about:blank", "javascript:")):
+            if target.startswith((*NAMESPACES, OWN_HOST)) or target.startswith(
+                ("data:", "#", "about:blank", "javascript:")
+            ):
                 continue
             if re.match(r"(?:[a-z][a-z0-9+.-]*:)?//|[a-z][a-z0-9+.-]*:", target, re.IGNORECASE):
                 yield f"{where}: leaves the site: {target}"

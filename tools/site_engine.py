@@ -24,6 +24,8 @@ PACKAGES = ("click", "lark", "PyYAML")
 """What the engine loads. NumPy is not among them: no registry has a build of it that a page could load. What exact
 algebra uses of it is in engine/arrays.
 """
+STUDIO = (ROOT / "gcrules/apps/studio/static", ROOT / "gcrules/views/static")
+ROOT_ELEMENT = '<div id="studio"'
 LEFT_OUT = ("gcrules/apps/studio/static/", "gcrules/apps/notebook/")
 
 
@@ -47,6 +49,17 @@ def gather(folder: Path) -> None:
         node = ["node", "compile.mjs", str(modules), str((folder / "gcrules.zip").resolve())]
         if subprocess.run(node, cwd=HERE, check=False).returncode:
             raise OSError("Node could not compile the modules")
+
+
+def write_studio(folder: Path, worker: str) -> None:
+    """The page of the studio as a folder of files, which asks the engine of a worker in place of a server."""
+    for source in STUDIO:
+        shutil.copytree(source, folder, dirs_exist_ok=True, ignore=shutil.ignore_patterns("LICENSES.txt"))
+    texts = [(source / "LICENSES.txt").read_text(encoding="utf-8") for source in STUDIO]
+    (folder / "LICENSES.txt").write_text("\n".join(texts), encoding="utf-8")
+    page = folder / "index.html"
+    text = page.read_text(encoding="utf-8")
+    page.write_text(text.replace(ROOT_ELEMENT, f'{ROOT_ELEMENT} data-engine="{worker}"'), encoding="utf-8")
 
 
 def _unpack_gcrules(target: Path) -> None:

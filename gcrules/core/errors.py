@@ -19,6 +19,7 @@ __all__ = [
     "Span",
     "StepError",
     "SyntaxFault",
+    "absent",
     "join_faults",
     "printable",
 ]
@@ -104,6 +105,14 @@ class EngineFault(RuntimeError):
 
 class InputError(GcrulesError):
     """Input that is well-formed text but makes no sense (too few legs, unknown option value, …)."""
+
+
+def absent(fault: ModuleNotFoundError) -> InputError:
+    """What is said where a package is not installed. Raises the fault itself where a module of gcrules is missing."""
+    package = (fault.name or "gcrules").partition(".")[0]
+    if package == "gcrules":
+        raise fault
+    return InputError(f"this answer needs {package}, which is not installed here", hint="pip install gcrules brings it")
 
 
 class SyntaxFault(InputError):

@@ -23,6 +23,8 @@ import { boxOf, isStale, meshOf, nearestCorner } from "../src/page/state/surfaci
 import { nearest } from "../src/page/panels/motion/samples";
 import { stepped, valueOf, within } from "../src/page/panels/motion/spots";
 import { latest } from "../src/page/net/latest";
+import { openClient } from "../src/page/net/client";
+import { openEngine } from "../src/page/net/engine";
 import { driven, liesBetween, type Driven } from "../src/page/lib/way";
 import { moved as shifted, poseAt } from "../src/page/state/timeline";
 import { fileAt, seenAt, snapped } from "../src/page/state/joint-places";
@@ -457,4 +459,104 @@ test("a surface holds for one turn, and for the other freedoms of a robot", () =
   assert.ok(!isStale(shown, HOME, at(5, 30), robot));
   assert.ok(isStale(shown, HOME, at(5, 31), robot));
   assert.equal(boxOf({ ranges: [{ name: "x" }, { name: "yaw" }] } as unknown as Study), null);
+});
+
+// --- without a server ----------------------------------------------------------------------------------------------
+
+class Worker {
+  static all: Worker[] = [];
+  asked: { id: number; kind: string; text: string }[] = [];
+  ended = false;
+  onmessage: (event: { data: unknown }) => void = () => undefined;
+  onerror: () => void = () => undefined;
+
+  constructor() {
+    Worker.all.push(this);
+  }
+
+  postMessage(asked: { id: number; kind: string; text: string }): void {
+    this.asked.push(asked);
+  }
+
+  terminate(): void {
+    this.ended = true;
+  }
+
+  says(data: unknown): void {
+    this.onmessage({ data });
+  }
+
+  answers(id: number, result: unknown): void {
+    this.says({ kind: "answer", id, reply: JSON.stringify({ id, ok: true, result, ms: 1 }) });
+  }
+}
+
+function engineClient() {
+  Object.assign(globalThis, { Worker, window: globalThis });
+  Worker.all = [];
+  const client = openClient((on) => openEngine(new URL("http://localhost/worker.mjs"), on), true);
+  const now = (): Worker => Worker.all.at(-1) as Worker;
+  return { client, now };
+}
+
+test("the engine is asked one request after the other, once it is there", async () => {
+  const { client, now } = engineClient();
+  const words: string[] = [];
+  const first = client.ask("gallery", {}, { progress: (text) => words.push(text) });
+  const second = client.ask("hello", {});
+  assert.deepEqual(now().asked, []);
+  now().says({ kind: "ready" });
+  assert.deepEqual(now().asked.map(({ id, kind }) => [id, kind]), [[1, "request"]]);
+  now().says({ kind: "piece", id: 1, piece: "analysing" });
+  now().answers(1, "one");
+  now().answers(2, "two");
+  assert.deepEqual([await first, await second, words], ["one", "two", ["analysing"]]);
+});
+
+test("of a channel only the latest request is computed", async () => {
+  const { client, now } = engineClient();
+  now().says({ kind: "ready" });
+  const asks = ["a", "b", "c"].map((legs) => client.ask("open", { source: { kind: "legs", legs } }, { channel: "preview" }));
+  now().answers(1, "first");
+  now().answers(3, "last");
+  assert.equal(await asks[0], "first");
+  await assert.rejects(asks[1] as Promise<unknown>, /later request/);
+  assert.equal(await asks[2], "last");
+});
+
+test("what nobody waits for ends the engine; what waits is asked of the next one", async () => {
+  const { client, now } = engineClient();
+  now().says({ kind: "ready" });
+  const stop = new AbortController();
+  const long = client.ask("gallery", {}, { signal: stop.signal });
+  const other = client.ask("hello", {});
+  stop.abort();
+  await assert.rejects(long, /Cancelled/);
+  const before = now();
+  await new Promise((done) => {
+    const stopWatching = client.line.subscribe((line) => line === "connecting" && done(null));
+    void stopWatching;
+  });
+  assert.ok(before.ended && now() !== before);
+  now().says({ kind: "ready" });
+  now().answers(2, "there");
+  assert.equal(await other, "there");
+});
+
+test("an engine that cannot be loaded is said to be lost, and tried again when that is wished", () => {
+  const { client, now } = engineClient();
+  now().says({ kind: "fault", text: "gcrules.zip: 404" });
+  assert.equal(client.line.value, "lost");
+  client.retry();
+  assert.equal(client.line.value, "connecting");
+  assert.equal(Worker.all.length, 2);
+});
+
+test("a fault of the engine is told, and another one begins", async () => {
+  const { client, now } = engineClient();
+  now().says({ kind: "ready" });
+  const asked = client.ask("gallery", {});
+  now().says({ kind: "fault", id: 1, text: "memory access out of bounds" });
+  await assert.rejects(asked, /out of bounds/);
+  assert.equal(Worker.all.length, 2);
 });

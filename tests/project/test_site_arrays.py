@@ -114,6 +114,8 @@ CASES: dict[str, _Make] = {
     "sums of parts of rows": lambda np, a: np.add.reduceat(np.array(a), np.array([0, 2])),
     "truths are numbers in sums": lambda np, a: ((np.array(a) > 1) + 1, (np.array(a) > 1).sum())[0],
     "power": lambda np, a: np.int64(3) ** np.arange(4),
+    "mean": lambda np, a: np.array(a).mean(axis=0),
+    "epsilon": lambda np, a: [np.finfo(float).eps, np.finfo(np.float64).max, np.finfo(float).tiny],
     "empty": lambda np, a: np.zeros((0, 5), dtype=np.int64).any(axis=1),
 }
 
@@ -137,6 +139,20 @@ def test_places_once_more_add_up() -> None:
         assert a.tolist() == [2, 8]
 
 
+@pytest.mark.parametrize("shape", [(3, 3), (6, 3), (2, 5), (6, 6), (1, 4)])
+@pytest.mark.parametrize("rank", [1, 2, 6])
+def test_singular_values(shape: tuple[int, int], rank: int) -> None:
+    rng = numpy.random.default_rng(rank)
+    a = rng.normal(size=(shape[0], rank)) @ rng.normal(size=(rank, shape[1]))
+    found = ours.linalg.svd(ours.array(a.tolist()), compute_uv=False).tolist()
+    wanted = numpy.linalg.svd(a, compute_uv=False)
+    assert found == pytest.approx(wanted.tolist(), rel=1e-12, abs=1e-14 * float(wanted[0]))
+
+
+def test_singular_values_of_nothing() -> None:
+    assert ours.linalg.svd(ours.zeros((4, 3)), compute_uv=False).tolist() == [0, 0, 0]
+
+
 def test_random_numbers_lie_where_they_should() -> None:
     found = ours.random.default_rng(3).integers(2, 5, (4, 5))
     assert found.shape == (4, 5)
@@ -158,7 +174,15 @@ def test_what_does_not_fit_is_refused(wrong: Callable[[], Any]) -> None:
         wrong()
 
 
-@pytest.mark.parametrize("ask", [lambda: ours.linalg.norm, lambda: ours.array([1]).tobytes()])
+@pytest.mark.parametrize(
+    "ask",
+    [
+        lambda: ours.linalg.norm,
+        lambda: ours.array([1]).tobytes(),
+        lambda: ours.array([1]).flatten(),
+        lambda: ours.linalg.svd(ours.eye(2)),
+    ],
+)
 def test_what_is_not_there_is_numpy_missing(ask: Callable[[], Any]) -> None:
     with pytest.raises(ModuleNotFoundError) as fault:
         ask()

@@ -184,6 +184,33 @@ def test_stop_ends_a_computation_and_the_next_one_answers(page: Any, address: st
 
 @pytest.mark.browser
 @built
+def test_the_studio_shows_its_steps_without_a_network(page: Any, window: Any, address: str) -> None:
+    page.goto(f"{address}try.html")
+    page.click(".gc-try-studio a")
+    page.wait_for_selector(".cards")
+    window.set_offline(True)
+    try:
+        page.fill("[data-testid=legs]", "ab af cb cd ed ef")
+        page.wait_for_selector("[data-testid=legs-preview] svg.schematic")
+        page.click("[data-testid=legs-open]")
+        page.wait_for_selector("[data-testid=viewer] canvas, [data-testid=viewer] svg")
+        steps = page.locator(".stepper [role=tab]")
+        assert steps.count() == 10
+        for i in range(10):
+            steps.nth(i).click()
+            page.wait_for_function(f"() => document.querySelector('#stage').innerText.includes('Step {i + 1} of 10')")
+        assert page.locator("[data-testid=no-numbers]").inner_text().count("pip install") == 1
+        assert page.eval_on_selector_all(".rail button", "all => all.map((one) => one.innerText)") == [
+            "Start",
+            "Steps",
+            "Bench",
+        ]
+    finally:
+        window.set_offline(False)
+
+
+@pytest.mark.browser
+@built
 def test_an_example_of_the_guide_runs_where_it_stands(page: Any, address: str) -> None:
     page.goto(f"{address}factor.html")
     page.locator(".gc-run").first.click()

@@ -346,6 +346,6 @@ def test_a_change_of_limbs(add: Add) -> None:
 def test_a_method_of_the_studio(add: Add) -> None:
     assert set(ANSWERS) == {name for name, method in METHODS.items() if method.where != "session"}
     add(METHODS, "volume", METHODS["gallery"])
-    add(ANSWERS, "volume", lambda subject, args: {"volume": args["number"]})
+    add(ANSWERS, "volume", ("builtins:dict", lambda found, subject, args: found(volume=args["number"])))
     assert METHODS["volume"].seconds > 0
     assert answer("volume", None, {"number": 6}) == {"volume": 6}

@@ -1,6 +1,7 @@
 // Every example of the built guide that has a button gives, in the engine of its pages, what the guide shows.
 import assert from "node:assert/strict";
 import { readdirSync, readFileSync } from "node:fs";
+import { execFileSync } from "node:child_process";
 import { fileURLToPath, pathToFileURL } from "node:url";
 import { before, test } from "node:test";
 
@@ -49,6 +50,50 @@ for (const [number, { page, kind, text, shown }] of blocks.entries()) {
     }
   });
 }
+
+// --- the studio's steps ---------------------------------------------------------------------------------------------
+
+const SOURCES = [{ kind: "legs", legs: "ab af cb cd ed ef" }, { kind: "class", id: "6-6" }, { kind: "class", id: "3-3.1" }];
+const PYTHON = fileURLToPath(new URL("../../.venv/bin/python", import.meta.url));
+const SERVER = `
+import json, sys
+from gcrules.apps.studio.study import study
+from gcrules.apps.studio.subject import read_subject
+print(json.dumps([study(read_subject(source)) for source in json.loads(sys.argv[1])]))`;
+
+function request(method, args) {
+  const heard = [];
+  const { reply } = engine.request(JSON.stringify({ id: 1, do: method, args }), (words) => heard.push(words));
+  return { ...JSON.parse(reply), heard };
+}
+
+// Sums of floats differ in the last digit between versions of Python.
+const rounded = (value) => JSON.parse(JSON.stringify(value), (_, one) => (typeof one === "number" ? Number(one.toPrecision(12)) : one));
+
+test("structures are opened as the server of the studio opens them", () => {
+  const wanted = JSON.parse(execFileSync(PYTHON, ["-c", SERVER, JSON.stringify(SOURCES)], { maxBuffer: 1e8 }));
+  for (const [k, source] of SOURCES.entries()) {
+    const { ok, result, error, heard } = request("open", { source });
+    assert.ok(ok, error?.message);
+    assert.deepEqual(rounded(result), rounded(wanted[k]));
+    assert.deepEqual(heard, ["analysing", "stages"]);
+  }
+});
+
+test("the bench answers beside an open structure, and numbers of poses need an installation", () => {
+  const [source] = SOURCES;
+  const pose = { translation: [0, 0, 0], quaternion: [1, 0, 0, 0] };
+  for (const text of [":expand [[ab, af, cb, cd, ed, ef]]", ":straighten [bacd]", ":factor [abfc][acde][bdef] + [abfd][acbe][cdef]", ":prove ab /\\ cd == [abcd]"]) {
+    const { ok, result, error } = request("bench", { text, source, pose });
+    assert.ok(ok, error?.message);
+    assert.equal(result.fault ?? null, null);
+    assert.equal(result.results.length, 1);
+  }
+  const refused = request("pose", { source, pose });
+  assert.equal(refused.ok, false);
+  assert.match(refused.error.message, /NumPy/);
+  assert.ok(request("gallery", {}).result.classes.length > 20);
+});
 
 test("faults of the line, files and what is missing are told", () => {
   const open = ask("line", 'gcrules analyze "ab');

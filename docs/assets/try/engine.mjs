@@ -27,8 +27,16 @@ export async function start(loadPyodide, folder, read) {
     return { code, files };
   }
 
+  // A message of the studio's page and its reply; `hear(words)` is told how far it is.
+  let studio = null;
+  function request(text, hear) {
+    studio ??= python.pyimport("gcrules.apps.studio.in_page").Answering();
+    return { reply: studio.answer(text, hear) };
+  }
+
   return {
     version,
+    request,
     line: (text, hear) => asked("answer", text, hear),
     script: (text, hear) => asked("run_script", text, hear),
   };

@@ -170,9 +170,18 @@
     form.addEventListener("submit", (event) => { event.preventDefault(); show(answers, button, questions(field.value)); });
     bar.append(choice, button, hint);
     form.append(field, bar);
-    place.replaceChildren(form, answers.box);
+    place.replaceChildren(form, answers.box, studio());
     fit();
     engine().catch(() => {});
+  }
+
+  // The way to the studio, which is built beside the guide with the engine.
+  function studio() {
+    const words = make("p", "gc-try-studio", "Step by step, with drawings and in 3D: ");
+    const link = make("a", "", "open the studio in this browser");
+    link.href = new URL("../../studio/index.html", base).href;
+    words.append(link);
+    return words;
   }
 
   // Lines that begin with gcrules are commands; anything else is a script of statements.

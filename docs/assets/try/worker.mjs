@@ -19,8 +19,8 @@ ready.then(
 addEventListener("message", async ({ data: { id, kind, text } }) => {
   try {
     const engine = await ready;
-    const { code, files } = engine[kind](text, (piece, stream) => postMessage({ kind: "piece", id, piece, stream }));
-    postMessage({ kind: "answer", id, code, files });
+    const answer = engine[kind](text, (piece, stream) => postMessage({ kind: "piece", id, piece, stream }));
+    postMessage({ kind: "answer", id, ...answer });
   } catch (fault) {
     postMessage({ kind: "fault", id, text: String(fault) });
   }

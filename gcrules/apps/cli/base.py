@@ -14,7 +14,7 @@ from click.shell_completion import CompletionItem
 
 from gcrules.apps.cli.files import OutputCommand, printed
 from gcrules.core import interrupts, streams
-from gcrules.core.errors import GcrulesError
+from gcrules.core.errors import GcrulesError, absent
 from gcrules.core.seeds import repeated
 
 __all__ = ["ExpressionCommand", "LazyGroup", "colour_choice"]
@@ -77,11 +77,7 @@ class LazyGroup(click.Group):
             click.echo(f"{click.style(first, fg='red', bold=True)}:{rest}", err=True)
             ctx.exit(fault.exit_code)
         except ModuleNotFoundError as fault:
-            package = (fault.name or "gcrules").partition(".")[0]
-            if package == "gcrules":
-                raise
-            click.echo(f"error: this answer needs {package}, which is not installed here", err=True)
-            click.echo("hint: pip install gcrules brings it", err=True)
+            click.echo(absent(fault).render(), err=True)
             ctx.exit(GcrulesError.exit_code)
         except MemoryError:
             click.echo("error: there is not enough memory for this", err=True)

@@ -140,12 +140,14 @@ def _shortened(text: str) -> str:
 
 
 def _places(subject: Subject | None, pose: PoseJson) -> Mapping[str, Any]:
-    """Where the points are; nowhere in a pose that cannot be, in which formulas are as good as elsewhere."""
+    """Where the points are; nowhere in a pose that cannot be, in which formulas are as good as elsewhere, and where
+    there is no NumPy.
+    """
     if subject is None:
         return {}
     try:
         return homogeneous_at(subject, pose)
-    except InputError:
+    except (InputError, ModuleNotFoundError):
         return {}
 
 

@@ -24,7 +24,7 @@ from gcrules.rules.plugin import packs
 from gcrules.views.drawing.sample import sample_coordinates
 from gcrules.views.robots.skeleton import skeleton
 
-__all__ = ["gallery"]
+__all__ = ["classes_and_theorems", "gallery"]
 
 KIND_WORDS = {
     "three-tetrahedra": "Singular when one of the tetrahedra {0}, {1} and {2} is flat.",
@@ -87,9 +87,19 @@ _WORDS = {
 def gallery() -> Gallery:
     """All that can be opened by name."""
     return {
-        "classes": [_of_class(e) for e in load_catalog(plugins=packs(bringing="catalogs")).entries],
+        **classes_and_theorems(),
         "robots": [item for one in robots() if (item := _of_robot(one))],
         "examples": [_of_example(name) for name in examples()],
+    }
+
+
+@cache
+def classes_and_theorems() -> Gallery:
+    """Those without dimensions."""
+    return {
+        "classes": [_of_class(e) for e in load_catalog(plugins=packs(bringing="catalogs")).entries],
+        "robots": [],
+        "examples": [],
         "theorems": [_of_theorem(path) for path in theorems().values()],
     }
 

@@ -40,7 +40,7 @@ def _load(alone: bool) -> None:
     """Load the engine. In a process that does nothing else what it consists of stays: the garbage collector, which
     would stop sliders for 30 ms to look through all of it, leaves it out.
     """
-    import_module(_ENGINE)
+    import_module(_ENGINE).load()
     if alone:
         gc.freeze()
 

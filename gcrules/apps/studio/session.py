@@ -3,21 +3,24 @@
 from __future__ import annotations
 
 import asyncio
-import json
 import logging
 from collections.abc import Coroutine, Mapping
-from time import perf_counter
 from typing import Any
 
 from starlette.websockets import WebSocket, WebSocketDisconnect
 
 from gcrules.apps.studio.faults import CANCELLED, SUPERSEDED, fault_view, limit, own_fault
 from gcrules.apps.studio.pool import WorkerFault
-from gcrules.apps.studio.protocol.checking import choice, decoded, number, record, text
-from gcrules.apps.studio.protocol.methods import LONGEST, METHODS
+from gcrules.apps.studio.protocol.messages import (
+    Misread,
+    Request,
+    fault_message,
+    message_text,
+    read_request,
+    result_message,
+)
 from gcrules.apps.studio.protocol.study_views import FaultView
 from gcrules.apps.studio.service import Service
-from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import GcrulesError
 
 __all__ = ["PageSession"]
@@ -27,23 +30,6 @@ _GRACE = 0.3  # seconds that work on a channel has left when a later request has
 _LOG = logging.getLogger(__name__)
 
 
-def _any(value: Any, where: str) -> Any:
-    return value
-
-
-_ID = number(0, 2**53, whole=True)
-_REQUEST = record({"id": _ID, "do": choice(*METHODS), "args": _any}, {"channel": text(40)})
-
-
-@dataclass(frozen=True, eq=False)
-class _Request:
-    id: int
-    do: str
-    args: Mapping[str, Any]
-    channel: str | None
-    since: float
-
-
 class PageSession:
     """Speaks with one page until it is gone."""
 
@@ -51,8 +37,8 @@ class PageSession:
         self.socket = socket
         self.service = service
         self.tasks: dict[int, asyncio.Task[None]] = {}
-        self.running: dict[str, _Request] = {}
-        self.waiting: dict[str, _Request] = {}
+        self.running: dict[str, Request] = {}
+        self.waiting: dict[str, Request] = {}
         self.why: dict[int, FaultView] = {}
         self.telling: set[asyncio.Task[None]] = set()
         self.sending = asyncio.Lock()
@@ -75,19 +61,14 @@ class PageSession:
 
     # --- requests --------------------------------------------------------------------------------------------------
 
-    async def _take(self, message: str | bytes | None) -> None:
-        number = 0
+    async def _take(self, data: str | bytes | None) -> None:
         try:
-            found = decoded(message or b"", LONGEST)
-            number = found["id"] if isinstance(found.get("id"), int) and not isinstance(found["id"], bool) else 0
-            asked = _REQUEST(found, "the message")
-            args = METHODS[asked["do"]].check(asked["args"], "args")
-        except GcrulesError as fault:
-            await self._send({"id": min(max(number, 0), 2**53), "ok": False, "error": fault_view(fault)})
+            request = read_request(data or b"")
+        except Misread as misread:
+            await self._fault(misread.id, fault_view(misread.fault))
             return
-        request = _Request(asked["id"], asked["do"], args, asked.get("channel"), perf_counter())
         if request.do == "cancel":
-            await self._done(request, {"cancelled": await self._give_up(args["target"], CANCELLED)})
+            await self._done(request, {"cancelled": await self._give_up(request.args["target"], CANCELLED)})
         elif request.id in self.tasks or any(r.id == request.id for r in self.waiting.values()):
             await self._fault(request.id, {"kind": "input", "message": f"request {request.id} is being answered"})
         elif len(self.tasks) + len(self.waiting) >= _MOST:
@@ -97,7 +78,7 @@ class PageSession:
         else:
             self._start(request)
 
-    async def _in_turn(self, request: _Request, channel: str) -> None:
+    async def _in_turn(self, request: Request, channel: str) -> None:
         """The latest request of a channel waits for the one that is being answered, for a little while."""
         older = self.waiting.get(channel)
         self.waiting[channel] = request
@@ -106,14 +87,14 @@ class PageSession:
         now = self.running[channel]
         asyncio.get_running_loop().call_later(_GRACE, self._end, now, SUPERSEDED)
 
-    def _start(self, request: _Request) -> None:
+    def _start(self, request: Request) -> None:
         if request.channel is not None:
             self.running[request.channel] = request
         task = asyncio.ensure_future(self._answer(request))
         self.tasks[request.id] = task
         task.add_done_callback(lambda done: self._ended(request, done))
 
-    def _ended(self, request: _Request, task: asyncio.Task[None]) -> None:
+    def _ended(self, request: Request, task: asyncio.Task[None]) -> None:
         self.tasks.pop(request.id, None)
         why = self.why.pop(request.id, None)
         if why is not None and task.cancelled():  # before its first step, so that it could not answer by itself
@@ -124,7 +105,7 @@ class PageSession:
             if later is not None:
                 self._start(later)
 
-    def _end(self, request: _Request, why: FaultView) -> None:
+    def _end(self, request: Request, why: FaultView) -> None:
         """Stop the work on a request, if it goes on."""
         task = self.tasks.get(request.id)
         if task is not None and not task.done() and request.id not in self.why:
@@ -147,7 +128,7 @@ class PageSession:
 
     # --- answers ---------------------------------------------------------------------------------------------------
 
-    async def _answer(self, request: _Request) -> None:
+    async def _answer(self, request: Request) -> None:
         def tell(words: str) -> None:
             self._tell(self._send({"id": request.id, "progress": words}))
 
@@ -171,15 +152,14 @@ class PageSession:
         self.telling.add(task)
         task.add_done_callback(self.telling.discard)
 
-    async def _done(self, request: _Request, result: Any) -> None:
-        ms = round(1000 * (perf_counter() - request.since), 3)
-        await self._send({"id": request.id, "ok": True, "result": result, "ms": ms})
+    async def _done(self, request: Request, result: Any) -> None:
+        await self._send(result_message(request, result))
 
     async def _fault(self, number: int, fault: FaultView) -> None:
-        await self._send({"id": number, "ok": False, "error": fault})
+        await self._send(fault_message(number, fault))
 
     async def _send(self, message: Mapping[str, Any]) -> None:
-        data = json.dumps(message, allow_nan=False, separators=(",", ":"))
+        data = message_text(message)
         async with self.sending:
             try:
                 await self.socket.send_text(data)

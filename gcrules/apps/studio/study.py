@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from math import log10
+from typing import TYPE_CHECKING
 
 from gcrules.algebra import expr as ex
 from gcrules.algebra.language.legs_text import Structure
@@ -20,7 +21,6 @@ from gcrules.core.budget import report
 from gcrules.mechanisms.kinematics.amplification import INDICES
 from gcrules.mechanisms.kinematics.leg_amplification import LEGS
 from gcrules.mechanisms.limbs import Limbs
-from gcrules.mechanisms.models.imported import Imported
 from gcrules.mechanisms.six_legs import SixLegs
 from gcrules.poses.loci.slices import slices, why_no_locus
 from gcrules.poses.maps.axes import TRANSLATION, TURNS
@@ -30,6 +30,9 @@ from gcrules.views.drawing.figures import distinct_entities
 from gcrules.views.report.scene_json import entity_data
 from gcrules.views.results.imported import limits_of
 from gcrules.views.scene_data import EntityView
+
+if TYPE_CHECKING:
+    from gcrules.mechanisms.models.imported import Imported
 
 __all__ = ["condition_view", "entity_views", "study"]
 

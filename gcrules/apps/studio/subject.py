@@ -7,7 +7,7 @@ from contextlib import suppress
 from dataclasses import replace
 from fractions import Fraction
 from functools import cached_property
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from gcrules.algebra.language.legs_text import Structure, legs_text, read_legs
 from gcrules.apps.studio.protocol.requests import (
@@ -20,6 +20,7 @@ from gcrules.apps.studio.protocol.requests import (
 )
 from gcrules.conditions.analysis import Analysis
 from gcrules.core.dataclass import dataclass
+from gcrules.core.deferred import deferred
 from gcrules.core.errors import GcrulesError, InputError, Span
 from gcrules.core.frozen import FrozenMap
 from gcrules.core.hints import near
@@ -29,17 +30,20 @@ from gcrules.mechanisms.description.discovery import robots
 from gcrules.mechanisms.description.platform_file import Platform
 from gcrules.mechanisms.limbs import Limbs
 from gcrules.mechanisms.load import is_xml, read_class, read_example, read_robot, read_text
-from gcrules.mechanisms.models.imported import Imported
-from gcrules.mechanisms.models.importing import import_text
 from gcrules.mechanisms.moving_platform import MovingPlatform
 from gcrules.mechanisms.robot import Robot
 from gcrules.mechanisms.six_legs import SixLegs
-from gcrules.poses.modes.choose import in_mode
 from gcrules.screws import RATIONALS
 from gcrules.views.drawing.sample import sample_coordinates
 from gcrules.views.report.scene_json import Scenery
 
+if TYPE_CHECKING:
+    from gcrules.mechanisms.models.imported import Imported
+
 __all__ = ["Subject", "read_subject", "robot_of"]
+
+in_mode = deferred("gcrules.poses.modes.choose:in_mode")
+import_text = deferred("gcrules.mechanisms.models.importing:import_text")
 
 Vector = tuple[Fraction, Fraction, Fraction]
 
@@ -216,7 +220,7 @@ _READERS: Mapping[str, Callable[[Any], Subject]] = {
 
 def _of_loaded(source: SourceJson, loaded: Platform | Robot, mode: str | None = None) -> Subject:
     if mode is not None:
-        loaded = in_mode(loaded, mode)  # type: ignore[assignment]  # of the same kind
+        loaded = in_mode(loaded, mode)
     if isinstance(loaded, Robot):
         return _of_limbs(source, loaded)
     note = " ".join(filter(None, [loaded.note, *loaded.warnings]))

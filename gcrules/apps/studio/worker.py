@@ -12,7 +12,7 @@ from queue import SimpleQueue
 from time import monotonic, sleep
 from typing import Any, BinaryIO
 
-from gcrules.apps.studio.answers import answer
+from gcrules.apps.studio.answers import answer, load
 from gcrules.apps.studio.faults import fault_view, limit, own_fault
 from gcrules.apps.studio.protocol.methods import METHODS
 from gcrules.apps.studio.subject import Subject, read_subject
@@ -20,7 +20,7 @@ from gcrules.apps.studio.wire import GIVE_UP, Job, Tell, framed, key_of, read
 from gcrules.core.alarm import limited
 from gcrules.core.budget import Budget, report, within
 from gcrules.core.dataclass import dataclass
-from gcrules.core.errors import GcrulesError
+from gcrules.core.errors import GcrulesError, absent
 
 __all__ = ["done", "serve"]
 
@@ -51,6 +51,8 @@ def done(
         return "fault", limit("there is not enough memory for this", "try something smaller"), None
     except RecursionError:
         return "fault", limit("this is nested too deeply", "try something smaller"), None
+    except ModuleNotFoundError as fault:
+        return "fault", fault_view(absent(fault)), None
     except Exception as fault:
         traceback.print_exc()
         return "fault", own_fault(f"{type(fault).__name__}: {fault}"), None
@@ -116,6 +118,7 @@ def serve() -> None:
     inward, outward = os.fdopen(os.dup(0), "rb"), os.fdopen(os.dup(1), "wb")
     os.dup2(2, 1)  # nothing but frames goes to the server
     sys.stdout = sys.stderr
+    load()
     known: dict[str, Subject] = {}
 
     def put(frame: Any) -> None:

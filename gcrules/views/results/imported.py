@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING
 
 from gcrules.core.floats import rounded_up
-from gcrules.mechanisms.models.imported import Imported
 from gcrules.views.formulas.latex_text import latex_table, latex_words
 from gcrules.views.results.result_account import Facts, ResultAccount
 from gcrules.views.text_tables import ASCII, table
+
+if TYPE_CHECKING:
+    from gcrules.mechanisms.models.imported import Imported
 
 __all__ = ["account", "as_latex", "as_text", "limits_of"]
 

@@ -1,6 +1,8 @@
 // The page of `gcrules studio`.
 import { render } from "preact";
-import { openClient } from "./net/client";
+import { openClient, type Client } from "./net/client";
+import { openEngine } from "./net/engine";
+import { openSocket } from "./net/socket";
 import { StoreProvider } from "./parts/context";
 import { Shell } from "./shell/shell";
 import { arriving, readFragment } from "./state/fragment";
@@ -15,8 +17,14 @@ declare global {
   }
 }
 
+/** The server that has sent the page, or the engine that a page without a server names: `data-engine` is its worker. */
+function clientOf({ dataset: { engine } }: HTMLElement): Client {
+  if (engine === undefined) return openClient((on) => openSocket(`ws://${location.host}/ws`, on));
+  return openClient((on) => openEngine(new URL(engine, location.href), on), true);
+}
+
 async function start(root: HTMLElement): Promise<void> {
-  const store = createStore(openClient(`ws://${location.host}/ws`), await readFragment(arriving()));
+  const store = createStore(clientOf(root), await readFragment(arriving()));
   window.gcrules = store;
   root.replaceChildren();
   render(

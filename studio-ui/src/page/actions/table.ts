@@ -3,7 +3,7 @@
 import type { Store } from "../state/store";
 import { atHome, isHome } from "../state/doc";
 import { linkOf } from "../state/fragment";
-import { panels } from "../panels";
+import { panelsOf } from "../panels";
 import { namesOf } from "./keys";
 import { limbActions } from "./limbs";
 import { pictureActions } from "./picture";
@@ -34,7 +34,7 @@ export const canBeDone = ({ fits }: Action): boolean => fits?.() ?? true;
 
 /** All actions but those that open a structure of the gallery. Of two with the same keys the first that fits is done. */
 export function actionsOf(store: Store): Action[] {
-  return [...panelActions(store), ...limbActions(store), ...editActions(store), ...poseActions(store), ...pictureActions(store), ...pageActions(store)];
+  return [...panelActions(store), ...(store.client.alone ? [] : limbActions(store)), ...editActions(store), ...poseActions(store), ...pictureActions(store), ...pageActions(store)];
 }
 
 export function actionOf(store: Store, id: string): Action {
@@ -57,8 +57,9 @@ export function structureActions({ gallery, open }: Store): Action[] {
   }));
 }
 
-function panelActions({ go, source$ }: Store): Action[] {
-  return panels.map(({ id, title, needs }, i) => ({
+function panelActions(store: Store): Action[] {
+  const { go, source$ } = store;
+  return panelsOf(store).map(({ id, title, needs }, i) => ({
     id: `panel-${id}`,
     title,
     group: "Go to",
@@ -79,7 +80,7 @@ function editActions(store: Store): Action[] {
 }
 
 function poseActions(store: Store): Action[] {
-  const { study, pose$, moving, timeline, space, posing, panel$, stage$, go } = store;
+  const { client, study, pose$, moving, timeline, space, posing, panel$, stage$, go } = store;
   const moves = () => (study.value?.axes.length ?? 0) > 0;
   const step = (by: number) => {
     const stages = study.value?.stages ?? [];
@@ -115,8 +116,8 @@ function poseActions(store: Store): Action[] {
       fits: () => timeline.proof.value?.samples.some(({ pose }) => pose !== null) ?? false,
       act: () => (timeline.playing.peek() ? timeline.pause() : timeline.play()),
     },
-    { id: "way-add", title: "Add this pose to the way", group: "Pose and way", keys: ["a"], fits: moves, act: timeline.add },
-    { id: "way-clear", title: "Begin the way anew here", group: "Pose and way", fits: moves, act: timeline.clear },
+    { id: "way-add", title: "Add this pose to the way", group: "Pose and way", keys: ["a"], fits: () => !client.alone && moves(), act: timeline.add },
+    { id: "way-clear", title: "Begin the way anew here", group: "Pose and way", fits: () => !client.alone && moves(), act: timeline.clear },
     {
       id: "motion",
       title: "Play the gained motion, or stop it",
@@ -129,7 +130,8 @@ function poseActions(store: Store): Action[] {
 }
 
 function pageActions(store: Store): Action[] {
-  const { front, taste, space, lit, doc, study, bench$, projecting } = store;
+  const { client, front, taste, space, lit, doc, study, bench$, projecting } = store;
+  const served = () => !client.alone;
   const dark = () => taste.theme.value === "dark";
   async function copyLink(): Promise<void> {
     const { fragment, short } = await linkOf(doc.peek());
@@ -139,14 +141,14 @@ function pageActions(store: Store): Action[] {
   return [
     { id: "palette", title: "Commands", group: "Page", keys: ["Mod k"], everywhere: true, words: "palette", act: () => void (front.dialog.value = "palette") },
     { id: "keys", title: "Keys", group: "Page", keys: ["?"], words: "shortcuts keyboard help", act: () => void (front.dialog.value = "keys") },
-    { id: "tour", title: "A tour of three minutes", group: "Page", words: "help introduction begin learn", act: () => void (front.tour.value = 0) },
+    { id: "tour", title: "A tour of three minutes", group: "Page", words: "help introduction begin learn", fits: served, act: () => void (front.tour.value = 0) },
     {
       id: "repeat",
       title: "Repeat it: lines for the shell and for Python",
       group: "Page",
       keys: ["r"],
       words: "command line copy terminal notebook script",
-      fits: () => study.value !== null || bench$.value.trim() !== "",
+      fits: () => served() && (study.value !== null || bench$.value.trim() !== ""),
       act: () => void (front.dialog.value = "repeat"),
     },
     {
@@ -155,7 +157,7 @@ function pageActions(store: Store): Action[] {
       group: "Page",
       keys: ["Mod s"],
       words: "save keep bookmark",
-      fits: () => study.value !== null,
+      fits: () => served() && study.value !== null,
       act() {
         projecting.keep();
         front.tell("Kept in the project");

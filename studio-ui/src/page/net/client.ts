@@ -1,7 +1,7 @@
 // Requests as promises. Those without an answer are asked again when the line is back: the server keeps no state, so a
 // restarted one answers them as well.
 import type { Fault, Method, Methods, Reply } from "../../protocol";
-import { openSocket, type Line, type Socket } from "./socket";
+import type { Hearing, Line, Socket } from "./socket";
 import type { ReadonlySignal } from "@preact/signals";
 
 /** What a refused request throws. */
@@ -20,6 +20,8 @@ export interface Ask {
 
 export interface Client {
   line: ReadonlySignal<Line>;
+  /** Whether the page itself answers, without a server: what exact algebra can tell, and no numbers of poses. */
+  alone: boolean;
   ask<M extends Method>(method: M, args: Methods[M]["args"], options?: Ask): Promise<Methods[M]["result"]>;
   retry(): void;
 }
@@ -30,11 +32,11 @@ interface Waiting {
   progress?(words: string): void;
 }
 
-export function openClient(url: string): Client {
+export function openClient(open: (on: Hearing) => Socket, alone = false): Client {
   const waiting = new Map<number, Waiting>();
   let last = 0;
 
-  const socket: Socket = openSocket(url, {
+  const socket = open({
     open: () => waiting.forEach((request) => socket.send(request.text)),
     message: (text) => answer(JSON.parse(text) as Reply),
   });
@@ -68,5 +70,5 @@ export function openClient(url: string): Client {
     });
   }
 
-  return { line: socket.line, ask, retry: socket.retry };
+  return { line: socket.line, alone, ask, retry: socket.retry };
 }

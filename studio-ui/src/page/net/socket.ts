@@ -15,7 +15,13 @@ export interface Socket {
 const FIRST = 300; // milliseconds before the first new attempt; doubles up to LAST
 const LAST = 5000;
 
-export function openSocket(url: string, on: { open(): void; message(text: string): void }): Socket {
+/** What hears of a line: it is open (again), and what comes over it. */
+export interface Hearing {
+  open(): void;
+  message(text: string): void;
+}
+
+export function openSocket(url: string, on: Hearing): Socket {
   const line = signal<Line>("connecting");
   const retryAt = signal(0);
   let socket: WebSocket | null = null;

@@ -7,6 +7,7 @@ import { FaultBox } from "../parts/fault-box";
 import { Icon } from "../parts/icon";
 import { Seeks } from "../pose/nearest-view";
 import type { Overlay } from "../state/scene";
+import type { Store } from "../state/store";
 import { Answers, labelOf } from "./bench/answers";
 import { Editor, type Below } from "./bench/editor";
 import { createEvaluation } from "./bench/evaluation";
@@ -131,9 +132,9 @@ export function Bench({ store }: PanelProps) {
       />
       {fault && !fault.place && <FaultBox fault={fault} />}
       <p class="note" role="status" data-testid="bench-note">
-        {words || (evaluation.stopped.value ? STOPPED : noteOf(results, drawn, study !== null, fault !== null))}
+        {words || (evaluation.stopped.value ? STOPPED : noteOf(results, drawn, firstNote(store), fault !== null))}
       </p>
-      <Rules store={store} results={results} text={text} say={say} write={(rule) => editor.current && declareText(editor.current, rule)} />
+      {!store.client.alone && <Rules store={store} results={results} text={text} say={say} write={(rule) => editor.current && declareText(editor.current, rule)} />}
     </div>
   );
 }
@@ -148,12 +149,15 @@ function legsOf(study: Study | null): string {
   return legs.length === 6 && legs.flat().every((name) => /^[A-Za-z]\d*'*$/.test(name)) ? legs.map((leg) => leg.join("")).join(" ") : "";
 }
 
-function noteOf(results: readonly BenchResult[], drawn: number, open: boolean, wrong: boolean): string {
-  if (results.length === 0 && !wrong) {
-    return open
-      ? "Write joins and meets of the robot's joints: what is a point, a line or a plane stands in 3D at the pose."
-      : "Letters are points. Open a structure to see points, lines and planes in 3D.";
-  }
+function firstNote({ client, study }: Store): string {
+  if (client.alone) return "Letters are points: write joins and meets of them.";
+  return study.value
+    ? "Write joins and meets of the robot's joints: what is a point, a line or a plane stands in 3D at the pose."
+    : "Letters are points. Open a structure to see points, lines and planes in 3D.";
+}
+
+function noteOf(results: readonly BenchResult[], drawn: number, first: string, wrong: boolean): string {
+  if (results.length === 0 && !wrong) return first;
   const count = (n: number, noun: string) => `${n} ${noun}${n === 1 ? "" : "s"}`;
   const refuted = results.filter(({ verdict }) => verdict === "refuted").length;
   return [

@@ -37,17 +37,22 @@ export interface Panel {
   component: ComponentType<PanelProps>;
   layout: "beside" | "wide";
   needs: "study" | "nothing";
+  /** Whether it is of use where the page answers by itself, without numbers. */
+  alone?: true;
 }
 
 export const panels: readonly Panel[] = [
-  { id: "start", title: "Start", icon: "start", component: Start, layout: "wide", needs: "nothing" },
-  { id: "guided", title: "Steps", icon: "guided", component: Guided, layout: "beside", needs: "study" },
+  { id: "start", title: "Start", icon: "start", component: Start, layout: "wide", needs: "nothing", alone: true },
+  { id: "guided", title: "Steps", icon: "guided", component: Guided, layout: "beside", needs: "study", alone: true },
   { id: "manual", title: "By hand", icon: "manual", component: ManualPanel, layout: "beside", needs: "study" },
   { id: "motion", title: "Path, map", icon: "map", component: Motion, layout: "beside", needs: "study" },
   { id: "where", title: "Where to", icon: "where", component: Where, layout: "beside", needs: "study" },
   { id: "dimensions", title: "Shape", icon: "dimensions", component: Dimensions, layout: "beside", needs: "study" },
-  { id: "bench", title: "Bench", icon: "bench", component: Bench, layout: "beside", needs: "nothing" },
+  { id: "bench", title: "Bench", icon: "bench", component: Bench, layout: "beside", needs: "nothing", alone: true },
   { id: "draw", title: "Draw", icon: "draw", component: Drawing, layout: "wide", needs: "nothing" },
   { id: "take-away", title: "Take away", icon: "take-away", component: TakeAway, layout: "beside", needs: "study" },
   { id: "project", title: "Project", icon: "project", component: ProjectPanel, layout: "wide", needs: "nothing" },
 ];
+
+/** Those of this page. */
+export const panelsOf = ({ client }: Store): readonly Panel[] => panels.filter(({ alone }) => alone || !client.alone);

@@ -1,14 +1,15 @@
 // The panels by name.
-import { panels } from "../panels";
+import { panelsOf } from "../panels";
 import { useStore } from "../parts/context";
 import { Icon } from "../parts/icon";
 
 export function Rail() {
-  const { panel$, source$, go } = useStore();
+  const store = useStore();
+  const { panel$, source$, go } = store;
   const [panel, source] = [panel$.value, source$.value];
   return (
     <nav class="rail" aria-label="Panels">
-      {panels.map(({ id, title, icon, needs }) => (
+      {panelsOf(store).map(({ id, title, icon, needs }) => (
         <button
           type="button"
           key={id}

@@ -1,9 +1,10 @@
 // The frame of the page: bar, rail, the panel that is open, and beside it the robot in 3D with its pose.
 import { useEffect, useRef } from "preact/hooks";
-import { panels } from "../panels";
+import { panelsOf } from "../panels";
 import { listen } from "../parts/pointing";
 import { Safe } from "../parts/safe";
 import type { Store } from "../state/store";
+import { NoNumbers } from "../pose/no-numbers";
 import { PosePanel } from "../pose/pose-panel";
 import { Banner } from "./banner";
 import { Front } from "./front";
@@ -21,6 +22,7 @@ export function Shell({ store }: { store: Store }) {
   useEffect(() => (root.current ? listen(root.current, store) : undefined), [store]);
   useKeys(store);
 
+  const panels = panelsOf(store);
   const panel = panels.find(({ id }) => id === store.panel$.value) ?? panels[0];
   if (!panel) return null;
   const study = store.study.value;
@@ -48,7 +50,7 @@ export function Shell({ store }: { store: Store }) {
           <aside class="side" hidden={!beside} aria-label="Robot and pose">
             {drawn.current && <ViewerPane />}
             {beside && <Splitter share={down} direction="down" label="Height of the picture" />}
-            <div class="below">{beside && <Safe of={study}><PosePanel /></Safe>}</div>
+            <div class="below">{beside && <Safe of={study}>{store.client.alone ? <NoNumbers /> : <PosePanel />}</Safe>}</div>
           </aside>
         </main>
       </div>

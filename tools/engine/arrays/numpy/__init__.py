@@ -7,10 +7,11 @@ others.
 
 import math
 import operator
+import sys
 from bisect import bisect_left, bisect_right
 from itertools import pairwise
 
-from . import random
+from . import linalg, random
 from .ndarray import (
     array,
     asarray,
@@ -27,12 +28,22 @@ from .ndarray import (
     uint64,
 )
 
-__all__ = ["array", "bool_", "dtype", "float64", "int64", "ndarray", "nonzero", "object_", "random", "uint64"]
+__all__ = ["array", "bool_", "dtype", "float64", "int64", "linalg", "ndarray", "nonzero", "object_", "random", "uint64"]
 
-int8 = int16 = int32 = int64
+int8 = int16 = int32 = intp = int64
 uint8 = uint32 = uint64
 integer = floating = int64
 ascontiguousarray = asarray
+
+
+pi = math.pi
+
+
+class finfo:
+    """Of floats."""
+
+    def __init__(self, kind=float):
+        self.eps, self.max, self.tiny = sys.float_info.epsilon, sys.float_info.max, sys.float_info.min
 
 
 def __getattr__(name):

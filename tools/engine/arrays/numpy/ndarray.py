@@ -101,6 +101,11 @@ class ndarray:
         self._data, self.shape, self.dtype, self._offset = data, tuple(shape), kind, offset
         self._strides = steps(self.shape) if strides is None else strides
 
+    def __getattr__(self, name):
+        if name.startswith("__"):
+            raise AttributeError(name)
+        raise ModuleNotFoundError(f"arrays of the engine in the guide's pages have no {name}", name="numpy")
+
     # --- what it is ------------------------------------------------------------------------------------------------
 
     @property
@@ -302,6 +307,9 @@ class ndarray:
     def sum(self, axis=None, dtype=None):
         kind = of_type(dtype) or (int64 if self.dtype.kind == "b" else self.dtype)
         return self.along(axis, lambda values: kind(sum(values)), kind)
+
+    def mean(self, axis=None):
+        return self.along(axis, lambda values: float(sum(values) / len(values)), float64)
 
     def any(self, axis=None):
         return self.along(axis, lambda values: any_of(values), bool_)
