@@ -385,6 +385,15 @@ def test_notes_of_tables() -> None:
     assert read_poses(text)[1] == ("columns left out: time", "quaternions normalised: 2")
 
 
+@pytest.mark.parametrize(
+    ("column", "meant"), [("Yaw [deg]", "yaw [deg]"), ("rx_deg", "rx [deg]"), ("Zyx1", "zyx1 [deg]"), ("QW", "qw")]
+)
+def test_a_column_that_resembles_one_of_a_pose_is_no_other_column(column: str, meant: str) -> None:
+    with pytest.raises(InputError, match="names nothing, and a pose would lack") as fault:
+        read_poses(f"x,y,z,{column}\n0,0,0,0\n0,0,0,90\n")
+    assert f"did you mean {meant}?" in fault.value.render()
+
+
 @pytest.mark.parametrize("poses", [None, 5, 2.5])
 def test_what_is_no_path(robots: dict[str, Analysis], poses: Any) -> None:
     with pytest.raises(InputError, match="`poses` must be the name of a table, or a sequence of poses"):

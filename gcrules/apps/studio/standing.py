@@ -62,9 +62,16 @@ def _standing(
     drawing = ""
     with suppress(InputError):  # it has no points to draw
         drawing = drawing_there(subject, pose).svg()
+    unset = ""
+    numbers: PoseReport | RobotPose | PoseValue | None = None
+    try:
+        numbers = _numbers(subject, pose, threshold)
+    except InputError as fault:  # its joints cannot be moved there
+        unset = fault.message
     return Standing(
         mechanism=subject.mechanism,
-        numbers=_numbers(subject, pose, threshold),
+        numbers=numbers,
+        unset=unset,
         drawing=drawing,
         start=_start(subject, pose),
         picture=state["picture"] if state else "",
@@ -76,13 +83,13 @@ def _standing(
     )
 
 
-def _numbers(subject: Subject, pose: PoseJson, threshold: str | None) -> PoseReport | RobotPose | PoseValue | None:
-    """Those of the mechanism; of six lines alone their value. None where the robot does not move and has none."""
+def _numbers(subject: Subject, pose: PoseJson, threshold: str | None) -> PoseReport | RobotPose | PoseValue:
+    """Those of the mechanism; of six lines alone their value. Raises InputError where a robot of joints cannot be set
+    there.
+    """
     legs, limbs = subject.legs, subject.limbs
     if limbs is not None:
-        with suppress(InputError):  # its joints cannot be moved
-            return configuration(limbs, pose, threshold)
-        return None
+        return configuration(limbs, pose, threshold)
     assert legs is not None
     if subject.moving is not None:
         return report_of_legs(legs, exact_pose(pose), threshold=threshold_of(threshold, legs.unit), nearest=False)

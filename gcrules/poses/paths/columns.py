@@ -82,9 +82,26 @@ def read_columns(header: list[Cell], unit: str, line: Span) -> tuple[Columns, tu
     if len(degrees) > 1:
         raise InputError("deg and rad in one set of angles", span=units[kinds[kind][0]][1])
     used = {*shift, *turn}
+    for name, (_, span) in units.items():
+        if names[name] not in used and (meant := _meant(name)):
+            raise InputError(
+                f"the column {name[:40]!r} names nothing, and a pose would lack what it holds",
+                span=span,
+                hint=f"did you mean {meant}? A column of something else needs another name",
+            )
     left = [c.text for i, c in enumerate(header) if i not in used and c.text]
     notes = (f"columns left out: {', '.join(left)[:200]}",) if left else ()
     return Columns(len(header), shift, _FIXED_AXES if kind == "turns" else kind, turn, degrees.pop()), notes
+
+
+def _meant(name: str) -> str:
+    """The column of a pose that a name resembles: one with capitals, or with its unit in it; "" for none."""
+    plain = re.sub(r"(deg|rad|degrees|radians|mm|m)$", "", re.sub(r"[^a-z0-9]", "", name.lower()))
+    if plain == name or not name:
+        return ""
+    if plain in _SHIFT or plain in _QUATERNION:
+        return plain
+    return f"{plain} [deg]" if plain in (*_VECTOR, *TURNS) or _EULER.fullmatch(plain) else ""
 
 
 def read_coordinates(header: list[Cell], unit: str, line: Span) -> list[tuple[str, bool]] | None:

@@ -38,14 +38,15 @@ class Repetition:
 
 @dataclass(frozen=True)
 class Standing:
-    """`mechanism` is what stands there, and what answers are asked of; `numbers` are those in the pose, `drawing` is
-    the robot in it, as SVG; None and "" where there are none. `start` is what takes a 3D view there: a `pose`, or the
-    amounts of the actuators to `drive` to. `picture` is one of the view itself, a data address of an image; `notes` are
-    titles with their texts, `link` is the address that opens the same state again.
+    """`mechanism` is what stands there and what answers are asked of; `numbers` are those in the pose, None where there
+    are none, for the reason `unset`; `drawing` is the robot in it, as SVG, or "". `start` is what takes a 3D view
+    there: a `pose`, or the amounts of the actuators to `drive` to. `picture` is one of the view itself, a data address
+    of an image; `notes` are titles with their texts, `link` is the address that opens the same state again.
     """
 
     mechanism: SixLegs | Limbs
     numbers: PoseReport | RobotPose | PoseValue | None
+    unset: str = ""
     drawing: str = ""
     start: Mapping[str, Any] | None = None
     picture: str = ""

@@ -7,8 +7,10 @@ from html import escape
 from typing import Any
 
 from gcrules.conditions.pose_value import PoseValue
+from gcrules.core.english import as_sentence
 from gcrules.core.errors import EngineFault
 from gcrules.views.report.pose_section import pose_html
+from gcrules.views.report.stage_ids import TITLES
 from gcrules.views.report.standing import Repetition, Standing
 from gcrules.views.report.value_section import value_html
 
@@ -40,9 +42,10 @@ def notes_html(s: Standing | None) -> str:
 
 
 def numbers_here_html(s: Standing) -> str:
-    """The numbers in the pose in which the robot stands; nothing where there are none."""
+    """The numbers in the pose in which the robot stands, or why there are none."""
     if s.numbers is None:
-        return ""
+        why = f'<p class="verdict">No numbers</p><p class="why">{escape(as_sentence(s.unset))}</p>'
+        return f'<section class="motion close"><h2>{escape(TITLES["pose"])}</h2>{why}</section>' if s.unset else ""
     return value_html(s.numbers) if isinstance(s.numbers, PoseValue) else pose_html(s.numbers, s.mechanism)
 
 

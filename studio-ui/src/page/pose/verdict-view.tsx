@@ -4,6 +4,7 @@ import { useMemo } from "preact/hooks";
 import type { Study, Verdict } from "../../protocol";
 import { steady } from "../lib/format";
 import { useStore } from "../parts/context";
+import type { Posing } from "../state/posing";
 import { FaultBox } from "../parts/fault-box";
 import { Icon, type IconName } from "../parts/icon";
 import { Term } from "../parts/term";
@@ -22,21 +23,31 @@ const SCALES = {
     "The superbracket of the equivalent lines over Hadamard's bound, the product of the lengths of their six coordinate vectors, with its sign: zero at a singular pose. Points count from their centroid, at unit scale. Without equivalent lines, σ",
 };
 
+const NONE: [string, IconName] = ["No numbers here", "warn"];
+const WAITING: [string, IconName] = ["…", "ok"];
+
+/** The numbers of the pose on show; none where it has a fault: those that are known are of another pose. */
+function shown({ numbers, fault }: Posing): { value: string; margin: string } | null {
+  const found = numbers.value;
+  if (fault.value) return { value: "–", margin: "–" };
+  return found && { value: steady(found.value), margin: steady(found.margin).trim().replace("+", "") };
+}
+
 const MARGIN = "The singularity margin: 0 at a singular pose, at most 1; the same in every frame and unit";
 
 export function VerdictView() {
   const { posing, client, study } = useStore();
-  const stale = client.line.value === "lost" ? " stale" : "";
+  const stale = client.line.value === "lost" || posing.fault.value ? " stale" : "";
   const texts = useMemo(
     () => ({
-      value: computed(() => (posing.numbers.value ? steady(posing.numbers.value.value) : "…")),
-      margin: computed(() => (posing.numbers.value ? steady(posing.numbers.value.margin).trim().replace("+", "") : "…")),
-      verdict: computed(() => posing.numbers.value?.verdict ?? null),
+      value: computed(() => shown(posing)?.value ?? "…"),
+      margin: computed(() => shown(posing)?.margin ?? "…"),
+      verdict: computed(() => (posing.fault.value ? null : (posing.numbers.value?.verdict ?? null))),
     }),
     [posing],
   );
   const verdict = texts.verdict.value;
-  const [word, icon] = verdict ? VERDICTS[verdict] : ["…", "ok" as const];
+  const [word, icon] = verdict ? VERDICTS[verdict] : posing.fault.value ? NONE : WAITING;
   return (
     <section class={`verdict ${verdict ?? "waiting"}${stale}`} aria-label="At this pose">
       <div class="headline">
