@@ -190,10 +190,21 @@ _ELSEWHERE = {
 }
 
 
+_OF_COMMANDS = {
+    "free": "free_region",
+    "map": "singular_map",
+    "modes": "assembly_modes",
+    "regions": "length_regions",
+}
+"""Functions that are called otherwise than the commands that answer the same."""
+
+
 def __getattr__(name: str) -> Any:
     if name in __all__:
         return getattr(import_module(_ELSEWHERE.get(name, "gcrules.api.functions")), name)
-    raise AttributeError(f"module 'gcrules' has no attribute {name!r}")
+    meant = _OF_COMMANDS.get(name)
+    hint = f"; the command `gcrules {name}` is gcrules.{meant} in Python" if meant else ""
+    raise AttributeError(f"module 'gcrules' has no attribute {name!r}{hint}", name=name)
 
 
 def __dir__() -> list[str]:

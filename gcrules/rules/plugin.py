@@ -131,8 +131,8 @@ def shipped_folder() -> Path | None:
 
 
 def plugins_in(folder: Path, bringing: str = "rules", *, outside: bool = True) -> Iterator[Plugin]:
-    """The plugins of a folder, by name; those that come with gcrules are not from `outside`. Raises FileError if
-    unreadable.
+    """The plugins of a folder, by name, or the folder itself where it is one; those that come with gcrules are not from
+    `outside`. Raises FileError if unreadable.
     """
     try:
         with os.scandir(folder) as entries:
@@ -140,6 +140,8 @@ def plugins_in(folder: Path, bringing: str = "rules", *, outside: bool = True) -
     except (OSError, ValueError) as fault:
         why = getattr(fault, "strerror", None) or fault
         raise FileError(f"cannot be read as a folder of plugins: {why}", filename=str(folder)) from None
+    if _is_plugin(folder):
+        inside.insert(0, folder.resolve())
     for path in inside:
         owner, names = f"plugin {path.name}", _names_in(path)
         identities = tuple(sorted(str(path / n) for n in names if n.endswith(".gca")))
@@ -150,6 +152,12 @@ def plugins_in(folder: Path, bringing: str = "rules", *, outside: bool = True) -
             found = _owned(replace(found, rules=_rules_of(code, owner)), owner, str(code), outside=outside)
         if found.rules or identities or robot or catalog:
             yield found
+
+
+def _is_plugin(folder: Path) -> bool:
+    """Whether a folder holds files of a plugin itself."""
+    files = (name for name, is_file in _names_in(folder).items() if is_file)
+    return any(name in (CODE_FILE, ROBOT_FILE, CATALOG_FILE) or name.endswith(".gca") for name in files)
 
 
 def _names_in(folder: Path) -> dict[str, bool]:

@@ -105,7 +105,7 @@ def _parts(text: str) -> tuple[Fraction, str]:
     word = whole[len(whole.rstrip("abcdefghijklmnopqrstuvwxyz°")) :]
     if whole.lower() in ("nan", "inf", "-inf", "infinity"):
         word = ""
-    return read_number(whole.removesuffix(word).strip()), word
+    return read_number(whole.removesuffix(word).strip() or whole), word
 
 
 def degrees(angle: float) -> str:

@@ -118,6 +118,8 @@ test("what a link says is checked field by field", () => {
   assert.deepEqual(doc, EMPTY);
   assert.deepEqual(readDoc({ pose: { translation: [0, 0, 0], quaternion: [2, 0, 0, 0] } }).pose, HOME);
   assert.equal(readDoc({ panel: "guided" }).panel, "start");
+  const numbers = { "1/3": 1 / 3, "-2/4": -0.5, "1,5": 1.5, "−2": -2, "1e-3": 0.001, "0x10": null, "1/0": null, "1 000": null, "12.5 in": null, "": null };
+  for (const [typed, meant] of Object.entries(numbers)) assert.equal(readNumber(typed), meant, typed);
   const wrong = [7, { over: [{ name: "x", low: 0, high: 1 }] }, { nodes: 1e9, to: 3, start: "home" }, { fineness: 10, box: [{ name: "x", low: 0, high: 1 }] }, { over: [{ name: "x", low: "0" }, 1] }];
   for (const tour of wrong) assert.deepEqual(readDoc({ tour }).tour, TOUR);
 });
@@ -559,4 +561,9 @@ test("a fault of the engine is told, and another one begins", async () => {
   now().says({ kind: "fault", id: 1, text: "memory access out of bounds" });
   await assert.rejects(asked, /out of bounds/);
   assert.equal(Worker.all.length, 2);
+});
+
+test("a link whose robot cannot be told is not opened as another one", async () => {
+  assert.equal(await readFragment(`#s=${btoa('{"source":3}').replace(/=+$/, "")}`), null);
+  assert.deepEqual((await readFragment(`#s=${btoa('{"panel":"bench"}').replace(/=+$/, "")}`))?.source, null);
 });

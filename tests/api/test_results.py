@@ -403,3 +403,9 @@ def test_the_public_names_are_those_of_the_api() -> None:
     both = {n: module for module in (functions, poses) for n in module.__all__}
     assert set(gc.__all__) == {*both, *IN_APPS, "__version__"}
     assert all(getattr(gc, name) is getattr(module, name) for name, module in both.items())
+
+
+@pytest.mark.parametrize(("command", "name"), [("map", "singular_map"), ("free", "free_region")])
+def test_functions_that_bear_other_names_than_commands_are_named(command: str, name: str) -> None:
+    with pytest.raises(AttributeError, match=f"the command `gcrules {command}` is gcrules.{name} in Python"):
+        getattr(gc, command)

@@ -222,6 +222,23 @@ def test_joints_are_dragged_in_the_picture_as_if_typed(desk: Desk) -> None:
     assert desk.study["points"] == points
 
 
+@pytest.mark.parametrize("key", ["Escape", "Control+z"])
+def test_a_drag_is_taken_back_while_the_button_is_down(desk: Desk, key: str) -> None:
+    give(desk)
+    x, y = grip(desk, "stop 1")
+    desk.page.mouse.move(x, y)
+    desk.page.mouse.down()
+    desk.page.mouse.move(x + 20, y - 30, steps=4)
+    desk.painted()
+    desk.page.keyboard.press(key)
+    desk.page.mouse.move(x + 60, y - 60, steps=4)
+    desk.page.mouse.up()
+    way = [s["translation"] for s in WAY]
+    near = f"way => {STOPS}.every(({{translation}}, i) => translation.every((c, k) => Math.abs(c - way[i][k]) < 1e-9))"
+    desk.page.wait_for_function(near, arg=way)
+    assert len(stops(desk)) == len(way)
+
+
 def test_keys_move_a_joint_in_the_picture(desk: Desk) -> None:
     desk.one("panel-dimensions").click()
     desk.one("plan").wait_for()

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import importlib.util
+import os
 import random
+import subprocess
 import sys
 from collections.abc import Callable
 from types import ModuleType
@@ -153,6 +155,28 @@ def test_singular_values_of_nothing() -> None:
     assert ours.linalg.svd(ours.zeros((4, 3)), compute_uv=False).tolist() == [0, 0, 0]
 
 
+@pytest.mark.parametrize("values", [[1, 2**63, 2**64 - 1], [0, 3, 5]])
+def test_whole_numbers_without_a_sign_wrap_as_in_numpy(values: list[int]) -> None:
+    def found(np: Any) -> list[Any]:
+        a = np.array(values, dtype=np.uint64)
+        square = np.array([values, values[::-1]], dtype=np.uint64)
+        where = np.where(a > 2, np.array([1, 2, 3]), 0.5)
+        return [x.tolist() for x in (-a, ~a, square @ a, a.view(np.int64), a.view(np.int64).view(np.uint64), where)]
+
+    assert found(ours) == found(numpy)
+
+
+def test_the_stand_in_is_for_browsers_only() -> None:
+    found = subprocess.run(
+        [sys.executable, "-c", "import numpy"],
+        env=os.environ | {"PYTHONPATH": str(FOLDER.parent)},
+        capture_output=True,
+        text=True,
+    )
+    assert found.returncode == 1
+    assert "these arrays are for the engine in the guide's pages" in found.stderr
+
+
 def test_random_numbers_lie_where_they_should() -> None:
     found = ours.random.default_rng(3).integers(2, 5, (4, 5))
     assert found.shape == (4, 5)
@@ -181,6 +205,9 @@ def test_what_does_not_fit_is_refused(wrong: Callable[[], Any]) -> None:
         lambda: ours.array([1]).tobytes(),
         lambda: ours.array([1]).flatten(),
         lambda: ours.linalg.svd(ours.eye(2)),
+        lambda: ours.argsort(ours.eye(2)),
+        lambda: ours.unique(ours.eye(2), axis=1),
+        lambda: ours.array([1.5]).view(ours.int64),
     ],
 )
 def test_what_is_not_there_is_numpy_missing(ask: Callable[[], Any]) -> None:

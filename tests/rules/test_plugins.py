@@ -78,6 +78,14 @@ def test_a_rule_of_a_folder_adds_a_reading(folder: Callable[..., Path]) -> None:
     assert str(reading.expression) in reading.statement
 
 
+def test_a_folder_that_is_a_plugin_itself_may_be_named(folder: Callable[..., Path]) -> None:
+    around = folder(RULE, "rule pierce: ab /\\ cde => [acde] b - [bcde] a")
+    inside, outside = load_rules(folders=[around / "mine"]), load_rules(folders=[around])
+    assert [(r.id, r.owner) for r in inside] == [(r.id, r.owner) for r in outside]
+    assert "mine" in {r.id for r in inside}
+    assert len(list(plugins_in(around / "mine"))) == 1
+
+
 def test_a_rule_of_a_folder_can_be_the_only_one(folder: Callable[..., Path]) -> None:
     a = gc.analyze(LEGS, strategy=load_rules(folders=[folder(RULE)]).strategy(["mine"]))
     assert a.condition.kind == "mine"

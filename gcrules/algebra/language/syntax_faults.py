@@ -41,7 +41,10 @@ _HINTS: tuple[tuple[re.Pattern[str], str], ...] = (
     (re.compile(r"[|&]"), "join is \\/ , meet is /\\"),
     (re.compile(r"[{}]"), "group with ( ) ; brackets of points are [ ]"),
     (re.compile(r"(?<=[0-9]\.)[0-9]"), "fractions are written 3/2"),
-    (re.compile(r"==|!=|<|>"), "only `prove` and `claim` compare two expressions, with =="),
+    (
+        re.compile(r"==|!=|<|>"),
+        "one == stands between two expressions, for `prove`, for `claim`, or alone at the prompt",
+    ),
 )
 _CALL = re.compile(r"(?<![A-Za-z0-9_'])([A-Za-z]+)\s*\(")
 _INFIX = {

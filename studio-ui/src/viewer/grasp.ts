@@ -35,6 +35,21 @@ export class Grasp {
     on("pointermove", (e) => this.move(e));
     on("pointerup", (e) => this.up(e));
     on("pointercancel", (e) => this.up(e));
+    window.addEventListener("keydown", (e) => this.cancel(e), { signal: stop, capture: true });
+  }
+
+  /** Escape, and undo amid a drag, take it back; the page's own undo would change what is held. */
+  private cancel(e: KeyboardEvent): void {
+    const { held, reach } = this;
+    const undo = (e.ctrlKey || e.metaKey) && e.key.toLowerCase() === "z";
+    if (!held || !(undo || e.key === "Escape")) return;
+    this.held = null;
+    e.preventDefault();
+    e.stopImmediatePropagation();
+    if (!held.moved) return;
+    const { id, at, turn = IDENTITY.quaternion } = held.grip;
+    reach.gripMoved(id, { at, turn });
+    reach.gripDone();
   }
 
   private down(e: PointerEvent): void {

@@ -117,20 +117,21 @@ function fill(node: HTMLElement, { tag, size }: Placed, paper: string): void {
 
 /** The labels as text of an SVG picture, each with a halo. */
 export function svgLabels(labels: readonly Placed[], paper: string): SVGElement[] {
-  return labels.map(({ tag, x, y, size }) => {
-    const text = element("text", {
-      x, y: y + size * 0.34, "text-anchor": "middle", fill: tag.colour, "font-size": size,
-      stroke: paper, "stroke-width": 3, "stroke-linejoin": "round", "paint-order": "stroke", "font-weight": tag.strong ? 700 : 400,
-    });
-    let lowered = false;
-    for (const run of tag.upright ? [{ text: tag.text, style: "plain" as const }] : runs(tag.text)) {
-      const low = run.style === "sub";
-      const span = element("tspan", { "font-family": run.style === "plain" ? UPRIGHT : ITALIC, ...(run.style === "italic" ? { "font-style": "italic" } : {}), ...(low ? { "font-size": size * 0.72 } : {}), ...(low !== lowered ? { dy: (low ? 0.22 : -0.22) * size } : {}) }, run.text);
-      lowered = low;
-      text.append(span);
-    }
-    return text;
-  });
+  const round = { stroke: paper, "stroke-width": 3, "stroke-linejoin": "round", "aria-hidden": "true", class: "halo" };
+  // all of the halo first: that of a run would cover the run before it
+  return labels.flatMap((label) => [lettered(label, { fill: paper, ...round }), lettered(label, { fill: label.tag.colour })]);
+}
+
+function lettered({ tag, x, y, size }: Placed, paint: Record<string, string | number>): SVGElement {
+  const text = element("text", { x, y: y + size * 0.34, "text-anchor": "middle", "font-size": size, "font-weight": tag.strong ? 700 : 400, ...paint });
+  let lowered = false;
+  for (const run of tag.upright ? [{ text: tag.text, style: "plain" as const }] : runs(tag.text)) {
+    const low = run.style === "sub";
+    const span = element("tspan", { "font-family": run.style === "plain" ? UPRIGHT : ITALIC, ...(run.style === "italic" ? { "font-style": "italic" } : {}), ...(low ? { "font-size": size * 0.72 } : {}), ...(low !== lowered ? { dy: (low ? 0.22 : -0.22) * size } : {}) }, run.text);
+    lowered = low;
+    text.append(span);
+  }
+  return text;
 }
 
 /** The labels onto a picture of pixels. */

@@ -41,6 +41,7 @@ export function NumberField({ value, step, label, digits, testid, onChange, onDo
       type="text"
       inputMode="decimal"
       aria-label={label}
+      aria-invalid={text !== null && readNumber(text) === null}
       data-testid={testid}
       value={shown}
       onInput={(event) => setText(event.currentTarget.value)}
@@ -51,11 +52,14 @@ export function NumberField({ value, step, label, digits, testid, onChange, onDo
   );
 }
 
-/** Reads 1.5, −2, 1e-3 and 1,5; null if it is no number. */
+const DECIMAL = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i;
+
+/** Reads 1.5, −2, 1e-3, 1,5 and 1/3; null if it is no number. */
 export function readNumber(text: string): number | null {
   const plainText = text.trim().replace("−", "-").replace(/^([+-]?\d+),(\d+)$/, "$1.$2");
-  const number = Number(plainText);
-  return plainText === "" || !Number.isFinite(number) ? null : number;
+  const fraction = /^([+-]?\d+)\/(\d+)$/.exec(plainText);
+  const number = fraction ? Number(fraction[1]) / Number(fraction[2]) : DECIMAL.test(plainText) ? Number(plainText) : NaN;
+  return Number.isFinite(number) ? number : null;
 }
 
 /** With up to two digits more where the number has them. */

@@ -43,7 +43,10 @@ export async function readFragment(fragment: string): Promise<Doc | null> {
   try {
     const bytes = fromBase64(found[2] ?? "");
     const plain = found[1] === "z" ? await piped(bytes, new DecompressionStream("deflate-raw"), LONGEST) : bytes;
-    return readDoc(JSON.parse(new TextDecoder().decode(plain)));
+    const told: unknown = JSON.parse(new TextDecoder().decode(plain));
+    const doc = readDoc(told);
+    const named = typeof told === "object" && told !== null && "source" in told && told.source !== null;
+    return named && doc.source === null ? null : doc; // what it opens cannot be told
   } catch {
     return null;
   }

@@ -72,7 +72,7 @@ function readSketch(x: unknown): Sketch | null {
 }
 
 const isRuleFile = (x: unknown): x is RuleFile =>
-  isObject(x) && isText(x.name) && x.name.trim() !== "" && x.name.length <= 200 && isText(x.text) && x.text.length <= LONGEST_RULES && listOf(isText)(x.off) && x.off.length <= MOST_RULES;
+  isObject(x) && isText(x.name) && x.name.trim() !== "" && x.name.length <= 200 && isText(x.text) && !x.text.includes("\0") && x.text.length <= LONGEST_RULES && listOf(isText)(x.off) && x.off.length <= MOST_RULES;
 
 function readRules(x: unknown): readonly RuleFile[] {
   if (!listOf(isRuleFile)(x)) return EMPTY.rules;

@@ -21,12 +21,17 @@ from .ndarray import (
     elementwise,
     float64,
     int64,
+    missing,
     ndarray,
     nonzero,
     object_,
     of_type,
     uint64,
+    widest,
 )
+
+if __name__ == "numpy" and sys.platform != "emscripten":
+    raise ImportError("these arrays are for the engine in the guide's pages; NumPy itself is another package")
 
 __all__ = ["array", "bool_", "dtype", "float64", "int64", "linalg", "ndarray", "nonzero", "object_", "random", "uint64"]
 
@@ -203,7 +208,7 @@ def divmod(a, b):
 def where(condition, a, b):
     a, b = asarray(a), asarray(b)
     shape = broadcast_shape(condition.shape, a.shape, b.shape)
-    kind = a.dtype if a.shape else b.dtype
+    kind = widest(a.dtype, b.dtype)
     parts = (x.spread(shape).values() for x in (condition, a, b))
     return ndarray([x if c else y for c, x, y in zip(*parts, strict=True)], shape, kind)
 
@@ -254,6 +259,8 @@ def diff(a):
 
 
 def argsort(a, kind=None):
+    if a.ndim != 1:
+        raise missing("sorting along an axis")
     values = a.values()
     return array(sorted(range(len(values)), key=values.__getitem__), int64)
 
@@ -278,6 +285,8 @@ def searchsorted(a, values, side="left"):
 
 
 def unique(a, return_index=False, return_inverse=False, return_counts=False, axis=None):
+    if axis not in (None, 0):
+        raise missing("unique columns")
     values = a.values() if axis is None else list(map(tuple, a.tolist()))
     first, counts = {}, {}
     for i, v in enumerate(values):

@@ -177,7 +177,13 @@ class ndarray:
         values = self.values()
         return ndarray(values if kind.kind == self.dtype.kind else [kind(v) for v in values], self.shape, kind)
 
-    view = astype
+    def view(self, kind):
+        kind = of_type(kind)
+        if kind.kind == self.dtype.kind:
+            return self.astype(kind)
+        if {kind.kind, self.dtype.kind} != {"i", "u"}:
+            raise missing(f"a view of {self.dtype.kind} as {kind.kind}")
+        return ndarray([_signed(v) if kind.kind == "i" else v & _WRAP for v in self.values()], self.shape, kind)
 
     def copy(self):
         return ndarray(self.values(), self.shape, self.dtype)
@@ -338,7 +344,7 @@ class ndarray:
                 self._data[p] = v
 
     def tobytes(self):
-        raise ModuleNotFoundError("arrays of this engine have no bytes", name="numpy")
+        raise missing("the bytes of an array")
 
     def __matmul__(self, other):
         if self.ndim == 1 or other.ndim == 1:
@@ -348,19 +354,38 @@ class ndarray:
             raise ValueError(f"shapes {self.shape} and {other.shape} do not fit")
         own = self.values()
         right = [columns[j * n : (j + 1) * n] for j in range(other.shape[1])]
-        kind = _BY_KIND[max(self.dtype.kind, other.dtype.kind, key=_RANKS.__getitem__)]
+        kind = widest(self.dtype, other.dtype)
         left = [own[i * n : (i + 1) * n] for i in range(rows)]
-        return ndarray([sum(map(operator.mul, a, b)) for a in left for b in right], (rows, len(right)), kind)
+        products = [sum(map(operator.mul, a, b)) for a in left for b in right]
+        return ndarray([v & _WRAP for v in products] if kind is uint64 else products, (rows, len(right)), kind)
 
     def __invert__(self):
         flip = operator.not_ if self.dtype.kind == "b" else operator.invert
-        return ndarray([flip(v) for v in self.values()], self.shape, self.dtype)
+        return self._of(flip)
 
     def __neg__(self):
-        return ndarray([-v for v in self.values()], self.shape, self.dtype)
+        return self._of(operator.neg)
+
+    def _of(self, function):
+        values = map(function, self.values())
+        return ndarray([v & _WRAP for v in values] if self.dtype is uint64 else list(values), self.shape, self.dtype)
 
     def __abs__(self):
         return ndarray([abs(v) for v in self.values()], self.shape, self.dtype)
+
+
+def widest(a, b):
+    """The kind of a result of two kinds."""
+    return _BY_KIND[max(a.kind, b.kind, key=_RANKS.__getitem__)]
+
+
+def missing(words):
+    """What is raised for what NumPy has and this has not."""
+    return ModuleNotFoundError(f"arrays of this engine do without {words}", name="numpy")
+
+
+def _signed(value):
+    return value - 2**64 if value >= 2**63 else value
 
 
 def elementwise(function, a, b, kind=None):
@@ -376,7 +401,7 @@ def elementwise(function, a, b, kind=None):
     else:
         values = list(map(function, a.spread(shape).values(), b.spread(shape).values()))
     if kind is None:
-        kind = _BY_KIND[max(a.dtype.kind, b.dtype.kind, key=_RANKS.__getitem__)]
+        kind = widest(a.dtype, b.dtype)
         if kind is uint64:
             values = [v & _WRAP for v in values]
         elif kind is bool_ and function in _NUMERIC:
