@@ -17,7 +17,13 @@ SOURCES = (
 
 ROUND = """async ([sources, moves]) => {
   const later = ms => new Promise(done => setTimeout(done, ms));
-  const until = async ready => { while (!ready()) await later(5); };
+  const until = async ready => {
+    for (let k = 0; k < 12000; k++) {
+      if (ready()) return;
+      await later(5);
+    }
+    throw new Error(`it never comes: ${ready}`);
+  };
   const SLIDER = "[data-testid^=slider-][type=range]";
   const frame = () => new Promise(done => requestAnimationFrame(done));
   const idle = now => now.value.state !== "busy";

@@ -114,7 +114,7 @@ def test_commands(folder: Path) -> None:
         (["mine", "--plugins", "."], 0, "three legs"),
         (["3-rps", "--json"], 0, '"class": "6-3.2"'),
         (["3rps"], 2, "did you mean 3-rps"),
-        (["3-rps", "--full"], 2, "A robot of joints takes"),
+        (["3-rps", "--recheck"], 2, "A robot of joints takes"),
         (["3-rps", "--rank", "3"], 2, "A robot of joints takes"),
         (["ab,af,cb,cd,ed,ef"], 0, "four planes abc, aef, bdf and cde"),
         (["abaf"], 2, "no id of a robot, a class or an example, and no legs"),

@@ -66,7 +66,7 @@ def test_the_platform_is_where_it_says(robot: str) -> None:
     assert there is not None
     here = solved_at(limbs, pose)
     assert np.abs(displaced(m, there, subject.about) - here.platform).max() < 1e-9
-    assert displacement(m, here, subject.about) == there
+    assert displacement(m, here.platform, subject.about) == there
     again = moved_view(subject, HOME, None, there)["pose"]["coordinates"]
     assert again == pytest.approx(pose["coordinates"], abs=1e-9)
 

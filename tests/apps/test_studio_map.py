@@ -49,7 +49,7 @@ def refined(desk: Desk, nodes: int) -> Any:
 
 @pytest.mark.parametrize(
     ("kind", "name", "nodes", "levels"),
-    [("example", "octahedral", 41, [7, 21, 41]), ("robot", "3-rps", 11, [7, 11])],
+    [("example", "octahedral", 41, [5, 21, 41]), ("robot", "3-rps", 11, [5, 11])],
     ids=["platform", "robot"],
 )
 def test_a_map_comes_coarse_and_is_refined(desk: Desk, kind: str, name: str, nodes: int, levels: list[int]) -> None:
