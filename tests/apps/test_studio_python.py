@@ -205,9 +205,9 @@ def chrome() -> Iterator[Any]:
 
 
 POSE = "() => window.gcrules.doc.peek().pose"
-SHOWS = "z => Math.abs(window.gcrules.doc.peek().pose.translation[2] - z) < 1e-9"
+SHOWS = "z => window.gcrules && Math.abs(window.gcrules.doc.peek().pose.translation[2] - z) < 1e-9"
 OFTEN = 50  # milliseconds: a page behind another one is not drawn, so frames are nothing to wait for
-DRIVEN = "q => Math.abs((window.gcrules.doc.peek().pose.coordinates ?? [0])[0] - q) < 1e-9"
+DRIVEN = "q => window.gcrules && Math.abs((window.gcrules.doc.peek().pose.coordinates ?? [0])[0] - q) < 1e-9"
 
 
 @pytest.mark.browser

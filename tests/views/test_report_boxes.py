@@ -27,9 +27,7 @@ ASKED: dict[str, tuple[str, list[str], dict[str, Any], tuple[int, int]]] = {
 
 
 def section(page: str) -> str:
-    found = re.search(r'<section class="motion.*?</section>', page, re.DOTALL)
-    assert found
-    return found[0]
+    return re.findall(r'<section class="motion.*?</section>', page, re.DOTALL)[-1]  # after the numbers at home
 
 
 def label(page: str) -> str:

@@ -27,7 +27,7 @@ const COARSE = 5; // poses along each axis of the first picture: even where join
 
 /** Poses along each axis of each level: a few, half as many as at the end, all. */
 export const levels = (nodes: number): number[] =>
-  [COARSE, Math.ceil(nodes / 2)].filter((n, i, all) => n < nodes && n > 1.5 * (all[i - 1] ?? 0)).concat(nodes);
+  [COARSE, Math.ceil(nodes / 2)].filter((n, i, all) => n < nodes && n > 1.3 * (all[i - 1] ?? 0)).concat(nodes);
 
 export function createRefining<M extends Refinable>(
   client: Client,
