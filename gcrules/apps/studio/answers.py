@@ -6,6 +6,7 @@ from collections.abc import Callable, Mapping
 from typing import Any
 
 from gcrules.apps.studio.subject import Subject
+from gcrules.apps.studio.values import VALUES, value
 from gcrules.core.deferred import resolved
 
 __all__ = ["ANSWERS", "answer", "load"]
@@ -15,144 +16,123 @@ Args = Mapping[str, Any]
 ANSWERS: Mapping[str, tuple[str, Callable[[Any, Any, Args], Any]]] = {
     "gallery": (
         "gcrules.apps.studio.gallery:gallery",
-        lambda found, subject, args: found(),
+        lambda show, subject, args: show(),
     ),
     "open": (
         "gcrules.apps.studio.study:study",
-        lambda found, subject, args: found(subject),
+        lambda show, subject, args: show(subject),
     ),
     "pose": (
         "gcrules.apps.studio.numbers:numbers",
-        lambda found, subject, args: found(subject, args["pose"], args.get("threshold")),
+        lambda show, subject, args: show(subject, args["pose"], args.get("threshold")),
     ),
     "move": (
         "gcrules.apps.studio.whereabouts:moved_view",
-        lambda found, subject, args: found(subject, args["pose"], args.get("at"), args.get("to")),
+        lambda show, subject, args: show(subject, args["pose"], args.get("at"), args.get("to")),
     ),
     "along": (
         "gcrules.apps.studio.numbers:margins",
-        lambda found, subject, args: found(subject, args["poses"], args.get("threshold")),
+        lambda show, subject, args: show(subject, args["poses"], args.get("threshold")),
     ),
     "nearest": (
         "gcrules.apps.studio.nearest_view:nearest",
-        lambda found, subject, args: found(subject, args["pose"], args.get("threshold")),
+        lambda show, subject, args: show(subject, args["pose"], args.get("threshold")),
     ),
     "modes": (
         "gcrules.apps.studio.modes_view:modes_view",
-        lambda found, subject, args: found(subject, args.get("threshold")),
+        lambda show, subject, args: show(subject, args.get("threshold")),
     ),
     "path": (
         "gcrules.apps.studio.path_view:path_view",
-        lambda found, subject, args: found(
-            subject,
-            args.get("start"),
-            args["goal"],
-            args.get("to"),
-            args.get("threshold"),
-            around=args.get("way") == "around",
-            through=args.get("through", ()),
-        ),
+        lambda show, subject, args: show(subject, value("path", subject, args)),
     ),
     "waypoints": (
         "gcrules.apps.studio.waypoints_view:waypoints_view",
-        lambda found, subject, args: found(subject, args.get("poses"), args.get("table")),
+        lambda show, subject, args: show(subject, args.get("poses"), args.get("table")),
     ),
     "map": (
         "gcrules.apps.studio.map_view:map_view",
-        lambda found, subject, args: found(
-            subject, args["over"], args["pose"], args.get("threshold"), args.get("measure")
-        ),
+        lambda show, subject, args: show(value("map", subject, args)),
     ),
     "surface": (
         "gcrules.apps.studio.surface_view:surface_view",
-        lambda found, subject, args: found(subject, args["over"], args["pose"]),
+        lambda show, subject, args: show(value("surface", subject, args)),
     ),
     "place": (
         "gcrules.apps.studio.map_view:place_view",
-        lambda found, subject, args: found(subject, args["over"], args["pose"], args["place"]),
+        lambda show, subject, args: show(subject, args["over"], args["pose"], args["place"]),
     ),
     "locus": (
         "gcrules.apps.studio.locus_view:locus_view",
-        lambda found, subject, args: found(subject, args["pose"], args.get("over")),
+        lambda show, subject, args: show(subject, value("locus", subject, args), args["pose"], args.get("over")),
     ),
     "assemblies": (
         "gcrules.apps.studio.where_view:assemblies_view",
-        lambda found, subject, args: found(subject, args["pose"], args.get("threshold")),
+        lambda show, subject, args: show(subject, value("assemblies", subject, args)),
     ),
     "aspects": (
         "gcrules.apps.studio.where_view:aspects_view",
-        lambda found, subject, args: found(subject),
+        lambda show, subject, args: show(subject, value("aspects", subject, args)),
     ),
     "free": (
         "gcrules.apps.studio.where_view:free_view",
-        lambda found, subject, args: found(subject, args["pose"], args["shape"]),
+        lambda show, subject, args: show(value("free", subject, args)),
     ),
     "boxes": (
         "gcrules.apps.studio.boxes_view:boxes_view",
-        lambda found, subject, args: found(
-            subject, args["over"], args["pose"], args.get("margin", 0.0), args.get("limits"), args["boxes"]
-        ),
+        lambda show, subject, args: show(value("boxes", subject, args)),
     ),
     "certify": (
         "gcrules.apps.studio.certificate_view:certificate_view",
-        lambda found, subject, args: found(
-            subject,
-            args["over"],
-            args["pose"],
-            args.get("margin", 0.0),
-            args.get("limits"),
-            args["boxes"],
-            cone=args.get("cone"),
-            tilt=args.get("tilt"),
-        ),
+        lambda show, subject, args: show(subject, value("certify", subject, args)),
     ),
     "manual": (
         "gcrules.apps.studio.manual_replay:replayed",
-        lambda found, subject, args: found(subject, args["commands"]),
+        lambda show, subject, args: show(subject, args["commands"]),
     ),
     "bench": (
         "gcrules.apps.studio.bench:bench",
-        lambda found, subject, args: found(
+        lambda show, subject, args: show(
             args["text"], subject, args.get("pose"), args.get("rules", ()), args.get("folders", ())
         ),
     ),
     "rules": (
         "gcrules.apps.studio.rule_files:checked_view",
-        lambda found, subject, args: found(args["files"]),
+        lambda show, subject, args: show(args["files"]),
     ),
     "plugins": (
         "gcrules.apps.studio.plugins_view:plugins_view",
-        lambda found, subject, args: found(args["folders"]),
+        lambda show, subject, args: show(args["folders"]),
     ),
     "complete": (
         "gcrules.apps.studio.bench_text:completed",
-        lambda found, subject, args: found(args["text"], subject),
+        lambda show, subject, args: show(args["text"], subject),
     ),
     "script": (
         "gcrules.apps.studio.bench_text:scripted",
-        lambda found, subject, args: found(args["text"], subject),
+        lambda show, subject, args: show(args["text"], subject),
     ),
     "compose": (
         "gcrules.apps.studio.composing:composed",
-        lambda found, subject, args: found(args["drawing"]),
+        lambda show, subject, args: show(args["drawing"]),
     ),
     "limbs": (
         "gcrules.apps.studio.limb_editor:limbs_answer",
-        lambda found, subject, args: found(
+        lambda show, subject, args: show(
             args.get("text"), args.get("start"), args.get("edit"), plane=args.get("plane", False)
         ),
     ),
     "repeat": (
         "gcrules.apps.studio.repeating:repeated",
-        lambda found, subject, args: found(subject, args["what"], args["args"], args.get("folders", ())),
+        lambda show, subject, args: show(subject, args["what"], args["args"], args.get("folders", ())),
     ),
     "resize": (
         "gcrules.apps.studio.resizing:resized",
-        lambda found, subject, args: found(subject, args["points"], args.get("limits")),
+        lambda show, subject, args: show(subject, args["points"], args.get("limits")),
     ),
     "save": (
         "gcrules.apps.studio.export:saved",
-        lambda found, subject, args: found(
+        lambda show, subject, args: show(
             subject, args["pose"], args["what"], args.get("threshold"), args.get("state"), args.get("folders", ())
         ),
     ),
@@ -170,5 +150,5 @@ def answer(name: str, subject: Subject | None, args: Args) -> Any:
 
 def load() -> None:
     """Load all that answers, before it is asked."""
-    for where, _ in ANSWERS.values():
+    for where, _ in (*ANSWERS.values(), *VALUES.values()):
         resolved(where)

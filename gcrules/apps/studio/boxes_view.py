@@ -31,13 +31,8 @@ from gcrules.views.results.box_shares import Share
 __all__ = ["boxes_of", "boxes_view", "range_view", "rest_at"]
 
 
-def boxes_view(
-    subject: Subject, over: Sequence[str], pose: PoseJson, margin: float, limits: str | None, boxes: int
-) -> BoxesAnswer:
-    """A map of so many boxes at most over the ranges, the other coordinates as they are at the pose. Raises InputError
-    where there is none.
-    """
-    found = boxes_of(subject, over, pose, margin, limits, boxes)
+def boxes_view(found: BoxMap) -> BoxesAnswer:
+    """A map of boxes as the page is told."""
     share, drawn = found.summary.decided, not leaves_nothing(found)
     return range_view(found, parts(found), share, decided(found), seen(found), drawn=drawn)
 
@@ -46,7 +41,9 @@ def boxes_view(
 def boxes_of(
     subject: Subject, over: Sequence[str], pose: PoseJson, margin: float, limits: str | None, boxes: int
 ) -> BoxMap:
-    """The same as a value of the library. Raises InputError likewise."""
+    """A map of so many boxes at most over the ranges, the other coordinates as they are at the pose. Raises InputError
+    where there is none.
+    """
     report("proving boxes")
     m = subject.mechanism
     return boxes_done(

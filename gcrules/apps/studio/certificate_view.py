@@ -26,21 +26,8 @@ __all__ = ["certificate_of", "certificate_view"]
 _TIME = 240.0  # s, after which the answer tells what is decided
 
 
-def certificate_view(
-    subject: Subject,
-    over: Sequence[str],
-    pose: PoseJson,
-    margin: float,
-    limits: str | None,
-    boxes: int,
-    *,
-    cone: str | None,
-    tilt: str | None,
-) -> CertificateAnswer:
-    """A certificate of so many boxes at most over the ranges, the other coordinates as they are at the pose. Raises
-    InputError for what makes no sense, and where something has no closed form.
-    """
-    found = certificate_of(subject, over, pose, margin, limits, boxes, cone=cone, tilt=tilt)
+def certificate_view(subject: Subject, found: Certificate) -> CertificateAnswer:
+    """A certificate as the page is told, with its file."""
     return {
         **range_view(found, parts(found), found.decided, decided(found), seen(found), drawn=True),
         "answer": found.verdict,  # type: ignore[typeddict-item]  # those of certificates
@@ -68,7 +55,9 @@ def certificate_of(
     cone: str | None,
     tilt: str | None,
 ) -> Certificate:
-    """The same as a value of the library. Raises InputError likewise."""
+    """A certificate of so many boxes at most over the ranges, the other coordinates as they are at the pose. Raises
+    InputError for what makes no sense, and where something has no closed form.
+    """
     report("proving boxes")
     m = subject.mechanism
     question = asked(m, over, rest_at(m, over, pose), limits or None, cone or None, tilt or None, margin)

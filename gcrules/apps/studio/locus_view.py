@@ -46,10 +46,9 @@ _DENOMINATORS = 1000  # of quaternions: coefficients have their sixth powers
 _SAME = 1e-12  # radians, of rounding
 
 
-def locus_view(subject: Subject, pose: PoseJson, over: Sequence[str] | None) -> LocusAnswer:
-    """Over these coordinates, or over the position, else over all. Raises InputError and LimitReached as `locus`."""
+def locus_view(subject: Subject, found: Locus | RobotLocus, pose: PoseJson, over: Sequence[str] | None) -> LocusAnswer:
+    """A locus as the page is told, with how what it is asked at was rounded."""
     asked = asked_locus(subject.mechanism, pose, over)
-    found = locus_at(subject, pose, over)
     told: Any = of_legs if isinstance(found, Locus) else of_limbs
     roots = () if isinstance(found, Locus) or found.multiplied else found.roots
     numbered = [] if isinstance(found, Locus) else _numbered(found.parts)
@@ -65,7 +64,7 @@ def locus_view(subject: Subject, pose: PoseJson, over: Sequence[str] | None) -> 
 
 @kept
 def locus_at(subject: Subject, pose: PoseJson, over: Sequence[str] | None) -> Locus | RobotLocus:
-    """The same as a value of the library. Raises InputError and LimitReached likewise."""
+    """Over these coordinates, or over the position, else over all. Raises InputError and LimitReached as `locus`."""
     asked = asked_locus(subject.mechanism, pose, over)
     report("eliminating the joints")
     return locus_of(subject.mechanism, asked.free, asked.fix, asked.at)

@@ -45,13 +45,8 @@ MAX_NODES = 20_000
 """Poses of a map in the page."""
 
 
-def map_view(
-    subject: Subject, over: Sequence[str], pose: PoseJson, threshold: str | None, measure: str | None = None
-) -> MapAnswer:
-    """The map over two coordinates, the others as they are at the pose. Raises InputError where there is none,
-    LimitReached for more than `MAX_NODES` poses.
-    """
-    found = map_of(subject, over, pose, threshold, measure)
+def map_view(found: SingularMap) -> MapAnswer:
+    """A map over two coordinates as the page is told."""
     return {
         "axes": [_axis(a) for a in found.grid.axes],
         "curves": [stretch for c in found.curves for stretch in _stretches(c)],
@@ -69,7 +64,9 @@ def map_view(
 def map_of(
     subject: Subject, over: Sequence[str], pose: PoseJson, threshold: str | None, measure: str | None = None
 ) -> SingularMap:
-    """The same as a value of the library. Raises InputError and LimitReached likewise."""
+    """The map over two coordinates, the others as they are at the pose. Raises InputError where there is none,
+    LimitReached for more than `MAX_NODES` poses.
+    """
     plan = planned_map(subject, over, pose, threshold_of(threshold, subject.unit), measure or "margin")
     if plan.task.grid.size > MAX_NODES:
         raise LimitReached(

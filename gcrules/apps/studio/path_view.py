@@ -49,26 +49,6 @@ Found = PathReport | RobotPath
 PosedAt = Callable[[list[int]], Sequence[Reached | None]]
 
 
-def path_view(
-    subject: Subject,
-    start: PoseJson | None,
-    goal: PoseJson,
-    to: str | None,
-    limit: str | None,
-    *,
-    around: bool,
-    through: Sequence[PoseJson] = (),
-) -> PathAnswer:
-    """The path from `start`, or home, to `goal`, or to the pose that the text says: straight from pose to pose
-    `through` others, or on a way `around` singular poses if one is found.
-
-    Raises InputError where there is no such path.
-    """
-    way = way_of(subject, start, goal, to, limit, around=around, through=through)
-    _, posed = method(_ENDS, subject.mechanism, "a path")(start, goal, to, through)
-    return _view(way.path, posed(way.path, subject.about), None if way.plan is None else _detour(way.plan))
-
-
 @dataclass(frozen=True)
 class Way:
     """A path; where a way around singular poses was looked for, the `plan` that came of it too."""
@@ -88,9 +68,13 @@ def way_of(
     around: bool,
     through: Sequence[PoseJson] = (),
 ) -> Way:
-    """The same as values of the library. Raises InputError likewise."""
+    """The path from `start`, or home, to `goal`, or to the pose that the text says: straight from pose to pose
+    `through` others, or on a way `around` singular poses if one is found.
+
+    Raises InputError where there is no such path.
+    """
     m = subject.mechanism
-    poses, _ = method(_ENDS, m, "a path")(start, goal, to, through)
+    poses = ends(m, start, goal, to, through)
     plan: Plan | None = None
     if around:
         report("looking for a way")
@@ -100,45 +84,49 @@ def way_of(
     return Way(path_of(m, poses, threshold=threshold_of(limit, m.unit)), plan)
 
 
+def path_view(subject: Subject, found: Way) -> PathAnswer:
+    """A path as the page is told, with poses along it to which it can be moved."""
+    posed = method(_POSED, subject.mechanism, "a path")(found.path, subject.about)
+    return _view(found.path, posed, None if found.plan is None else _detour(found.plan))
+
+
 def ends(
     m: Mechanism, start: PoseJson | None, goal: PoseJson, to: str | None, through: Sequence[PoseJson] = ()
 ) -> list[Any]:
     """The poses of such a path, as paths and plans take them. Raises InputError likewise."""
-    poses, _ = method(_ENDS, m, "a path")(start, goal, to, through)
-    return poses
+    return method(_ENDS, m, "a path")(start, goal, to, through)
 
 
 def _detour(found: Plan) -> DetourView:
     return {"outcome": found.outcome, "words": found.reason, "poses": [waypoint_text(p) for p in found.poses]}
 
 
-def _of_legs(
-    m: SixLegs, start: PoseJson | None, goal: PoseJson, to: str | None, through: Sequence[PoseJson]
-) -> tuple[list[Any], Callable[[Any, Sequence[float]], PosedAt]]:
+def _ends_of_legs(
+    _: SixLegs, start: PoseJson | None, goal: PoseJson, to: str | None, through: Sequence[PoseJson]
+) -> list[Any]:
     first = Pose() if start is None else exact_pose(start)
-
-    def posed(r: PathReport, about: Sequence[float]) -> PosedAt:
-        def at(k: int) -> Reached:
-            pose: PoseJson = {"translation": r.translations[k].tolist(), "quaternion": r.quaternions[k].tolist()}
-            return Reached(pose, pose)
-
-        return lambda chosen: [at(k) for k in chosen]
-
-    return [first, *map(exact_pose, through), exact_pose(goal) if to is None else to], posed
+    return [first, *map(exact_pose, through), exact_pose(goal) if to is None else to]
 
 
-def _of_limbs(
-    m: Limbs, start: PoseJson | None, goal: PoseJson, to: str | None, through: Sequence[PoseJson]
-) -> tuple[list[Any], Callable[[Any, Sequence[float]], PosedAt]]:
-    def posed(r: RobotPath, about: Sequence[float]) -> PosedAt:
-        lead = [r.actuators.index(a) for a in leading(m.linkage)]
-        return lambda chosen: all_reached(m, r.actuator_values[chosen][:, lead], r.names, r.coordinates[chosen], about)
-
-    return poses_of_limbs(m, start, goal, to, through), posed
+_ENDS: Methods[list[Any]] = {SixLegs: _ends_of_legs, Limbs: poses_of_limbs}
+"""The poses of a path."""
 
 
-_ENDS: Methods[tuple[list[Any], Callable[[Any, Sequence[float]], PosedAt]]] = {SixLegs: _of_legs, Limbs: _of_limbs}
-"""The poses of a path, and what tells the page's poses of samples of what was found."""
+def _posed_of_legs(_: SixLegs, r: PathReport, about: Sequence[float]) -> PosedAt:
+    def at(k: int) -> Reached:
+        pose: PoseJson = {"translation": r.translations[k].tolist(), "quaternion": r.quaternions[k].tolist()}
+        return Reached(pose, pose)
+
+    return lambda chosen: [at(k) for k in chosen]
+
+
+def _posed_of_limbs(m: Limbs, r: RobotPath, about: Sequence[float]) -> PosedAt:
+    lead = [r.actuators.index(a) for a in leading(m.linkage)]
+    return lambda chosen: all_reached(m, r.actuator_values[chosen][:, lead], r.names, r.coordinates[chosen], about)
+
+
+_POSED: Methods[PosedAt] = {SixLegs: _posed_of_legs, Limbs: _posed_of_limbs}
+"""What tells the page's poses of samples of what was found."""
 
 
 def _view(found: Found, posed: PosedAt, detour: DetourView | None) -> PathAnswer:

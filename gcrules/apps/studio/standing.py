@@ -2,26 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from typing import Any
 
-from gcrules.apps.studio.boxes_view import boxes_of
-from gcrules.apps.studio.certificate_view import certificate_of
-from gcrules.apps.studio.locus_view import locus_at
-from gcrules.apps.studio.map_view import map_of
 from gcrules.apps.studio.moving import amounts_at, configuration
 from gcrules.apps.studio.numbers import exact_pose
-from gcrules.apps.studio.path_view import way_of
+from gcrules.apps.studio.path_view import Way
 from gcrules.apps.studio.posed import analysis_of, drawing_there, platform_there
 from gcrules.apps.studio.protocol.methods import METHODS
 from gcrules.apps.studio.protocol.report_requests import ReportedJson, StateJson
 from gcrules.apps.studio.protocol.requests import PoseJson
 from gcrules.apps.studio.repeating import repeated
 from gcrules.apps.studio.subject import Subject
-from gcrules.apps.studio.surface_view import surface_of
 from gcrules.apps.studio.thresholds import threshold_of
-from gcrules.apps.studio.where_view import aspects_from, assemblies_from, free_around
+from gcrules.apps.studio.values import VALUES, value
 from gcrules.apps.studio.whereabouts import pose_json
 from gcrules.conditions.pose_value import PoseValue, pose_value
 from gcrules.core.budget import report as tell
@@ -51,7 +46,7 @@ def report_there(
     """
     analysis = subject.robot or analysis_of(subject)
     asked: Sequence[ReportedJson] = state["answers"] if state else ()
-    answers = [_answered(subject, one) for one in asked if one["what"] in _ANSWERS]
+    answers = [_answered(subject, one) for one in asked if one["what"] in VALUES]
     tell("writing the report")
     return report(analysis, answers=answers, standing=_standing(subject, pose, threshold, state, folders))
 
@@ -115,42 +110,15 @@ def _answered(subject: Subject, asked: ReportedJson) -> Any:
     what = asked["what"]
     args = METHODS[what].check(_args(subject, asked), f"args of {what}")
     tell(asked["title"])
-    found = _ANSWERS[what](subject, args)
+    found = value(what, subject, args)
+    if isinstance(found, Way):  # a plan has its path with it
+        found = found.path if found.plan is None else found.plan
     return Titled(found, asked["title"]) if isinstance(found, _TITLED) else found
 
 
 def _args(subject: Subject, asked: ReportedJson) -> Args:
     return asked["args"] if asked["what"] == "bench" else {**asked["args"], "source": subject.source}
 
-
-def _path(subject: Subject, args: Args) -> Any:
-    """A plan where a way around was looked for, which has its path with it."""
-    around = args.get("way") == "around"
-    ends = args.get("start"), args["goal"], args.get("to"), args.get("threshold")
-    found = way_of(subject, *ends, around=around, through=args.get("through", ()))
-    return found.path if found.plan is None else found.plan
-
-
-def _boxes(args: Args) -> tuple[Any, ...]:
-    return args["over"], args["pose"], args.get("margin", 0.0), args.get("limits"), args["boxes"]
-
-
-_ANSWERS: Mapping[str, Callable[[Subject, Args], Any]] = {
-    "path": _path,
-    "map": lambda subject, args: map_of(
-        subject, args["over"], args["pose"], args.get("threshold"), args.get("measure")
-    ),
-    "surface": lambda subject, args: surface_of(subject, args["over"], args["pose"]),
-    "locus": lambda subject, args: locus_at(subject, args["pose"], args.get("over")),
-    "assemblies": lambda subject, args: assemblies_from(subject, args["pose"], args.get("threshold")),
-    "aspects": lambda subject, args: aspects_from(subject),
-    "free": lambda subject, args: free_around(subject, args["pose"], args["shape"]),
-    "boxes": lambda subject, args: boxes_of(subject, *_boxes(args)),
-    "certify": lambda subject, args: certificate_of(
-        subject, *_boxes(args), cone=args.get("cone"), tilt=args.get("tilt")
-    ),
-}
-"""Of the methods whose answers have a section."""
 
 _TITLED = (PathReport, RobotPath)
 """There may be several of them."""

@@ -28,11 +28,8 @@ MAX_NODES = 42**3
 """Poses of a surface in the page."""
 
 
-def surface_view(subject: Subject, over: Sequence[str], pose: PoseJson) -> SurfaceAnswer:
-    """The surface over x, y and z, the other coordinates as they are at the pose. Raises InputError where there is
-    none, LimitReached for more than `MAX_NODES` poses.
-    """
-    found = surface_of(subject, over, pose)
+def surface_view(found: SingularMap) -> SurfaceAnswer:
+    """A surface over x, y and z as the page is told."""
     order = [found.mesh.names.index(n) for n in TRANSLATION]
     return {
         "vertices": [round(float(c), 9) for c in found.mesh.vertices[:, order].ravel()],
@@ -50,7 +47,9 @@ def surface_view(subject: Subject, over: Sequence[str], pose: PoseJson) -> Surfa
 
 @kept
 def surface_of(subject: Subject, over: Sequence[str], pose: PoseJson) -> SingularMap:
-    """The same as a value of the library. Raises InputError and LimitReached likewise."""
+    """The surface over x, y and z, the other coordinates as they are at the pose. Raises InputError where there is
+    none, LimitReached for more than `MAX_NODES` poses.
+    """
     _check(subject.mechanism, [words.split()[0] for words in over])
     plan = planned_map(subject, over, pose, DEFAULT, "margin")
     if plan.task.grid.size > MAX_NODES:

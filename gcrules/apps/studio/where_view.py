@@ -37,11 +37,8 @@ from gcrules.views.results.plan import waypoint_text
 __all__ = ["aspects_from", "aspects_view", "assemblies_from", "assemblies_view", "free_around", "free_view"]
 
 
-def assemblies_view(subject: Subject, pose: PoseJson, limit: str | None) -> AssembliesAnswer:
-    """All poses that the platform can take with its legs as long as at the pose; of a robot with limbs those at the
-    home that its file gives, whatever mode is open. Raises InputError where there is no direct kinematics.
-    """
-    found = assemblies_from(subject, pose, limit)
+def assemblies_view(subject: Subject, found: AssemblyModes) -> AssembliesAnswer:
+    """Assembly modes as the page is told."""
     return {
         **account_view(found),
         "modes": [_mode(found, one, driven=subject.limbs is not None) for one in found.modes],
@@ -50,7 +47,9 @@ def assemblies_view(subject: Subject, pose: PoseJson, limit: str | None) -> Asse
 
 @kept
 def assemblies_from(subject: Subject, pose: PoseJson, limit: str | None) -> AssemblyModes:
-    """The same as a value of the library. Raises InputError likewise."""
+    """All poses that the platform can take with its legs as long as at the pose; of a robot with limbs those at the
+    home that its file gives, whatever mode is open. Raises InputError where there is no direct kinematics.
+    """
     report("following all solutions")
     if subject.limbs is None:
         return modes_of(subject.mechanism, exact_pose(pose), threshold=threshold_of(limit, subject.unit))
@@ -72,9 +71,8 @@ def _mode(found: AssemblyModes, m: AssemblyMode, *, driven: bool) -> AssemblyMod
     }
 
 
-def aspects_view(subject: Subject) -> AspectsAnswer:
-    """In how many aspects the poses around home lie. Raises InputError where this cannot be told."""
-    found = aspects_from(subject)
+def aspects_view(subject: Subject, found: Aspects) -> AspectsAnswer:
+    """Aspects as the page is told."""
     sets = [_set(subject.mechanism, one) for one in found.sets]
     words = list(changes(found))
     return {**account_view(found), "least": found.least, "most": found.most, "sets": sets, "changes": words}
@@ -82,7 +80,7 @@ def aspects_view(subject: Subject) -> AspectsAnswer:
 
 @kept
 def aspects_from(subject: Subject) -> Aspects:
-    """The same as a value of the library. Raises InputError likewise."""
+    """In how many aspects the poses around home lie. Raises InputError where this cannot be told."""
     report("looking at poses")
     return aspects_of(subject.mechanism)
 
@@ -110,16 +108,15 @@ def _posed(m: Mechanism, at: Waypoint) -> PoseJson | None:
         return None
 
 
-def free_view(subject: Subject, pose: PoseJson, shape: str) -> FreeAnswer:
-    """The largest box or ball around the pose that is proved free of singular poses. Raises InputError for none."""
-    found = free_around(subject, pose, shape)
+def free_view(found: FreeRegion) -> FreeAnswer:
+    """A region as the page is told."""
     rows = [{"name": name, "low": low, "high": high, "unit": unit} for name, low, high, unit in ranges(found)]
     return {**account_view(found), "ranges": rows}  # type: ignore[typeddict-item]  # the rows are of this kind
 
 
 @kept
 def free_around(subject: Subject, pose: PoseJson, shape: str) -> FreeRegion:
-    """The same as a value of the library. Raises InputError likewise."""
+    """The largest box or ball around the pose that is proved free of singular poses. Raises InputError for none."""
     report("proving boxes")
     m = subject.mechanism
     at: Waypoint = coordinates_at(m, pose, free_coordinates(m.linkage)) if isinstance(m, Limbs) else exact_pose(pose)
