@@ -22,6 +22,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent
 MINORS = (11, 12, 13, 14)
 RESOLUTIONS = ("lowest", "newest")
+UV = "uv>=0.5,<1"
 EXPRESSION = "[abfc][acde][bdef] + [abfd][acbe][cdef]"
 QUESTIONS: tuple[tuple[tuple[str, ...], str], ...] = (
     (("--version",), "gcrules {version}"),
@@ -39,11 +40,14 @@ EXTRAS = ("matplotlib", "numba", "starlette", "uvicorn", "websockets", "anywidge
 
 @dataclass(frozen=True)
 class Trial:
-    """One installation: what was tried, and what was wrong, "" for nothing, None where it could not be tried."""
+    """One installation: what was tried, and what was wrong, "" for nothing, None where it could not be tried; `what` is
+    the sort of packages.
+    """
 
     name: str
     fault: str | None
     remark: str = ""
+    what: str = ""
 
     @property
     def line(self) -> str:
@@ -142,7 +146,7 @@ def uv_in(folder: Path) -> Path | None:
     place = folder / "uv"
     if not (place / "bin" / "uv").is_file():
         try:
-            run(sys.executable, "-m", "pip", "--disable-pip-version-check", "install", "--target", place, "uv")
+            run(sys.executable, "-m", "pip", "--disable-pip-version-check", "install", "--target", place, UV)
         except Failed:
             return None
     return place / "bin" / "uv"
@@ -187,13 +191,13 @@ def trials(folder: Path, wheel: Path, everything: bool) -> Iterator[Trial]:
         for resolution in RESOLUTIONS:
             name = f"Python 3.{minor}, {resolution} packages"
             if python is None or (uv is None and resolution == "lowest"):
-                yield Trial(name, None, "there is no such Python" if python is None else "needs uv")
+                yield Trial(name, None, "there is no such Python" if python is None else "needs uv", resolution)
                 continue
             try:
                 place = folder / f"env-{minor}-{resolution}"
-                yield Trial(name, "", try_it(python, uv, resolution, str(wheel), place, version))
+                yield Trial(name, "", try_it(python, uv, resolution, str(wheel), place, version), resolution)
             except Failed as fault:
-                yield Trial(name, str(fault))
+                yield Trial(name, str(fault), what=resolution)
             shutil.rmtree(place, ignore_errors=True)
     if everything:
         python = next(filter(None, map(interpreter, (13, 12, 11))), None)
@@ -202,6 +206,11 @@ def trials(folder: Path, wheel: Path, everything: bool) -> Iterator[Trial]:
         except Failed as fault:
             yield Trial("gcrules[all]", str(fault))
         shutil.rmtree(folder / "all", ignore_errors=True)
+
+
+def untried_in(seen: Sequence[Trial]) -> list[str]:
+    """The sorts of packages that no Python was tried with: a check that left them out has not checked."""
+    return [what for what in RESOLUTIONS if all(t.fault is None for t in seen if t.what == what)]
 
 
 def main(arguments: Sequence[str]) -> int:
@@ -217,11 +226,13 @@ def main(arguments: Sequence[str]) -> int:
     print(*(f"failed: {fault}" for fault in found), sep="\n", end="\n" if found else "")
     sdist, wheel = build(folder)
     print(f"built {sdist.name} and, from it, {wheel.name}")
-    failed = bool(found)
+    seen = []
     for trial in trials(folder, wheel, options.all):
         print(trial.line, flush=True)
-        failed = failed or bool(trial.fault)
-    return int(failed)
+        seen.append(trial)
+    untried = untried_in(seen)
+    print(*(f"failed: {what} packages were tried on no Python" for what in untried), sep="\n", end="\n" * bool(untried))
+    return int(bool(found or untried) or any(trial.fault for trial in seen))
 
 
 if __name__ == "__main__":

@@ -6,6 +6,7 @@ import importlib
 import sys
 from pathlib import Path
 from types import ModuleType
+from typing import Any
 
 import pytest
 from places import ROOT
@@ -60,6 +61,20 @@ def test_what_does_not_agree(tag: str | None, citation: str, changelog: str, wro
 
 def test_a_tree_without_git_has_no_tag(tmp_path: Path) -> None:
     assert release_check.tag_of(tmp_path) is None
+
+
+def test_what_was_tried_on_no_python_is_no_success() -> None:
+    def seen(*faults: str | None) -> list[Any]:
+        return [
+            release_check.Trial("Python", fault, what=what)
+            for fault, what in zip(faults, release_check.RESOLUTIONS, strict=True)
+        ]
+
+    assert release_check.untried_in(seen("", "")) == []
+    assert release_check.untried_in(seen("wrong", "")) == []
+    assert release_check.untried_in(seen(None, "")) == ["lowest"]
+    assert release_check.untried_in(seen(None, None)) == ["lowest", "newest"]
+    assert release_check.untried_in([*seen(None, None), *seen("", "")]) == []
 
 
 def test_trials_are_told() -> None:
