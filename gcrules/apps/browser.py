@@ -30,7 +30,7 @@ class Desk:
         if examples.is_dir():
             shutil.copytree(examples, "examples", dirs_exist_ok=True)
         self._seen: dict[str, int] = {}
-        self.written()
+        self.new_files()
 
     def answer(self, line: str) -> int:
         """The exit code of a line as a shell reads it, "gcrules prove …" or without the first word; its answer is
@@ -52,10 +52,10 @@ class Desk:
     def run_script(self, text: str) -> int:
         """The exit code of a script of statements."""
         Path(_SCRIPT).write_text(text, encoding="utf-8")
-        self.written()
+        self.new_files()
         return self.answer(f"run {_SCRIPT}")
 
-    def written(self) -> list[str]:
+    def new_files(self) -> list[str]:
         """The files of the working folder, examples aside, that are new or have changed since this was last asked."""
         files = (p for p in sorted(Path().rglob("*")) if p.parts[0] != "examples" and p.is_file())
         found = {p.as_posix(): p.stat().st_mtime_ns for p in files if p.stat().st_size <= _LARGEST}

@@ -513,6 +513,11 @@ export const LARGEST_PICTURE = 400000;
 /** Characters of the state in a link that programs take whole; what makes it longer is left out, and the reader is told. */
 export const LONGEST_LINK = 65000;
 
+export const LONGEST_TITLE = 200;
+
+/** Characters of a title, and of a note, that go into a report. */
+export const LONGEST_NOTE = 20000;
+
 /** What a line repeats: methods, and the table of the actuators. */
 export type Repeatable = "open" | "pose" | "actuators" | "path" | "map" | "surface" | "locus" | "assemblies" | "aspects" | "free" | "boxes" | "certify" | "manual" | "bench";
 

@@ -24,6 +24,7 @@ def test_equal_rounds_of_use_hold_the_same(desk: Desk) -> None:
 
     held_after_a_round()
     first, second, third, last = (held_after_a_round() for _ in range(4))
-    for what in ("nodes", "listeners", "heap"):  # when exactly the page is looked at differs
+    # when exactly the page is looked at differs
+    for what, more in {"nodes": 1.1, "listeners": 1.1, "heap": 1.25}.items():
         before = max(getattr(first, what), getattr(second, what))
-        assert min(getattr(third, what), getattr(last, what)) <= 1.25 * before, what
+        assert min(getattr(third, what), getattr(last, what)) <= more * before, what

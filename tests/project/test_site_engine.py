@@ -51,16 +51,16 @@ def test_an_open_quotation_mark(desk: Desk, capfd: pytest.CaptureFixture[str]) -
 
 def test_files_that_are_written_are_named_once(desk: Desk, capfd: pytest.CaptureFixture[str]) -> None:
     assert desk.answer("gcrules cite") == 0
-    assert desk.written() == []
+    assert desk.new_files() == []
     assert desk.answer('gcrules analyze "ab af cb cd ed ef" -o answer.txt') == 0
-    assert desk.written() == ["answer.txt"]
-    assert desk.written() == []
+    assert desk.new_files() == ["answer.txt"]
+    assert desk.new_files() == []
 
 
 def test_a_script(desk: Desk, capfd: pytest.CaptureFixture[str]) -> None:
     assert desk.run_script("claim [abcd] == -[bacd]\n") == 0
     assert "1 claim: 1 proved" in capfd.readouterr().out
-    assert desk.written() == []
+    assert desk.new_files() == []
 
 
 def test_a_package_that_is_missing(

@@ -21,7 +21,7 @@ export async function start(loadPyodide, folder, read) {
     }
     const code = desk[question](text);
     python.runPython("import sys; sys.stdout.flush(); sys.stderr.flush()");
-    const names = desk.written();
+    const names = desk.new_files();
     const files = names.toJs().map((name) => ({ name, bytes: python.FS.readFile(`${FOLDER}/${name}`) }));
     names.destroy();
     return { code, files };

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import io
+import os
 import traceback
 
 import click
 
-from gcrules.apps.cli.base import LazyGroup, colour_choice
+from gcrules.apps.cli.base import COMPLETING, LazyGroup, colour_choice
 from gcrules.core import interrupts
 from gcrules.core.errors import printable
 from gcrules.core.version import __version__
@@ -90,9 +91,9 @@ def answered() -> int:
         return fault.exit_code
     except KeyboardInterrupt:
         raise
-    except SystemExit as end:  # click's own, after what a shell completes
-        return int(end.code or 0)
     except BaseException as fault:
+        if isinstance(fault, SystemExit) and COMPLETING in os.environ:  # click's own, after what a shell completes
+            return int(fault.code or 0)
         if interrupts.pending() is None:
             traceback.print_exception(fault)
             click.echo(

@@ -17,8 +17,10 @@ from gcrules.core import interrupts, streams
 from gcrules.core.errors import GcrulesError, absent
 from gcrules.core.seeds import repeated
 
-__all__ = ["ExpressionCommand", "LazyGroup", "colour_choice"]
+__all__ = ["COMPLETING", "ExpressionCommand", "LazyGroup", "colour_choice"]
 
+COMPLETING = "_GCRULES_COMPLETE"
+"""Set by a shell that asks what a command line may go on with."""
 INTERRUPTED = 130  # where it is Ctrl-C that ends a command; `interrupts.run` knows other signals
 BROKEN_PIPE = 141
 

@@ -5,6 +5,8 @@ from __future__ import annotations
 import click
 from click.shell_completion import get_completion_class
 
+from gcrules.apps.cli.base import COMPLETING
+
 __all__ = ["completion"]
 
 SHELLS = ("bash", "zsh", "fish")
@@ -23,5 +25,5 @@ def completion(ctx: click.Context, shell: str) -> None:
     """
     found = get_completion_class(shell)
     assert found is not None
-    script = found(ctx.find_root().command, {}, "gcrules", "_GCRULES_COMPLETE")
+    script = found(ctx.find_root().command, {}, "gcrules", COMPLETING)
     click.echo(script.source_template % script.source_vars())

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import os
-
 import click
 
 from gcrules.apps.cli.files import read_stdin
@@ -47,8 +45,7 @@ def studio(source: str | None, mode: str | None, port: int | None, folders: tupl
     if folders:
         load_rules(folders=folders)  # a plugin that is wrong is told before a page is opened
     opened = None if source is None else _source(source, mode)
-    places = tuple(map(os.path.abspath, folders))
-    serve(opened, folders=places, port=usual if port is None else port, browser=not no_browser, say=click.echo)
+    serve(opened, folders=folders, port=usual if port is None else port, browser=not no_browser, say=click.echo)
 
 
 def _source(word: str, mode: str | None) -> SourceJson:

@@ -13,6 +13,8 @@ from gcrules.core.shapes import EntryCount
 __all__ = [
     "LARGEST_PICTURE",
     "LONGEST_LINK",
+    "LONGEST_NOTE",
+    "LONGEST_TITLE",
     "NoteJson",
     "RepeatArgs",
     "Repeatable",
@@ -28,7 +30,11 @@ LONGEST_LINK = 65_000
 """
 _ADDRESS = 300  # characters before the state
 
-_Title = Annotated[str, text(200)]
+LONGEST_TITLE = 200
+LONGEST_NOTE = 20_000
+"""Characters of a title, and of a note, that go into a report."""
+
+_Title = Annotated[str, text(LONGEST_TITLE)]
 
 
 def _object(value: Any, where: str) -> Any:
@@ -62,7 +68,7 @@ class ReportedJson(TypedDict):
 
 class NoteJson(TypedDict):
     title: _Title
-    text: Annotated[str, text(20_000, empty=True)]
+    text: Annotated[str, text(LONGEST_NOTE, empty=True)]
 
 
 def _image(value: Any, where: str) -> Any:

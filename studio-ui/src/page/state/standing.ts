@@ -1,11 +1,11 @@
 // What a report shows of the state of the page: the answers of its panels, the picture as it stands, notes, and the link.
-import { LARGEST_PICTURE, LONGEST_LINK, type Note, type State } from "../../protocol";
+import { LARGEST_PICTURE, LONGEST_LINK, LONGEST_NOTE, LONGEST_TITLE, type Note, type State } from "../../protocol";
 import { linkOf } from "./fragment";
 import { repeatables } from "./repeating";
 import type { Store } from "./store";
 
 export async function stateOf(store: Store): Promise<State> {
-  const answers = repeatables(store).map(({ title, what, args: { source: _, ...args } }) => ({ title, what, args }));
+  const answers = repeatables(store).map(({ title, what, args: { source: _, ...args } }) => ({ title: shortened(title, LONGEST_TITLE), what, args }));
   const { fragment } = await linkOf(store.doc.peek());
   const link = fragment.length <= LONGEST_LINK ? location.origin + location.pathname + fragment : "";
   return { answers, picture: await pictureOf(store), notes: notesOf(store), link };
@@ -53,5 +53,10 @@ function notesOf({ projecting }: Store): Note[] {
     { title: title || "Project", text: note },
     { title: robot?.name || "This robot", text: robot?.note ?? "" },
   ];
-  return all.filter(({ text }) => text.trim() !== "");
+  return all.filter(({ text }) => text.trim() !== "").map(({ title, text }) => ({ title: shortened(title, LONGEST_TITLE), text: shortened(text, LONGEST_NOTE) }));
+}
+
+/** As much of a text as a report takes, and that there is more. */
+function shortened(text: string, longest: number): string {
+  return text.length <= longest ? text : `${text.slice(0, longest - 1)}…`;
 }
