@@ -10,6 +10,7 @@ from typing import Any
 import pytest
 from commands import invoke, refuse_report
 from places import EXAMPLES
+from views.shown_sections import plain
 
 import gcrules as gc
 from gcrules.poses.paths.report import PathReport
@@ -120,3 +121,11 @@ def test_faults_of_the_function() -> None:
         gc.report(OCTAHEDRAL, at="0 0 1")
     with pytest.raises(gc.InputError, match="no coordinates"):
         gc.report("ab af cb cd ed ef", path=["0 0 0", "0 0 1"])
+
+
+def test_a_factor_that_is_known_up_to_a_cofactor_says_so_at_home() -> None:
+    (factor,) = gc.pose("4-upu", nearest=False).factors
+    words = plain(gc.report("4-upu", interactive=False))
+    assert factor.cofactor is not None
+    assert "divided by the cofactor" in words
+    assert f"which is {factor.cofactor_value:.4g} here" in words

@@ -51,7 +51,7 @@ def locus_view(subject: Subject, found: Locus | RobotLocus, pose: PoseJson, over
     asked = asked_locus(subject.mechanism, pose, over)
     told: Any = of_legs if isinstance(found, Locus) else of_limbs
     roots = () if isinstance(found, Locus) or found.multiplied else found.roots
-    numbered = [] if isinstance(found, Locus) else _numbered(found.parts)
+    numbered = [] if isinstance(found, Locus) else of_limbs.numbered(found)
     return {
         "variables": list(found.variables),
         "statement": told.headline(found),
@@ -136,10 +136,6 @@ _ASKED: Methods[AskedLocus] = {SixLegs: _of_legs, Limbs: _of_limbs}
 
 
 # --- what is answered ----------------------------------------------------------------------------------------------
-
-
-def _numbered(parts: Sequence[LocusPart]) -> list[tuple[str, LocusPart]]:
-    return [("P" if len(parts) == 1 else f"P{k}", p) for k, p in enumerate(parts, 1)]
 
 
 def _whole(found: Locus) -> LocusPartView:

@@ -26,8 +26,7 @@ def locus_html(r: Locus | RobotLocus, m: SixLegs | Limbs, *, live: bool, title: 
         return section_html(title, of_legs.headline(r), rows, _polynomial("P", r.form), latex_html(r))
     rows = facts_html(of_limbs.account(r, unicode=True))
     parts = []
-    for k, part in enumerate(r.parts, 1):
-        name = "P" if len(r.parts) == 1 else f"P{k}"
+    for name, part in of_limbs.numbered(r):
         told = facts_html(of_limbs.part_rows(part, name, r, unicode=True))
         parts.append(told + _polynomial(name, part.form))
     return section_html(title, of_limbs.headline(r), rows, *parts, latex_html(r))

@@ -44,8 +44,9 @@ def _of_limbs(r: RobotPose, m: SixLegs | Limbs) -> Iterator[Block]:
     yield from _transmission(r)
     if r.factors:
         factors = tuple(
-            (of_limbs.signed(f.expression), of_limbs.small(f.value), of_limbs.meaning(f.kind, f.statement))
+            (of_limbs.signed(f.expression), of_limbs.small(f.value), "; ".join(filter(None, words)))
             for f in r.factors
+            for words in ((of_limbs.meaning(f.kind, f.statement), of_limbs.divided(f)),)
         )
         yield Grid(("factor", "value", "meaning"), factors, "Factors of the condition")
     limbs = tuple((one.name, of_limbs.small(one.margin)) for one in r.limbs)

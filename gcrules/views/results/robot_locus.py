@@ -14,7 +14,7 @@ from gcrules.views.results.locus import form_latex
 from gcrules.views.results.polynomials import SHOWN, brief, counted, degrees_text, formula, number, size_text
 from gcrules.views.text_tables import WIDTH, table
 
-__all__ = ["account", "as_latex", "as_text", "headline", "part_rows"]
+__all__ = ["account", "as_latex", "as_text", "headline", "numbered", "part_rows"]
 
 _HEAD = (
     "Each polynomial is the product of a factor of the condition over all {modes}. Every singular pose is a zero"
@@ -36,8 +36,7 @@ _CHOSEN = ", or lines that were chosen for a limb depend on each other"
 def as_text(found: RobotLocus, *, unicode: bool = False, digits: int | None = None) -> str:
     """The summary, and polynomials that are short; with decimals of so many `digits`."""
     lines = [fill(headline(found), WIDTH), "", *table(account(found, unicode=unicode))]
-    for k, part in enumerate(found.parts, 1):
-        name = _name(found, k)
+    for name, part in numbered(found):
         lines += ["", *table(part_rows(part, name, found, unicode=unicode, digits=digits))]
         lines += [""] if part.form.terms else []
         if part.form.terms:
@@ -58,8 +57,9 @@ def account(found: RobotLocus, *, unicode: bool = False) -> list[tuple[str, str]
     return list(_rows(found, unicode))
 
 
-def _name(found: RobotLocus, k: int) -> str:
-    return "P" if len(found.parts) == 1 else f"P{k}"
+def numbered(found: RobotLocus) -> list[tuple[str, LocusPart]]:
+    """The parts with the names of their polynomials."""
+    return [("P" if len(found.parts) == 1 else f"P{k}", part) for k, part in enumerate(found.parts, 1)]
 
 
 def _rows(found: RobotLocus, unicode: bool) -> Iterator[tuple[str, str]]:

@@ -9,6 +9,7 @@ import numpy as np
 
 from gcrules.core.english import listed
 from gcrules.mechanisms.kinematics.closure import CableTensions
+from gcrules.poses.limbs.factors import ConditionFactor
 from gcrules.poses.limbs.report import NearestConfiguration, RobotPose
 from gcrules.poses.numbers.motion import twist_of
 from gcrules.screws.pose_text import ANGLES, SHIFTS, TURNS
@@ -26,7 +27,7 @@ from gcrules.views.results.amplification import (
 from gcrules.views.results.singularity_types import in_words
 from gcrules.views.text_tables import ASCII, columns, table, wrapped
 
-__all__ = ["amount_rows", "as_latex", "as_text", "meaning", "motions", "rows", "signed", "small"]
+__all__ = ["amount_rows", "as_latex", "as_text", "divided", "meaning", "motions", "rows", "signed", "small"]
 
 _EXACT = 1e-12
 
@@ -57,8 +58,7 @@ def _lines(r: RobotPose) -> Iterator[str]:
         for f in r.factors:
             yield from wrapped(f"{signed(f.expression)}", "  ", "      ")
             yield from wrapped(f"{small(f.value)}, {meaning(f.kind, f.statement)}", "    ", "      ")
-            if f.cofactor:
-                below = f"divided by the cofactor {signed(f.cofactor)}, which is {small(f.cofactor_value)} here"
+            if below := divided(f):
                 yield from wrapped(below, "    ", "      ")
     yield ""
     yield "Limbs by themselves: margin to their own singularities (0 singular)"
@@ -96,6 +96,13 @@ def rows(r: RobotPose) -> Iterator[tuple[str, str]]:
     yield "branch", r.assembly.branch
     yield "mode", r.mode
     yield from (("note", note) for note in r.notes)
+
+
+def divided(f: ConditionFactor) -> str:
+    """By what the value of a factor is divided, where it is known up to that; else nothing."""
+    return (
+        f"divided by the cofactor {signed(f.cofactor)}, which is {small(f.cofactor_value)} here" if f.cofactor else ""
+    )
 
 
 def amount_rows(r: RobotPose) -> list[tuple[str, str, str]]:
