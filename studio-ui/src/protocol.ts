@@ -1014,6 +1014,10 @@ export interface BenchResult {
   command: string | null;
   verdict: "value" | "proved" | "refuted" | "undecided" | "done";
   text: string;
+  /** Those with which an analysis opens. */
+  sentences: string[];
+  /** Whether rules have rewritten it in several steps, or in none. */
+  way: boolean;
   /** The whole answer in LaTeX; "" where it is none, or too long. */
   tex: string;
   pieces: Piece[];

@@ -45,7 +45,8 @@ class Answer:
     """What is printed. `verdict` is proved, refuted, undecided, shown, done, or fault.
 
     `wraps` tells whether long lines are formulas, which may be broken to the width of a terminal; `applied` names the
-    rules that led to it, in their order.
+    rules that led to it, in their order. `binds` is the name that was given to something, `sentences` are those with
+    which an analysis opens, and a `way` is that of rules: of several steps, or of none.
     """
 
     text: str
@@ -53,6 +54,9 @@ class Answer:
     fault: GcrulesError | None = None
     wraps: bool = True
     applied: tuple[str, ...] = ()
+    binds: str = ""
+    sentences: tuple[str, ...] = ()
+    way: bool = False
 
     @property
     def code(self) -> int:
@@ -86,13 +90,9 @@ def answer_of(result: Result, settings: Settings, *, brief: bool, line: int | No
     if isinstance(result, ShowResult | ClaimResult) and result.verdict == "undecided" and not hinted:
         shown += "\nhint: :limit N allows more terms"
     words = _here(as_typed(shown if line is None else f"line {line}: {shown}"))
-    return Answer(words, result.verdict, applied=_applied(result))
-
-
-def _applied(result: Result) -> tuple[str, ...]:
-    if not isinstance(result, RewriteResult) or result.rewriting is None:
-        return ()
-    return tuple(dict.fromkeys(step.rule for step in result.rewriting.steps))
+    way = result.rewriting if isinstance(result, RewriteResult) else None
+    applied = dict.fromkeys(step.rule for step in way.steps) if way else ()
+    return Answer(words, result.verdict, applied=tuple(applied), way=way is not None and len(way.steps) != 1)
 
 
 def _in_full(result: Result, settings: Settings) -> str | None:

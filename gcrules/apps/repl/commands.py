@@ -44,6 +44,7 @@ __all__ = ["HANDLERS", "Request"]
 factor = deferred("gcrules.algebra.factoring.factorize:factor")
 shorten = deferred("gcrules.algebra.shortening.shorten:shorten")
 transversals = deferred("gcrules.conditions.transversals:transversals")
+_leading_sentences = deferred("gcrules.views.report.stages:leading_sentences")
 
 
 @dataclass(frozen=True, slots=True)
@@ -168,7 +169,10 @@ def _analyze(repl: PromptSession, request: Request) -> Iterator[Answer]:
     found = analyze(asked, strategy=chosen, plugins=folders)
     if found.condition is not None:
         repl.remember(found.condition.expression)
-    yield replace(_whole(repl, found, "shown"), applied=found.applied if isinstance(found, Analysis) else ())
+    whole = _whole(repl, found, "shown")
+    if isinstance(found, Analysis):
+        whole = replace(whole, applied=found.applied, sentences=_leading_sentences(found))
+    yield whole
 
 
 def _loaded(word: str, points: Names) -> Loaded:

@@ -204,7 +204,7 @@ class Interpreter:
             yield answer_of(result, self.settings, brief=True, line=line)
         for name in after.context.bound:
             if name not in before.context.bound and line is None:
-                yield Answer(bound_text(name, after.context, self.settings))
+                yield Answer(bound_text(name, after.context, self.settings), binds=name)
 
     def _check_rank(self, source: Source) -> None:
         if first_word(source.parsed) == "rank" and self.state.statements:

@@ -188,7 +188,7 @@ def _statement(repl: Interpreter, part: Source, place: Span, before: Rules) -> I
     """A single statement: names with what they stand for, or its answer."""
     known = set(repl.state.context.bound)
     question = of_statement(repl, part)
-    answers = [a for a in repl.run(part) if " = " not in a.text or a.verdict != "done"]
+    answers = [a for a in repl.run(part) if not a.binds]
     context = repl.state.context
     for name in [n for n in context.bound if n not in known]:
         e = context.bound[name]
@@ -235,6 +235,8 @@ def _said(
         "command": None,
         "verdict": _VERDICTS.get(answer.verdict, "done"),
         "text": answer.text,
+        "sentences": list(answer.sentences),
+        "way": answer.way,
         "tex": latex(e) if e is not None and 0 < len(shown) <= _MOST_PIECES else proved,
         "pieces": shown[:_MOST_PIECES],
         "terms": len(shown),

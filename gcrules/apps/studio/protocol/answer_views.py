@@ -235,6 +235,10 @@ class BenchResult(TypedDict):
     """The command of the prompt that was asked, if it is one."""
     verdict: Literal["value", "proved", "refuted", "undecided", "done"]
     text: str
+    sentences: list[str]
+    """Those with which an analysis opens."""
+    way: bool
+    """Whether rules have rewritten it in several steps, or in none."""
     tex: str
     """The whole answer in LaTeX; "" where it is none, or too long."""
     pieces: list[Piece]

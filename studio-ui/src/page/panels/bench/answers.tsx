@@ -58,9 +58,9 @@ function Answer({ result, rank, shown, onToggle }: AnswerProps) {
       {pieces.length > 0 ? (
         <Formula left={name ? [nameOf(name)] : []} right={all ? pieces : pieces.slice(0, MOST)} />
       ) : (
-        (verdict !== "proved" || !said) && (command === "analyze" ? <Analysed text={text} /> : <Said text={said ? reasonsOf(text) : text} />)
+        (verdict !== "proved" || !said) && (result.sentences.length > 0 ? <Analysed sentences={result.sentences} text={text} /> : <Said text={said ? reasonsOf(text) : text} />)
       )}
-      {pieces.length > 0 && (command || isWay(text)) && reasonsOf(text) !== text && <Said text={reasonsOf(text)} />}
+      {pieces.length > 0 && (command || result.way) && reasonsOf(text) !== text && <Said text={reasonsOf(text)} />}
       {pieces.length > MOST && (
         <button type="button" class="quiet" onClick={() => showAll(!all)}>
           {all ? "Less" : pieces.length < terms ? `The first ${pieces.length} of ${terms} terms` : `All ${terms} terms`}
@@ -130,22 +130,18 @@ function Said({ text }: { text: string }) {
   );
 }
 
-/** The condition in sentences, as the analysis begins; the way to it when it is asked for. */
-function Analysed({ text }: { text: string }) {
+/** The condition in sentences, as the analysis begins; the whole of it when it is asked for. */
+function Analysed({ sentences, text }: { sentences: readonly string[]; text: string }) {
   const [all, showAll] = useState(false);
-  const [first = "", ...steps] = text.split("\n\n");
-  const sentences = first.split(/\n(?=- )/).map((part) => part.replace(/^- /, "").replace(/\s+/g, " "));
   return (
     <div class="analysed">
       {sentences.map((sentence) => (
         <p key={sentence}>{sentence}</p>
       ))}
-      {all && <pre class="said">{steps.join("\n\n")}</pre>}
-      {steps.length > 0 && (
-        <button type="button" class="quiet" onClick={() => showAll(!all)} data-testid="bench-more">
-          {all ? "Less" : "The analysis, step by step"}
-        </button>
-      )}
+      {all && <pre class="said">{text}</pre>}
+      <button type="button" class="quiet" onClick={() => showAll(!all)} data-testid="bench-more">
+        {all ? "Less" : "The analysis, step by step"}
+      </button>
     </div>
   );
 }
@@ -180,9 +176,6 @@ function Lines({ repeated }: { repeated: Repeated | null }) {
     </div>
   );
 }
-
-/** Whether an answer is a way of several steps by rules, or one that none of them began. */
-const isWay = (text: string): boolean => /\n {2}no rule fires$/.test(text) || (text.match(/\n {6}by /g) ?? []).length > 1;
 
 /** Without the first line, which repeats what was written. */
 const reasonsOf = (text: string): string => text.split("\n").slice(1).map((line) => line.replace(/^ {2}/, "")).join("\n") || text;
