@@ -97,11 +97,10 @@ export class LabelLayer {
 }
 
 function fill(node: HTMLElement, { tag, size }: Placed, paper: string): void {
-  const halo = [[-1.5, 0], [1.5, 0], [0, -1.5], [0, 1.5], [-1, -1], [1, 1], [-1, 1], [1, -1]];
   node.style.color = tag.colour;
   node.style.fontSize = `${size}px`;
   node.style.fontWeight = tag.strong ? "700" : "400";
-  node.style.textShadow = [...halo.map(([x, y]) => `${x}px ${y}px 1px ${paper}`), `0 0 4px ${paper}`].join(",");
+  node.style.filter = [1, 1, 1.5].map((blur) => `drop-shadow(0 0 ${blur}px ${paper})`).join(" "); // of the whole: a shadow of each run would cover the run before
   const parts = tag.upright ? [{ text: tag.text, style: "plain" as const }] : runs(tag.text);
   node.replaceChildren(
     ...parts.map((run) => {
