@@ -15,10 +15,13 @@ from gcrules.mechanisms.kinematics.targets import (
 )
 from gcrules.mechanisms.load import read_robot
 
-__all__ = ["STEPS", "analysed", "machine", "moves", "robot", "there"]
+__all__ = ["REACH", "STEPS", "analysed", "machine", "moves", "robot", "there"]
 
 STEPS = {"x": 0.1, "y": -0.15, "z": 0.2, "roll": 0.1, "pitch": -0.15, "yaw": 0.2}
 """How far coordinates go: lengths in parts of the robot's size, rad."""
+
+REACH = {"4-ruu": 1 / 3}
+"""What part of this a robot goes whose limbs are stretched before the end."""
 
 
 @cache
@@ -27,7 +30,7 @@ def machine(name: str) -> Linkage:
 
 
 def moves(m: Linkage, part: float, more: Mapping[str, float] | None = None) -> dict[str, float]:
-    found = {n: STEPS[n] for n in free_coordinates(m)}
+    found = {n: REACH.get(m.robot.id, 1) * STEPS[n] for n in free_coordinates(m)}
     for n, step in (more or {}).items():
         found[n] += step
     return {n: part * v * (m.size if n in "xyz" else 1) for n, v in found.items()}
