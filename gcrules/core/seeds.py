@@ -29,13 +29,18 @@ from __future__ import annotations
 import os
 import random
 import secrets
-from collections.abc import Iterator
+from collections.abc import Callable, Hashable, Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar
+from functools import lru_cache, wraps
 from hashlib import blake2b
 from math import floor, log10
+from typing import ParamSpec, TypeVar
 
-__all__ = ["DRAWN", "PRIME", "bound", "drawn", "error_below", "remark", "repeated", "seed"]
+__all__ = ["DRAWN", "PRIME", "bound", "drawn", "error_below", "remark", "remembered", "repeated", "seed"]
+
+P = ParamSpec("P")
+T = TypeVar("T")
 
 DRAWN = 1 << 60
 """Coordinates of deciding draws are the whole numbers below it, all alike likely."""
@@ -121,6 +126,25 @@ def remark() -> str:
     """What a certificate has to add where the user chose the seed; "" otherwise."""
     chosen = _chosen.get()
     return "" if chosen is None else f" (points chosen with the seed {chosen}: who knows it can foresee them)"
+
+
+def remembered(most: int) -> Callable[[Callable[P, T]], Callable[P, T]]:
+    """Keep the last answers of a function, as `lru_cache` does, each for the seed with which it was drawn: what was
+    found with a seed of the user's is no answer for those who chose none. Arguments are hashable.
+    """
+
+    def remembering(function: Callable[P, T]) -> Callable[P, T]:
+        @lru_cache(maxsize=most)
+        def kept(chosen: int | None, *args: Hashable, **options: Hashable) -> T:
+            return function(*args, **options)  # type: ignore[arg-type]
+
+        @wraps(function)
+        def answer(*args: P.args, **options: P.kwargs) -> T:
+            return kept(_chosen.get(), *args, **options)  # type: ignore[arg-type]
+
+        return answer
+
+    return remembering
 
 
 def bound(degree: int, bits: int, samples: int) -> float:

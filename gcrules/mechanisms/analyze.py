@@ -10,7 +10,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
-from functools import lru_cache
 from os import PathLike
 from typing import Any
 
@@ -20,6 +19,7 @@ from gcrules.conditions.analysis import Analysis
 from gcrules.conditions.dimensions.facts import TOLERANCE
 from gcrules.core.deferred import deferred
 from gcrules.core.errors import InputError
+from gcrules.core.seeds import remembered
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.mechanisms.load import Folders, Source, load
 from gcrules.mechanisms.platform_analysis import analyze_legs
@@ -100,13 +100,13 @@ def analyze_robot(
 
 
 # Poses, paths and maps that are asked for one after the other are of the same few robots.
-@lru_cache(maxsize=64)
+@remembered(64)
 def _analyzed(robot: Robot, search: float) -> RobotAnalysis:
     found: RobotAnalysis = _of_joints(robot, search=search)
     return found
 
 
-@lru_cache(maxsize=64)
+@remembered(64)
 def _with_facts(robot: Robot, search: float, tolerance: float) -> RobotAnalysis:
     found = _analyzed(robot, search)
     return replace(found, dimensions=_dimensions(robot, found.parts, tolerance))

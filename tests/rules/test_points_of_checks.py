@@ -23,8 +23,10 @@ from gcrules.algebra.language.legs_text import read_legs
 from gcrules.algebra.language.statements import parse_assumption
 from gcrules.algebra.language.syntax import Context
 from gcrules.algebra.prove import prove
+from gcrules.conditions.manual.automatic import automatic
 from gcrules.core import seeds
 from gcrules.core.errors import InputError
+from gcrules.mechanisms.analyze import analyze_robot
 from gcrules.rules.random_witness import RandomWitness
 from gcrules.rules.step import Step
 
@@ -98,6 +100,19 @@ def test_points_depend_on_the_claim_and_on_the_seed() -> None:
     for wrong in (None, "7", 7.0, True):
         with pytest.raises(InputError, match="`seed` must be a whole number"):
             gc.seeded(wrong)
+
+
+def test_what_was_found_with_a_seed_is_no_answer_for_those_who_chose_none() -> None:
+    """Answers about a robot are kept; each goes with the seed it was found with."""
+    robot, structure = gc.load("4-upu"), read_legs(LEGS)
+    with gc.seeded(7):
+        assert "seed 7" in gc.analyze(robot).text()
+        assert automatic(structure).notes
+    assert "seed" not in gc.analyze(robot).text()
+    assert not automatic(structure).notes
+    assert analyze_robot(robot) is analyze_robot(robot)
+    with gc.seeded(7):
+        assert "seed 7" in gc.analyze(robot).text()
 
 
 # --- the bound -----------------------------------------------------------------------------------------------------

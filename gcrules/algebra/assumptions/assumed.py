@@ -15,7 +15,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
-from functools import lru_cache
 
 from gcrules.algebra.assumptions.building import collapsed, constructed, merged
 from gcrules.algebra.assumptions.construction import Construction
@@ -33,6 +32,7 @@ from gcrules.algebra.space import Assumption, Space
 from gcrules.algebra.spelling import normal
 from gcrules.core.errors import InputError, LimitReached
 from gcrules.core.frozen import FrozenMap
+from gcrules.core.seeds import remembered
 
 __all__ = ["PositionKind", "equations", "holds", "kinds", "resolve"]
 
@@ -111,7 +111,7 @@ def resolve(space: Space, names: Iterable[str] = (), claim: Sequence[Expr] = ())
     raise fault(space.given[-1], _APART)
 
 
-@lru_cache(maxsize=64)
+@remembered(64)
 def _kinds(space: Space, symmetries: tuple[FrozenMap[str, str], ...] = ()) -> tuple[PositionKind, ...]:
     """The kinds of positions in a space whose points are in tableau order."""
     rank, points = space.rank, space.points

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import replace
-from functools import lru_cache
 from itertools import combinations, islice
 
 from gcrules.algebra.assumptions.construction import Construction
@@ -18,7 +17,7 @@ from gcrules.algebra.expr import Expr, Meet, Point
 from gcrules.algebra.space import Space
 from gcrules.core.budget import checkpoint
 from gcrules.core.errors import InputError
-from gcrules.core.seeds import DRAWN, seed
+from gcrules.core.seeds import DRAWN, remembered, seed
 
 __all__ = ["collapsed", "constructed", "merged"]
 
@@ -40,7 +39,7 @@ def constructed(aim: Aim) -> Construction:
     return found
 
 
-@lru_cache(maxsize=256)
+@remembered(256)
 def _attempted(aim: Aim) -> Construction | Failure:
     """The construction, or the failure that came farthest; equal aims may differ in where they were written."""
     space, rank = aim.space, aim.space.rank

@@ -10,7 +10,6 @@ r"""The expression bench: statements and expressions of the language, their resu
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from functools import lru_cache
 from typing import Any, Literal
 
 from gcrules.algebra.expr import Expr, points_of
@@ -36,6 +35,7 @@ from gcrules.apps.studio.subject import Subject
 from gcrules.core.budget import stage
 from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import GcrulesError, InputError, LimitReached, Span
+from gcrules.core.seeds import remembered
 from gcrules.poses.numbers.extensors import coordinates, line_vectors, plane_equation
 from gcrules.rules.plugins import load_rules
 from gcrules.views.formulas.latex import latex
@@ -102,7 +102,7 @@ class _Unfinished(Exception):
         self.found = found
 
 
-@lru_cache(maxsize=16)
+@remembered(16)
 def _answered(
     text: str, context: Context, rules: tuple[tuple[str, str, tuple[str, ...]], ...], folders: tuple[str, ...]
 ) -> _Found:

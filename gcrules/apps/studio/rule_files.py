@@ -12,7 +12,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
-from functools import lru_cache
 from typing import Literal, cast
 
 from gcrules.algebra.language.rule_text import RuleText
@@ -24,6 +23,7 @@ from gcrules.apps.studio.protocol.rule_views import CheckedRule, CheckedRuleFile
 from gcrules.core.budget import checkpoint, stage, within
 from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import GcrulesError, InputError, LimitReached
+from gcrules.core.seeds import remembered
 from gcrules.rules.identity import Identity
 from gcrules.rules.plugins import load_rules
 from gcrules.rules.rule_file import RuleCheck, check_rule, identities
@@ -95,7 +95,7 @@ class _Undecided(Exception):
         self.read = read
 
 
-@lru_cache(maxsize=32)
+@remembered(32)
 def _decided(name: str, text: str) -> _Read:
     read = _checked(name, text)
     if any(check.verdict == "undecided" for check in read.checks):

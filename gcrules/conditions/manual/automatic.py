@@ -8,6 +8,7 @@ from gcrules.algebra.bracket import Row
 from gcrules.algebra.language.legs_text import Structure
 from gcrules.algebra.superbrackets.shortest import SuperbracketForm, shortest_forms
 from gcrules.conditions.analysis import Analysis, analyze
+from gcrules.core.seeds import remembered
 from gcrules.rules.claims import best_first
 from gcrules.rules.condition_rule import ConditionClaim, claims
 from gcrules.rules.entities import TETRAHEDRA
@@ -25,19 +26,19 @@ def strategy() -> Strategy:
     return load_rules(identities=False).strategy()
 
 
-@lru_cache(maxsize=32)
+@remembered(32)
 def automatic(structure: Structure) -> Analysis:
     """The automatic analysis, which the hints follow."""
     return analyze(structure, strategy=strategy())
 
 
-@lru_cache(maxsize=32)
+@remembered(32)
 def oracle_of(structure: Structure) -> RandomWitness:
     """The exact points on which claims about a structure are tested."""
     return RandomWitness(structure)
 
 
-@lru_cache(maxsize=64)
+@remembered(64)
 def claims_in(form: SuperbracketForm, structure: Structure) -> tuple[ConditionClaim, ...]:
     """All claims that hold in a form, those of the first incidence rule first and of each rule the most telling first.
 
