@@ -29,13 +29,13 @@ from __future__ import annotations
 import os
 import random
 import secrets
-from collections.abc import Callable, Hashable, Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar
-from functools import lru_cache, wraps
+from functools import lru_cache, update_wrapper
 from hashlib import blake2b
 from math import floor, log10
-from typing import ParamSpec, TypeVar
+from typing import Generic, ParamSpec, TypeVar
 
 __all__ = ["DRAWN", "PRIME", "bound", "drawn", "error_below", "remark", "remembered", "repeated", "seed"]
 
@@ -128,23 +128,21 @@ def remark() -> str:
     return "" if chosen is None else f" (points chosen with the seed {chosen}: who knows it can foresee them)"
 
 
-def remembered(most: int) -> Callable[[Callable[P, T]], Callable[P, T]]:
+class _Remembered(Generic[P, T]):
+    def __init__(self, function: Callable[P, T], most: int) -> None:
+        update_wrapper(self, function)
+        self._kept = lru_cache(maxsize=most)(lambda chosen, args, options: function(*args, **dict(options)))
+        self.cache_clear = self._kept.cache_clear
+
+    def __call__(self, *args: P.args, **options: P.kwargs) -> T:
+        return self._kept(_chosen.get(), args, tuple(options.items()))
+
+
+def remembered(most: int) -> Callable[[Callable[P, T]], _Remembered[P, T]]:
     """Keep the last answers of a function, as `lru_cache` does, each for the seed with which it was drawn: what was
     found with a seed of the user's is no answer for those who chose none. Arguments are hashable.
     """
-
-    def remembering(function: Callable[P, T]) -> Callable[P, T]:
-        @lru_cache(maxsize=most)
-        def kept(chosen: int | None, *args: Hashable, **options: Hashable) -> T:
-            return function(*args, **options)  # type: ignore[arg-type]
-
-        @wraps(function)
-        def answer(*args: P.args, **options: P.kwargs) -> T:
-            return kept(_chosen.get(), *args, **options)  # type: ignore[arg-type]
-
-        return answer
-
-    return remembering
+    return lambda function: _Remembered(function, most)
 
 
 def bound(degree: int, bits: int, samples: int) -> float:

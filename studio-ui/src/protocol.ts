@@ -790,6 +790,26 @@ export interface Entry {
   name: string;
 }
 
+export interface ShapeRow {
+  name: string;
+  /** Where it is in the file; null where that follows from others. */
+  at: Vec3 | null;
+}
+
+export interface ShapeGroup {
+  title: string;
+  sort: "point" | "direction";
+  axes: string[];
+  rows: ShapeRow[];
+}
+
+/** The dimensions as they are changed, all of them at home. */
+export interface Shape {
+  groups: ShapeGroup[];
+  /** What a plan joins by lines. */
+  bars: LegEnds[];
+}
+
 /** Everything about the structure that does not change with the pose. */
 export interface Study {
   title: string;
@@ -801,6 +821,7 @@ export interface Study {
   /** Coordinates at the file's own pose. */
   points: Record<string, Vec3>;
   unit: string;
+  shape: Shape;
   /** What its file says that legs or actuators reach, as written. */
   limits: string;
   /** The coordinates are a sample shape, none were given. */

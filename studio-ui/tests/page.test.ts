@@ -138,7 +138,7 @@ test("a drag is undone as one step, navigation is none", () => {
 });
 
 const TRIANGLE: Record<string, Vec3> = { a: [0, 0, 0], b: [1, 0, 0], c: [0, 1, 0], d: [0, 0, 1], e: [0.3, 0.2, 1], f: [0, 1, 1.5] };
-const SHAPE = { points: TRIANGLE, base: ["a", "b", "c"], platform: ["d", "e", "f"], size: 1 } as unknown as Study;
+const SHAPE = { kind: "platform", points: TRIANGLE, base: ["a", "b", "c"], platform: ["d", "e", "f"], size: 1 } as unknown as Study;
 test("a joint is under the pointer whatever the platform's turn, and the centroid goes along with it", () => {
   for (const name of ["a", "e"]) {
     const seen: Vec3 = [0.3, -2, 1.7];

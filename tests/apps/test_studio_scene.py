@@ -179,6 +179,7 @@ def test_a_way_that_was_driven_outlives_a_reload(desk: Desk) -> None:
         desk.slide("z", z)
         desk.answered()
     desk.let_go("z")
+    desk.page.wait_for_function(f"() => {STOPS}.at(-1).translation[2] === -200")
     desk.page.wait_for_selector(PROVED)
     desk.page.reload()
     desk.page.wait_for_selector(PROVED)
@@ -220,6 +221,25 @@ def test_joints_are_dragged_in_the_picture_as_if_typed(desk: Desk) -> None:
             field.press("Enter")
     desk.page.wait_for_function("m => Math.abs((gcrules.posing.numbers.value?.margin ?? 9) - m) < 1e-12", arg=margin)
     assert desk.study["points"] == points
+
+
+def test_joints_of_a_robot_of_joints_are_dragged_at_home(desk: Desk) -> None:
+    desk.open("robot", "3-rps")
+    desk.one("panel-dimensions").click()
+    desk.one("plan").wait_for()
+    desk.painted()
+    before = desk.study["points"]
+    drag(desk, grip(desk, "joint S1"), 20, -30)
+    desk.page.wait_for_function(RESTS)
+    desk.answered()
+    after = desk.study["points"]
+    assert {n for n in after if after[n] != before[n]} == {"S1"}
+    assert after["S1"][2] > before["S1"][2]
+    assert after["S1"][1] == before["S1"][1], "it stays in the plane of its leg"
+    desk.slide("0", 0.1)
+    desk.answered()
+    desk.one("shape-home").wait_for()
+    assert desk.run("gcrules.space.viewer.value.gripAt('joint S1')") is None
 
 
 @pytest.mark.parametrize("key", ["Escape", "Control+z"])

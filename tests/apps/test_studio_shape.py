@@ -9,6 +9,7 @@ import pytest
 
 import gcrules as gc
 from gcrules.apps.studio.resizing import resized
+from gcrules.apps.studio.shape_view import shape_view
 from gcrules.apps.studio.sources import source_of
 from gcrules.apps.studio.subject import read_subject
 from gcrules.core.errors import InputError
@@ -39,9 +40,37 @@ def test_a_platform_with_other_dimensions_is_one_with_the_same_condition(name: s
     assert float(moved["b"][0]) == 123.5
 
 
-def test_robots_of_joints_have_their_dimensions_in_their_file() -> None:
-    with pytest.raises(InputError, match="described by its joints"):
-        resized(read_subject(source_of("delta")), {}, None)
+@pytest.mark.parametrize("name", ["delta", "3-rps", "4-upu", "agile-eye", "gough-stewart", "5r", "8-cables"])
+def test_a_robot_with_other_places_at_home_is_one_of_its_family(name: str) -> None:
+    before = read_subject(source_of(name))
+    first = next(row for group in shape_view(before)["groups"] for row in group["rows"] if row["at"])
+    x = f"{first['at'][0] + 0.125:.6f}"
+    after = read_subject(resized(before, {first["name"]: (x, "", "")}, None)["source"])
+    assert before.robot is not None
+    assert after.robot is not None
+    assert after.robot.statement == before.robot.statement
+    assert after.robot.robot.family == before.robot.robot.family
+    assert after.home[first["name"]][0] == float(x)
+    dimensions = {row["name"] for group in shape_view(after)["groups"] for row in group["rows"] if row["at"]}
+    assert {n for n in after.home if after.home[n] != before.home[n]} & dimensions
+
+
+def test_what_violates_a_relation_goes_to_the_nearest_place_that_does_not() -> None:
+    """The direction v1 of a 4-UPU robot is perpendicular to its leg."""
+    before = read_subject(source_of("4-upu"))
+    text = resized(before, {"A1": ("2.5", "", "")}, "actuators -0.5..0.5")["source"]["text"]
+    found = gc.load(text)
+    assert found.limits == "actuators -0.5..0.5"
+    assert found.values_at()["A1"][0] == 2.5
+    leg = [b - a for a, b in zip(found.values_at()["A1"], found.values_at()["B1"], strict=True)]
+    assert abs(sum(float(a * b) for a, b in zip(leg, found.values_at()["v1"], strict=True))) < 1e-6
+
+
+def test_faults_of_a_robot_of_joints() -> None:
+    with pytest.raises(InputError, match="'Q' has no place of its own at home"):
+        resized(read_subject(source_of("delta")), {"Q": ("1", "", "")}, None)
+    with pytest.raises(InputError, match="assembly mode"):
+        resized(read_subject({"kind": "robot", "id": "delta", "mode": "+++"}), {}, None)
 
 
 def test_a_message_with_a_fault(page: Page) -> None:
@@ -180,3 +209,27 @@ def test_it_fits_a_phone(sit_down: Callable[..., Desk], width: int) -> None:
     assert desk.run("document.documentElement.scrollWidth") <= width
     rail = [b.bounding_box() for b in desk.page.locator(".rail button").all()]
     assert all(b["x"] >= 0 and b["x"] + b["width"] <= width for b in rail)
+
+
+@pytest.mark.browser
+def test_joints_of_a_robot_of_joints_are_typed_and_moved_in_the_plan(desk: Desk) -> None:
+    desk.open("robot", "3-rps")
+    desk.one("panel-dimensions").click()
+    condition, margin = desk.study["condition"], desk.numbers["margin"]
+    field = desk.one("dimension-x-A1")
+    field.fill("2.5")
+    field.press("Enter")
+    desk.page.wait_for_function("() => gcrules.study.value?.points.A1[0] === 2.5")
+    desk.one("plan-front").click()
+    desk.one("plan-S1").focus()
+    desk.page.keyboard.press("ArrowUp")
+    desk.page.wait_for_function("() => gcrules.study.value?.points.S1[2] > 2")
+    assert desk.study["condition"] == condition
+    there: Any = gc.pose(gc.load(desk.run("gcrules.doc.value.source.text")), nearest=False)
+    assert there.margin != margin
+    desk.page.wait_for_function(MARGIN, arg=there.margin)
+    desk.slide("0", 0.1)
+    desk.answered()
+    desk.one("shape-home").click()
+    desk.one("shape-home").wait_for(state="detached")
+    assert desk.faults == []

@@ -16,8 +16,8 @@ from gcrules.apps.studio.subject import robot_of
 from gcrules.core.errors import FileError, GcrulesError
 from gcrules.mechanisms.description.robot_file import parse_draft
 from gcrules.mechanisms.editing.edits import Edit, edited
-from gcrules.mechanisms.editing.home import fitted, size_of
 from gcrules.mechanisms.editing.reading import Path, PlacedSheet, read_sheet
+from gcrules.mechanisms.editing.robot_text import refitted
 from gcrules.mechanisms.editing.sheet import FIRST
 from gcrules.mechanisms.editing.writing import rewritten
 from gcrules.mechanisms.lines.equivalent import Equivalent
@@ -69,9 +69,7 @@ def _changed(text: str, edit: SheetEdit) -> str:
     """The text after a change: with home where the relations allow it, and the mobility that the joints give."""
     placed = read_sheet(text, _FILE)
     sheet = edited(placed.sheet, Edit(**edit))
-    robot = parse_draft(rewritten(text, placed, sheet), _FILE).robot
-    if robot is not None and sheet.home:
-        sheet = replace(sheet, home=fitted(robot, sheet.home, size_of(sheet)))
+    sheet, robot = refitted(text, placed, sheet)
     structure = outline(robot)
     if structure is not None and edit["do"] != "mobility":
         sheet = replace(sheet, mobility=str(structure.mobility))

@@ -14,6 +14,7 @@ from gcrules.apps.studio.formulas import pieces
 from gcrules.apps.studio.limbs import robot_view
 from gcrules.apps.studio.moving import actuator_axes, coordinate_axes, freedom_axes
 from gcrules.apps.studio.protocol.study_views import Axis, ConditionView, EntryView, MeasureView, ModelView, Study
+from gcrules.apps.studio.shape_view import shape_view
 from gcrules.apps.studio.stages import stage_views
 from gcrules.apps.studio.subject import Subject
 from gcrules.conditions.analysis import Analysis
@@ -54,6 +55,7 @@ def study(subject: Subject) -> Study:
         "platform": list(bodies["platform"]),
         "points": {n: [float(c) for c in p] for n, p in subject.points.items()},
         "unit": subject.unit,
+        "shape": shape_view(subject),
         "limits": subject.mechanism.limits,
         "invented": subject.invented,
         "about": subject.about,

@@ -38,6 +38,9 @@ __all__ = [
     "Piece",
     "Place",
     "RobotView",
+    "ShapeGroup",
+    "ShapeRow",
+    "ShapeView",
     "StageId",
     "StageView",
     "StepView",
@@ -271,6 +274,27 @@ class EntryView(TypedDict):
     name: str
 
 
+class ShapeRow(TypedDict):
+    name: str
+    at: Vec3 | None
+    """Where it is in the file; null where that follows from others."""
+
+
+class ShapeGroup(TypedDict):
+    title: str
+    sort: Literal["point", "direction"]
+    axes: list[str]
+    rows: list[ShapeRow]
+
+
+class ShapeView(TypedDict):
+    """The dimensions as they are changed, all of them at home."""
+
+    groups: list[ShapeGroup]
+    bars: list[LegEnds]
+    """What a plan joins by lines."""
+
+
 class Study(TypedDict):
     """Everything about the structure that does not change with the pose."""
 
@@ -283,6 +307,7 @@ class Study(TypedDict):
     points: dict[str, Vec3]
     """Coordinates at the file's own pose."""
     unit: str
+    shape: ShapeView
     limits: str
     """What its file says that legs or actuators reach, as written."""
     invented: bool

@@ -2,12 +2,20 @@
 import { useEffect } from "preact/hooks";
 import { editLimbs, limbsAtHand } from "../actions/limbs";
 import { FaultBox } from "../parts/fault-box";
+import { atHome, isHome } from "../state/doc";
 import { Comparison } from "./dimensions/comparison";
 import { Coordinates } from "./dimensions/coordinates";
 import { Limits } from "./dimensions/limits";
 import { Plan } from "./dimensions/plan";
 import type { PanelProps } from "./index";
 import "./dimensions/dimensions.css";
+
+const WHY = {
+  platform:
+    "The condition depends on how the legs are joined, not on their places: it stays. The margin, the map and what is proved follow. Drag a joint in the picture or in the plan, or type its place.",
+  robot:
+    "Joints and how they are arranged stay, and with them the condition. The margin, the map and what is proved follow. Drag a joint in the picture or in the plan, or type its place; it goes where its relations let it.",
+};
 
 export function Dimensions({ store }: PanelProps) {
   const { resizing } = store;
@@ -20,26 +28,29 @@ export function Dimensions({ store }: PanelProps) {
     <div class="dimensions">
       <header>
         <h2>Dimensions</h2>
-        <p class="why">{study.robot ? "What is changed is seen beside what was." : "The condition depends on how the legs are joined, not on their places: it stays. The margin, the map and what is proved follow. Drag a joint in the picture or in the plan, or type its place."}</p>
+        <p class="why">{WHY[study.kind]}</p>
       </header>
-      {study.robot ? (
-        <section aria-label="Joints">
-          <p class="why">This robot is described by its joints: their kinds, directions and places at home are a table of its own.</p>
-          {limbsAtHand(store) && (
-            <button type="button" data-testid="shape-limbs" onClick={() => void editLimbs(store)}>
-              Change its limbs and their places
-            </button>
-          )}
-        </section>
-      ) : (
-        <section aria-label="Places of the joints">
-          {study.invented && <p class="tip">The shape was invented. What is changed here makes it yours.</p>}
-          <Plan study={study} selected={selected} select={select} />
-          <Coordinates study={study} selected={selected} select={select} />
-          <Limits />
-          {resizing.fault.value && <FaultBox fault={resizing.fault.value} />}
-        </section>
-      )}
+      <section aria-label="Places of the joints">
+        {study.invented && <p class="tip">The shape was invented. What is changed here makes it yours.</p>}
+        {study.kind === "robot" && !isHome(store.pose$.value) && (
+          <p class="tip">
+            The dimensions are those at home.{" "}
+            <button type="button" data-testid="shape-home" onClick={() => (store.edit({ pose: atHome(store.pose$.peek()) }), store.settle())}>
+              Go home
+            </button>{" "}
+            to drag joints in the picture.
+          </p>
+        )}
+        <Plan study={study} selected={selected} select={select} />
+        <Coordinates study={study} selected={selected} select={select} />
+        <Limits />
+        {resizing.fault.value && <FaultBox fault={resizing.fault.value} />}
+        {limbsAtHand(store) && (
+          <button type="button" data-testid="shape-limbs" onClick={() => void editLimbs(store)}>
+            Change its joints and relations
+          </button>
+        )}
+      </section>
       <Comparison study={study} />
     </div>
   );

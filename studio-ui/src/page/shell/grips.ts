@@ -4,13 +4,14 @@ import type { PathAnswer, Pose, Study, Vec3 } from "../../protocol";
 import type { Grip, Options, Viewer } from "../../viewer";
 import { carried, IDENTITY } from "../../viewer/pose";
 import { add, sub } from "../../viewer/vectors";
-import { fileAt, seenAt, shapeOf, snapped, stepOf, writtenAt } from "../state/joint-places";
-import { samePose } from "../state/doc";
+import { fileAt, jointWords, pointsOf, seenAt, shapeOf, snapped, stepOf, writtenAt } from "../state/joint-places";
+import { isHome, samePose } from "../state/doc";
 import { sceneOf } from "../state/scene";
 import type { Store } from "../state/store";
 
-/** Whether joints are dragged: of platforms on six legs, whose file says where they are. */
-const resizes = ({ panel$, study }: Store): boolean => panel$.value === "dimensions" && study.value !== null && !study.value.robot;
+/** Whether joints are dragged: those of a robot of joints at home, where its file says where they are. */
+const resizes = ({ panel$, study, pose$ }: Store): boolean =>
+  panel$.value === "dimensions" && study.value !== null && (study.value.kind === "platform" || isHome(pose$.value));
 
 /** Whether a way that is given is drawn. */
 const isOnShow = ({ timeline, space }: Store): boolean => timeline.given.value && space.layers.value.way;
@@ -94,7 +95,7 @@ export function showGrips(store: Store, viewer: Viewer): () => void {
     // joints are where they are dragged to at once; what follows from them comes with the answer
     effect(() => {
       const [shown, wanted] = [study.value, resizing.wanted.value];
-      if (!shown || Object.keys(wanted).length === 0) return;
+      if (!shown || shown.kind === "robot" || Object.keys(wanted).length === 0) return;
       const { points, about } = shapeOf(shown, wanted);
       viewer.update({ points, about, pose: IDENTITY, constructed: [], motion: null });
       viewer.setPose(pose$.peek());
@@ -105,11 +106,12 @@ export function showGrips(store: Store, viewer: Viewer): () => void {
 
 function jointGrips(shown: Study, { resizing, pose$ }: Store): Grip[] {
   const [wanted, pose, step] = [resizing.wanted.value, pose$.value, stepOf(shown)];
-  return [...shown.base, ...shown.platform].map((name) => ({
+  const own = pointsOf(shown).filter(({ name, at }) => at !== null && shown.points[name]);
+  return own.map(({ name }) => ({
     id: `joint ${name}`,
     at: seenAt(shown, wanted, pose, name),
     label: name,
-    name: `Joint ${name} of the ${shown.base.includes(name) ? "base" : "platform"}`,
+    name: jointWords(shown, name),
     look: "joint",
     step,
   }));

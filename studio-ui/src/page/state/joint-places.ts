@@ -1,13 +1,21 @@
-// Joints of a platform on six legs as they are seen in a pose, and where they are in the file for one that is seen elsewhere.
-import type { Pose, Study, Vec3 } from "../../protocol";
+// Joints as they are seen in a pose, and where they are in the file for one that is seen elsewhere. Those of a robot of joints are
+// seen at home.
+import type { Pose, ShapeRow, Study, Vec3 } from "../../protocol";
 import { readNumber } from "../parts/number-field";
 import { carried, IDENTITY, turned } from "../../viewer/pose";
 import { add, centre, scale, sub } from "../../viewer/vectors";
 import type { Written } from "./resizing";
 
-/** Where a joint is to be in the file: as wanted while the platform is not so yet. */
+/** All points that the dimensions are made of. */
+export const pointsOf = ({ shape }: Study): ShapeRow[] => shape.groups.flatMap(({ sort, rows }) => (sort === "point" ? rows : []));
+
+/** What a joint is called aloud. */
+export const jointWords = ({ base, platform }: Study, name: string): string =>
+  base.includes(name) ? `Joint ${name} of the base` : platform.includes(name) ? `Joint ${name} of the platform` : `Joint ${name}`;
+
+/** Where a joint or a direction is to be in the file: as wanted while the robot is not so yet. */
 export function placeOf(study: Study, wanted: Readonly<Record<string, Written>>, name: string): Vec3 {
-  const at = study.points[name] ?? [0, 0, 0];
+  const at = study.points[name] ?? study.shape.groups.flatMap(({ rows }) => rows).find((row) => row.name === name)?.at ?? [0, 0, 0];
   const to = wanted[name] ?? [null, null, null];
   return at.map((c, i) => (to[i] == null ? c : (readNumber(to[i]!) ?? c))) as Vec3;
 }
@@ -15,20 +23,24 @@ export function placeOf(study: Study, wanted: Readonly<Record<string, Written>>,
 /** All joints in the file, and the point that the platform turns about: the centroid of its joints. */
 export function shapeOf(study: Study, wanted: Readonly<Record<string, Written>>): { points: Record<string, Vec3>; about: Vec3 } {
   const points = Object.fromEntries(Object.keys(study.points).map((name) => [name, placeOf(study, wanted, name)]));
+  if (study.kind === "robot") return { points, about: study.about };
   return { points, about: centre(study.platform.flatMap((name) => (points[name] ? [points[name]] : []))) };
 }
+
+/** Whether a joint goes along with the platform on six legs. */
+const moves = (study: Study, name: string): boolean => study.kind === "platform" && study.platform.includes(name);
 
 /** Where a joint is seen. */
 export function seenAt(study: Study, wanted: Readonly<Record<string, Written>>, pose: Pose, name: string): Vec3 {
   const { points, about } = shapeOf(study, wanted);
   const at = points[name] ?? [0, 0, 0];
-  return study.platform.includes(name) ? carried(at, IDENTITY, pose, about) : at;
+  return moves(study, name) ? carried(at, IDENTITY, pose, about) : at;
 }
 
 /** Where a joint is in the file that is seen there. The platform turns about the centroid of its joints, which goes along with it:
  * w = R (p − m) + m + t with m = m₀ + (p − p₀) / n, solved for p. */
 export function fileAt(study: Study, wanted: Readonly<Record<string, Written>>, pose: Pose, name: string, seen: Vec3): Vec3 {
-  if (!study.platform.includes(name)) return seen;
+  if (!moves(study, name)) return seen;
   const { points, about } = shapeOf(study, wanted);
   const share = 1 / study.platform.length;
   const turn = (v: Vec3): Vec3 => turned(v, pose.quaternion);

@@ -6,6 +6,8 @@ export function Limits() {
   const { study, resizing } = useStore();
   const [text, type] = useState<string | null>(null);
   const given = study.value?.limits ?? "";
+  const unit = study.value?.unit ? ` ${study.value.unit}` : "";
+  const [what, example] = study.value?.kind === "robot" ? ["actuators, from home", "q1 -30..30 deg"] : ["legs", `300..600${unit}`];
   function take(): void {
     if (text !== null && text.trim() !== given) {
       resizing.limit(text.trim());
@@ -15,11 +17,11 @@ export function Limits() {
   }
   return (
     <label class="limits-field">
-      Limits of the legs
+      Limits of the {what}
       <input
         type="text"
         value={text ?? given}
-        placeholder={`none, or: 300..600${study.value?.unit ? ` ${study.value.unit}` : ""}`}
+        placeholder={`none, or: ${example}`}
         autocomplete="off"
         spellcheck={false}
         data-testid="dimension-limits"

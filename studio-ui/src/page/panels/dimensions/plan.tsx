@@ -4,7 +4,7 @@ import type { Study } from "../../../protocol";
 import { hull } from "../../lib/hull";
 import { useStore } from "../../parts/context";
 import { Tabs } from "../../parts/tabs";
-import { onGrid, placeOf, stepOf, written } from "../../state/joint-places";
+import { jointWords, onGrid, placeOf, pointsOf, stepOf, written } from "../../state/joint-places";
 
 const VIEWS = [
   { id: "top", label: "From above", title: "x to the right, y upwards", axes: [0, 1] },
@@ -36,7 +36,8 @@ export function Plan({ study, selected, select }: Props) {
     const at = placeOf(study, wanted, name);
     return [at[right], at[up]];
   };
-  const names = [...study.base, ...study.platform];
+  const rows = pointsOf(study).filter(({ name, at }) => at ?? study.points[name]);
+  const names = rows.map(({ name }) => name);
   const { x, y, half } = dragged?.window ?? windowOf(names.map(flat)); // the picture stays still under the hand
   const step = stepOf(study);
   const round = (value: number): number => onGrid(value, step);
@@ -72,7 +73,9 @@ export function Plan({ study, selected, select }: Props) {
 
   return (
     <div class="plan">
-      <Tabs<View> name="View of the joints" tabs={VIEWS.map((one) => ({ ...one, testid: `plan-${one.id}` }))} current={view} onChoose={look} />
+      {study.shape.groups.some(({ axes }) => axes.length === 3) && (
+        <Tabs<View> name="View of the joints" tabs={VIEWS.map((one) => ({ ...one, testid: `plan-${one.id}` }))} current={view} onChoose={look} />
+      )}
       <svg
         ref={svg}
         class="plan-sheet"
@@ -88,21 +91,36 @@ export function Plan({ study, selected, select }: Props) {
           const corners = hull(study[body].map(flat));
           return corners.length > 1 && <polygon key={body} class={`outline ${body}`} points={corners.map(([p, q]) => `${p},${-q}`).join(" ")} />;
         })}
-        {study.legs.map(([a, b]) => {
+        {study.shape.bars.map(([a, b]) => {
           const [p, q] = [flat(a), flat(b)];
           return <line key={`${a} ${b}`} class={selected === a || selected === b ? "leg lit" : "leg"} x1={p[0]} y1={-p[1]} x2={q[0]} y2={-q[1]} />;
         })}
-        {names.map((name) => {
+        {rows.map(({ name, at }) => {
           const [p, q] = flat(name);
-          const body = study.base.includes(name) ? "base" : "platform";
+          const body = study.base.includes(name) ? "base" : study.platform.includes(name) ? "platform" : "limb";
+          const place = `translate(${p} ${-q}) scale(${half / 110})`;
+          const dot = (
+            <>
+              <circle class="dot" r="4.5" />
+              <text x={body === "base" ? -8 : 8} y={body === "base" ? 14 : -7} text-anchor={body === "base" ? "end" : "start"}>
+                {name}
+              </text>
+            </>
+          );
+          if (!at)
+            return (
+              <g key={name} class={`joint ${body} determined`} transform={place}>
+                {dot}
+              </g>
+            );
           return (
             <g
               key={name}
               class={`joint ${body}${name === selected ? " selected" : ""}`}
-              transform={`translate(${p} ${-q}) scale(${half / 110})`}
+              transform={place}
               tabIndex={0}
               role="button"
-              aria-label={`Joint ${name} of the ${body}`}
+              aria-label={jointWords(study, name)}
               data-testid={`plan-${name}`}
               onFocus={() => select(name)}
               onKeyDown={(event) => key(event, name)}
@@ -114,10 +132,7 @@ export function Plan({ study, selected, select }: Props) {
               }}
             >
               <circle class="halo" r="13" />
-              <circle class="dot" r="4.5" />
-              <text x={body === "base" ? -8 : 8} y={body === "base" ? 14 : -7} text-anchor={body === "base" ? "end" : "start"}>
-                {name}
-              </text>
+              {dot}
             </g>
           );
         })}
