@@ -327,10 +327,25 @@ def test_expressions_stay_expressions(word: str) -> None:
     assert [a.text for a in Interpreter().feed(word)] != [a.text for a in Interpreter().feed(":help")]
 
 
-@pytest.mark.parametrize(("text", "topic"), [("help prove", "prove"), ("Help  prove ", "prove"), ("help meet", "meet")])
-def test_help_with_a_topic_is_told_its_colon(text: str, topic: str) -> None:
-    (answer,) = Interpreter().feed(text)
-    assert f"hint: help begins with a colon: :help {topic}" in answer.text
+SPOKEN = [
+    "help prove", "Help  meet ", "prove [abcd] == -[abdc]", "factor [abcd][abce]", "expand ab /\\ cde", "latex ab",
+    "analyze ab af cb cd ed ef", "straighten [adcb]", "context", "limit 3 4", "load nowhere.gca", "prove ab",
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("text", SPOKEN)
+def test_a_command_is_understood_without_its_colon(text: str) -> None:
+    """The answers are the same, and faults stand where they are."""
+    (bare,), (answer,) = Interpreter().feed(text), Interpreter().feed(f":{text.strip().lower()}".replace("  ", " "))
+    assert (bare.fault is None) == (answer.fault is None)
+    assert bare.text.splitlines()[0].split(": ")[-1] == answer.text.splitlines()[0].split(": ")[-1]
+
+
+def test_a_word_that_can_be_read_is_no_command() -> None:
+    *_, answer = Interpreter().feed("let factor = ab\nfactor /\\ cde")
+    assert answer.text == "[acde] · b − [bcde] · a"
+    *_, answer = Interpreter().feed("rank 6\nrules x")
+    assert answer.text == "elrsux"
 
 
 def test_help_with_a_word_may_be_points() -> None:

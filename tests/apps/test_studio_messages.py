@@ -297,7 +297,7 @@ def test_a_worker_that_gives_up_goes_on_with_something_else() -> None:
             assert (await pool.run(OPEN, 60, lambda _: None))[0]["kind"] == "platform"
             assert work.cancelled()
             assert worker.returncode is None or worker not in pool.all  # given up, or ended where it was too late
-            assert len(pool.all) == 1
+            assert len(pool.all) <= (1 if worker in pool.all else 2)  # in place of one that ended another is kept ready
         finally:
             await pool.close()
 

@@ -58,8 +58,9 @@ class Request:
     @property
     def span(self) -> Span:
         """Where the argument stands, or the command where there is none."""
-        begin = self.source.text.rindex(self.argument or ":")
-        return Span(begin, begin + len(self.argument) if self.argument else len(self.source.text.rstrip()))
+        whole = self.source.text
+        begin = whole.rindex(self.argument) if self.argument else len(whole) - len(whole.lstrip())
+        return Span(begin, begin + len(self.argument) if self.argument else len(whole.rstrip()))
 
     @contextmanager
     def placed(self) -> Iterator[None]:

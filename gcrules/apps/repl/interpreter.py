@@ -26,10 +26,10 @@ from gcrules.apps.repl.reading import (
     Source,
     bare_command,
     first_word,
-    help_topic,
     is_blank,
     pieces,
     split_command,
+    spoken_command,
     statements,
     without_results,
 )
@@ -87,30 +87,41 @@ class Interpreter:
         text = piece.text
         if is_blank(text):
             return
-        called = split_command(text)
+        called = self.called(piece, filename)
+        source = Source.of(text, filename, piece.line)
         if called is not None:
             yield from self.command(piece, filename, *called)
-            return
-        bare = bare_command(text)
-        if bare and not self._declared(text):
-            yield from HANDLERS[bare](self, Request(command(bare), "", Source.of("", filename, piece.line)))
-            return
-        source = Source.of(text, filename, piece.line)
-        if first_word(text) in STATEMENTS:
+        elif first_word(text) in STATEMENTS:
             yield from self.run(source)
         elif "==" in text:
             yield from self.equation(source)
         else:
-            yield from self.shown(self._expression_or_help(source), source)
+            yield from self.shown(self.expression(source), source)
 
-    def _expression_or_help(self, source: Source) -> Expr:
+    def called(self, piece: InputPiece, filename: str = "<input>") -> tuple[str, int] | None:
+        """The command that an input calls, and where its argument begins; its colon may be left out where the input
+        cannot be read otherwise.
+        """
+        text = piece.text
+        written = split_command(text)
+        if written is not None or first_word(text) in STATEMENTS:
+            return written
+        bare = bare_command(text)
+        if bare and not self._declared(text):
+            return bare, len(text)
+        spoken = spoken_command(text)
+        return spoken if spoken and not self._can_be_read(Source.of(text, filename, piece.line)) else None
+
+    def _can_be_read(self, source: Source) -> bool:
+        """Whether a text is an expression or an equation: with long names a word may be both that and a command."""
         try:
-            return self.expression(source)
-        except GcrulesError as fault:
-            topic = help_topic(source.text)
-            if topic:
-                fault.hint = f"help begins with a colon: :help {topic}"
-            raise
+            if "==" in source.parsed:
+                self._sides(source)
+            else:
+                self.expression(source)
+        except GcrulesError:
+            return False
+        return True
 
     def _declared(self, text: str) -> bool:
         """Whether a word is the name of a point or of something that was named by `let`."""
@@ -143,12 +154,17 @@ class Interpreter:
 
     def equation(self, source: Source) -> Answers:
         """Decide an equation."""
-        context = source.context(self.state.context, self.state.results)
+        left, right, context = self._sides(source)
         with source.placed():
-            left, right = read(source.parsed, "equation", source.filename, lambda tree: Builder(context).equation(tree))
             label = " ".join(source.parsed.split())
             found = self._result(Claim(left, right, label, source.line, context), source, context)
         yield answer_of(found, self.settings, brief=False)
+
+    def _sides(self, source: Source) -> tuple[Expr, Expr, Context]:
+        context = source.context(self.state.context, self.state.results)
+        with source.placed():
+            left, right = read(source.parsed, "equation", source.filename, lambda tree: Builder(context).equation(tree))
+        return left, right, context
 
     def shown(self, e: Expr, source: Source) -> Answers:
         """Expand an expression."""

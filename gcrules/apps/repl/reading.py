@@ -26,10 +26,10 @@ __all__ = [
     "as_typed",
     "bare_command",
     "first_word",
-    "help_topic",
     "is_blank",
     "pieces",
     "split_command",
+    "spoken_command",
     "statements",
     "unfinished",
     "without_results",
@@ -37,9 +37,9 @@ __all__ = [
 
 _FIRST_WORD = re.compile(r"(?:\s|#[^\n]*(?:\n|$))*([A-Za-z][A-Za-z0-9_']*)?")
 _COMMAND = re.compile(r"\s*:([A-Za-z?]*)[ \t]*")
-_MEANINGS = {"help": "help", "?": "help", "quit": "quit", "exit": "quit", "bye": "quit"}
-_BARE = re.compile(r"\s*(help|\?|quit|exit|bye)\s*(?:\(\s*\))?\s*;?\s*", re.IGNORECASE)
-_HELP = re.compile(r"\s*help\s+:?([A-Za-z]+)\s*", re.IGNORECASE)
+_MEANINGS = {"help": "help", "?": "help", "undo": "undo", "quit": "quit", "exit": "quit", "bye": "quit"}
+_BARE = re.compile(r"\s*(help|\?|undo|quit|exit|bye)\s*(?:\(\s*\))?\s*;?\s*", re.IGNORECASE)
+_SPOKEN = re.compile(r"\s*([A-Za-z]+)(?=\s|$)\s*")
 _BLANK = re.compile(r"(?:\s|#[^\n]*(?:\n|$))*")
 _RESULT = re.compile(r'"[^"\n]*"|#[^\n]*|(%+)')
 _NAME = "last__"  # the results, as names that cannot be points side by side
@@ -78,15 +78,18 @@ def split_command(text: str) -> tuple[str, int] | None:
 
 
 def bare_command(text: str) -> str:
-    """The name of the command that words without a colon stand for at most prompts: help, quit, exit, ?; else empty."""
+    """The name of the command that words without a colon stand for at most prompts: help, undo, quit, exit, ?; else
+    empty.
+    """
     found = _BARE.fullmatch(text)
     return _MEANINGS[found[1].lower()] if found else ""
 
 
-def help_topic(text: str) -> str:
-    """What help is asked for by words without a colon, as in "help prove"; else empty."""
-    found = _HELP.fullmatch(text)
-    return found[1] if found else ""
+def spoken_command(text: str) -> tuple[str, int] | None:
+    """The command whose name begins a text without its colon, "prove ab == -ba", and where its argument begins."""
+    found = _SPOKEN.match(text)
+    name = found[1].lower() if found else ""
+    return (name, found.end()) if found and name in COMMANDS else None
 
 
 def unfinished(text: str) -> bool:
