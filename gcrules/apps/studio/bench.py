@@ -18,7 +18,7 @@ from gcrules.algebra.language.text import SHORT_NAME
 from gcrules.apps.repl.answers import Answer, bound_text
 from gcrules.apps.repl.interpreter import Interpreter
 from gcrules.apps.repl.reading import InputPiece as Input
-from gcrules.apps.repl.reading import Source, first_word, pieces, split_command, statements
+from gcrules.apps.repl.reading import Source, first_word, pieces, statements
 from gcrules.apps.repl.state import PromptState, Settings
 from gcrules.apps.repl.tables import STATEMENTS, meant
 from gcrules.apps.studio.bench_questions import Question, of_command, of_equation, of_expression, of_name, of_statement
@@ -160,7 +160,7 @@ def context_of(subject: Subject | None) -> Context:
 
 
 def _results(repl: Interpreter, given: Input, place: Span, before: Rules) -> Iterator[_Result]:
-    called = split_command(given.text)
+    called = repl.called(given, "<bench>")
     if called is not None:
         yield from _asked(repl, given, place, before, *called)
         return

@@ -41,13 +41,18 @@ def completed(text: str, subject: Subject | None) -> Completed:
         return {"options": []}
     interpreter = Interpreter(PromptState(context_of(subject)))
     for one in given:
-        if first_word(one) in _DECLARE:
-            with suppress(GcrulesError):  # what is at fault declares nothing
-                for _ in interpreter.feed(one):
-                    pass
+        _declare(interpreter, one)
     found = candidates(line, interpreter.state)
     here = [c for c in found if not c.text.startswith(":") or c.text[1:] in BENCH_COMMANDS]
     return {"options": [{"text": c.text, "length": c.length, "help": c.help} for c in here[:_MOST]]}
+
+
+def _declare(interpreter: Interpreter, text: str) -> None:
+    """Take in what a statement declares; what is at fault declares nothing."""
+    if first_word(text) in _DECLARE:
+        with suppress(GcrulesError):
+            for _ in interpreter.feed(text):
+                pass
 
 
 def scripted(text: str, subject: Subject | None) -> Scripted:
@@ -56,22 +61,24 @@ def scripted(text: str, subject: Subject | None) -> Scripted:
     """
     lines = text.split("\n")
     known = context_of(subject)
+    interpreter = Interpreter(PromptState(known))
     found = [f"{word} {' '.join(names)}" for word, names in (("points", known.points), ("ideal", known.ideal)) if names]
     last = 0
     for piece in pieces(lines):
         found += [line for line in lines[last : piece.line - 1] if is_blank(line)]
         last = piece.line - 1 + piece.text.count("\n") + 1
-        found.append(_statement(piece.text))
+        found.append(_statement(piece.text, called=interpreter.called(piece) is not None))
+        _declare(interpreter, piece.text)
     script = "\n".join([*found, *lines[last:]]).rstrip("\n") + "\n"
     parse_script(script, "bench.gca")
     return {"text": script}
 
 
-def _statement(text: str) -> str:
+def _statement(text: str, *, called: bool) -> str:
+    if called:
+        return "\n".join(f"# {line}" for line in text.split("\n"))
     if is_blank(text) or first_word(text) in STATEMENTS:
         return text
-    if split_command(text) is not None:
-        return "\n".join(f"# {line}" for line in text.split("\n"))
     comments, body = [], text.split("\n")
     while body and is_blank(body[0]):
         comments.append(body.pop(0))

@@ -9,8 +9,11 @@ from typing import Any
 
 from gcrules.algebra.language.syntax import Context
 from gcrules.algebra.language.text import SHORT_NAME
-from gcrules.apps.repl.reading import first_word, is_blank, split_command
+from gcrules.apps.repl.interpreter import Interpreter
+from gcrules.apps.repl.reading import InputPiece, first_word, is_blank
+from gcrules.apps.repl.state import PromptState
 from gcrules.apps.repl.tables import STATEMENTS, meant
+from gcrules.apps.studio.bench import context_of
 from gcrules.apps.studio.bench_repeating import Rules, pasted, prompt_lines
 from gcrules.apps.studio.boxes_view import rest_at
 from gcrules.apps.studio.calls import Call, Option
@@ -244,7 +247,7 @@ def _bench(subject: Subject | None, text: str, rules: Rules) -> Repeated:
     start = [*ranks, *(f"{word} {' '.join(names)}" for word, names in declared.items() if names)]
     shell = prompt_lines([*start, *text.strip().split("\n")], rules)
     alone = "\n" not in text.strip() and not ranks and first_word(text.strip()) not in STATEMENTS
-    python = _evaluated(text.strip(), declared) if alone else ""
+    python = _evaluated(text.strip(), declared, context_of(subject)) if alone else ""
     return {"shell": shell, "python": python, "files": list(rules.files)}
 
 
@@ -252,9 +255,9 @@ _FUNCTIONS = ("expand", "straighten", "factor", "shorten", "transversals", "prov
 """The questions of the prompt that are functions of Python by the same name, whatever rules hold."""
 
 
-def _evaluated(text: str, declared: Mapping[str, Sequence[str]]) -> str:
+def _evaluated(text: str, declared: Mapping[str, Sequence[str]], context: Context) -> str:
     """The call of an expression, an equation or a question alone; nothing where no function answers it."""
-    called = split_command(text)
+    called = Interpreter(PromptState(context)).called(InputPiece(text))
     function = "prove" if "==" in text else "expand"
     if called is not None:
         function = next(iter(meant(called[0])), "")
