@@ -1,17 +1,22 @@
-r"""Lists in sentences, and the verbs that agree with them."""
+r"""Lists and numbers in sentences, and the words that agree with them."""
 
 from __future__ import annotations
 
 import re
 from collections.abc import Sequence
 
-__all__ = ["agreeing", "as_sentence", "in_parts", "lettered", "listed", "of_kind", "together"]
+__all__ = ["agreeing", "as_sentence", "counted", "in_parts", "lettered", "listed", "of_kind", "together"]
 
 
 def listed(names: Sequence[str]) -> str:
     """ "ab, cd and ef", each name once."""
     names = list(dict.fromkeys(names))
     return " and ".join([", ".join(names[:-1]), names[-1]] if len(names) > 1 else names)
+
+
+def counted(number: int, noun: str) -> str:
+    """ "1 pose", "26,463 poses"; the plural is made with s."""
+    return f"{number:,} {noun}{'s' * (number != 1)}"
 
 
 def agreeing(names: Sequence[str], one: str, several: str) -> str:

@@ -510,7 +510,7 @@ def test_aspects_and_a_free_box_are_told(desk: Desk) -> None:
     desk.one("aspects-go").click()
     sets = desk.page.get_by_test_id("aspect")
     sets.last.wait_for()
-    assert desk.text("aspects-verdict").endswith("lie in 2 aspects, no more and no less, proved.")
+    assert desk.text("aspects-verdict").endswith("lie in exactly 2 aspects.")
     assert "without a singularity, proved." in desk.page.get_by_test_id("aspect-change").first.inner_text()
     desk.page.get_by_test_id("aspect-go").last.click()
     desk.page.wait_for_function("() => !gcrules.moving.active.value")

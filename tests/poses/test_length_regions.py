@@ -201,7 +201,7 @@ def test_command(tmp_path: Path) -> None:
     words = ["regions", "3-rpr", "--over", "q2 1..3, q3 1..3"]
     answer = invoke(*words, "--picture", str(picture), "--csv", str(table))
     assert answer.exit_code == 0
-    assert "no more and no less, proved" in answer.stdout
+    assert "Proved: exactly" in answer.stdout
     assert picture.read_text("utf-8").startswith("<svg")
     data = json.loads(invoke(*words, "--json").stdout)
     rows = list(csv.DictReader(table.read_text("utf-8").splitlines()))

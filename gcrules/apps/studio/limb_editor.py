@@ -13,6 +13,7 @@ from gcrules.apps.studio.protocol.limb_views import LimbsAnswer, LimbSheet, Mobi
 from gcrules.apps.studio.protocol.requests import SourceJson
 from gcrules.apps.studio.protocol.study_views import FaultView
 from gcrules.apps.studio.subject import robot_of
+from gcrules.core.english import counted
 from gcrules.core.errors import FileError, GcrulesError
 from gcrules.mechanisms.description.robot_file import parse_draft
 from gcrules.mechanisms.editing.edits import Edit, edited
@@ -99,23 +100,19 @@ def _mobility(robot: Robot | None, structure: Equivalent | None) -> MobilityView
     if drives >= n and structure.rank < (3 if robot.family.plane else 6):
         words.append("With all of them locked it can still move, in every configuration.")
     if structure.overconstraints:
-        words.append(f"Over-constrained: {_count(structure.overconstraints, 'constraint')} more than needed.")
+        words.append(f"Over-constrained: {counted(structure.overconstraints, 'constraint')} more than needed.")
     if structure.idle:
-        words.append(f"{_count(structure.idle, 'freedom')} inside the limbs leave the platform at rest.")
+        words.append(f"{counted(structure.idle, 'freedom')} inside the limbs leave the platform at rest.")
     return {"number": n, "written": written, "drives": drives, "sentence": " ".join(words), "faults": []}
 
 
 def _of_drives(freedoms: int, drives: int) -> str:
     if not freedoms:
         return f"The limbs hold the platform{', and nothing is driven' * (not drives)}."
-    head = f"The platform has {_count(freedoms, 'freedom')}"
-    driven = f"{_count(drives, 'joint freedom')} {'is' if drives == 1 else 'are'} driven"
+    head = f"The platform has {counted(freedoms, 'freedom')}"
+    driven = f"{counted(drives, 'joint freedom')} {'is' if drives == 1 else 'are'} driven"
     if drives == freedoms:
         return f"{head}, and as many joint freedoms are driven."
     if drives < freedoms:  # what a fault of the file says
         return f"{head}."
     return f"{head}, and {driven}: more than it needs."
-
-
-def _count(n: int, noun: str) -> str:
-    return f"{n} {noun}{'s' * (n != 1)}"

@@ -111,6 +111,12 @@ class PolynomialForm:
 
         return Poly.from_dict(dict(self.terms), *symbols(self.variables), domain=ZZ)
 
+    @property
+    def real_zeros(self) -> tuple[float, ...]:
+        """All real zeros of a polynomial in one variable, isolated exactly and rounded; each once, the least first."""
+        found = (root.evalf(20) for root in self.poly.real_roots(radicals=False))
+        return tuple(dict.fromkeys(map(float, found)))
+
     def __str__(self) -> str:
         return self._sum("^")
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from gcrules.core.english import listed
+from gcrules.core.english import counted, listed
 from gcrules.poses.aspects.report import Aspects, AspectSet
 from gcrules.views.formulas.latex_text import latex_quantity, latex_table, latex_words
 from gcrules.views.results.plan import waypoint_text
@@ -44,14 +44,13 @@ def _lines(r: Aspects) -> Iterator[str]:
 
 
 def _verdict(r: Aspects) -> str:
-    number = len(r.poses)
-    poses = "The pose that was looked at lies" if number == 1 else f"The {number} poses that were looked at lie"
+    poses = counted(len(r.poses), "pose")
+    least = counted(r.least, "aspect")
     if r.decided:
-        count = "one aspect" if r.least == 1 else f"{r.least} aspects, no more and no less"
-        return f"{poses} in {count}, proved."
+        return f"Proved: the {poses} examined lie in {'exactly ' * (r.least > 1)}{least}."
     return (
-        f"{poses} in {r.least} {'aspect' if r.least == 1 else 'aspects'} at least, proved by signs, and in {r.most} at"
-        f" most, proved by ways. Not decided: {_open(r)}."
+        f"The {poses} examined lie in at least {least} (proved by signs) and at most {r.most} (proved by ways). Not"
+        f" decided: {_open(r)}."
     )
 
 

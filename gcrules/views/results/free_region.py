@@ -33,8 +33,7 @@ def ranges(r: FreeRegion) -> Iterator[tuple[str, str, str, str]]:
 
 
 def _lines(r: FreeRegion) -> Iterator[str]:
-    yield from wrapped(_verdict(r))
-    yield ""
+    yield from wrapped(f"{_verdict(r).removesuffix('.')}:")
     for name, low, high, unit in ranges(r):
         yield f"  {low} ≤ {name} ≤ {high} {unit}".rstrip()
     yield ""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from gcrules.core.english import listed
+from gcrules.core.english import counted, listed
 from gcrules.poses.length_regions.report import LengthRegion, LengthRegions
 from gcrules.views.formulas.latex_text import latex_table, latex_words
 from gcrules.views.text_tables import ASCII, table, wrapped
@@ -34,15 +34,14 @@ def _lines(r: LengthRegions) -> Iterator[str]:
 def _verdict(r: LengthRegions) -> str:
     counts = listed([f"{n} with {modes} modes" for modes, n in r.counts.items()])
     if r.decided:
-        number = "One region" if r.most == 1 else f"{r.most} regions, no more and no less"
-        return f"{number}, proved: {counts}."
+        return f"Proved: exactly {counted(r.most, 'region')}, {counts}."
     if r.slices:
         return (
-            f"The regions that {len(r.slices)} slices meet are {r.most} at most, proved by drives between slices, and"
-            f" {r.least} at least, for they have {r.least} numbers of modes: {counts}. Not decided: those with equal"
-            " numbers may be connected, and others may lie between the slices."
+            f"The {len(r.slices)} slices meet at most {r.most} regions (proved by drives between slices) and at least"
+            f" {r.least} (with as many numbers of modes): {counts}. Not decided: those with equal numbers may be"
+            " connected, and others may lie between the slices."
         )
-    return f"{r.least} regions at least and {r.most} at most, proved; of the most {counts}."
+    return f"Proved: at least {r.least} and at most {counted(r.most, 'region')}; of the most, {counts}."
 
 
 def _facts(r: LengthRegions) -> Iterator[tuple[str, str]]:

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from gcrules.core.english import listed
 from gcrules.core.errors import LimitReached
 from gcrules.poses.loci.form import PolynomialForm, joined
 from gcrules.poses.loci.report import Locus, LocusFactor
 from gcrules.poses.loci.variables import TRANSLATION
 from gcrules.views.formulas.latex import latex_name
-from gcrules.views.results.polynomials import brief, degrees_text, formula, number, size_text
-from gcrules.views.text_tables import table
+from gcrules.views.results.polynomials import brief, degree_text, degrees_text, formula, number, size_text
+from gcrules.views.text_tables import table, wrapped
 
 __all__ = ["account", "as_latex", "as_text", "form_latex", "headline"]
 
@@ -17,18 +18,28 @@ _LINE = 4  # terms in a line of LaTeX
 
 def as_text(found: Locus, *, unicode: bool = False, digits: int | None = None) -> str:
     """The summary, and the polynomial P where it is short; with decimals of so many `digits`."""
-    lines = [headline(found), "", *table(account(found, unicode=unicode, digits=digits))]
+    lines = [*wrapped(headline(found)), "", *table(account(found, unicode=unicode, digits=digits))]
     return "\n".join(lines if found.vanishes else [*lines, "", formula("P", found.form, digits)])
 
 
 def headline(found: Locus) -> str:
     """What the polynomial says, in one sentence."""
     if not found.vanishes:
-        return "A pose is singular exactly where the polynomial P is 0."
+        return f"A pose is singular exactly where the polynomial P, of {degree_text(found.form)}, is 0{_zeros(found)}."
     what = "each of these poses is singular"
     if found.question.whole:
         what = "every pose is singular, so the robot is architecturally singular"
     return f"The polynomial of the singular poses is 0: {what}."
+
+
+def _zeros(found: Locus) -> str:
+    """Where P is 0, if it has one variable."""
+    if len(found.variables) > 1:
+        return ""
+    (name,) = found.variables
+    zeros = listed([f"{zero:.7g}" for zero in found.form.real_zeros])
+    unit = f" {found.rig.unit}" if found.rig.unit and name in TRANSLATION else ""
+    return f": at {name} = {zeros}{unit}, rounded" if zeros else ", and it has no real zeros"
 
 
 def account(found: Locus, *, unicode: bool = False, digits: int | None = None) -> list[tuple[str, str]]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 
+from gcrules.core.english import counted
 from gcrules.core.floats import rounded_down
 from gcrules.poses.numbers.motion import Dependence
 from gcrules.poses.paths.report import PathReport, Zero
@@ -41,11 +42,11 @@ def as_text(r: PathReport, *, unicode: bool = False) -> str:
 def account(r: PathReport) -> PathAccount:
     """What there is to say of it."""
     facts = [
-        ("path", f"{_count(len(r.poses), 'pose')}; the parameter is 0 at the first, 1 at the second, and so on"),
+        ("path", f"{counted(len(r.poses), 'pose')}; the parameter is 0 at the first, 1 at the second, and so on"),
         ("between", "the centre moves on a straight line, the platform turns about one axis, the shorter way"),
         ("centre", _centre(r)),
         *_least(r),
-        ("values", f"at {_count(len(r), 'sample')}: {listed_verdicts(r.numbers.verdict.tolist())}"),
+        ("values", f"at {counted(len(r), 'sample')}: {listed_verdicts(r.numbers.verdict.tolist())}"),
         *index_ranges(r.numbers.amplifications, r.parameters, r.rig.unit),
         ("proof", _proof(r)),
         *(("note", note) for note in r.notes),
@@ -106,10 +107,6 @@ def _centre(r: PathReport) -> str:
     if not any(r.rig.centre):
         return "the origin"
     return "(" + ", ".join(f"{float(c):.6g}" for c in r.rig.centre) + f") {r.rig.unit}".rstrip()
-
-
-def _count(number: int, word: str) -> str:
-    return f"{number:,} {word}{'s' * (number != 1)}"
 
 
 def written_pose(p: Pose) -> str:

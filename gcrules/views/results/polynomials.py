@@ -7,11 +7,12 @@ from decimal import Decimal
 from fractions import Fraction
 from textwrap import fill
 
+from gcrules.core.english import counted, listed
 from gcrules.poses.loci.form import PolynomialForm
 from gcrules.views.detail import is_everything
 from gcrules.views.text_tables import WIDTH
 
-__all__ = ["SHOWN", "brief", "counted", "degrees_text", "formula", "number", "size_text"]
+__all__ = ["SHOWN", "brief", "degree_text", "degrees_text", "formula", "number", "size_text"]
 
 SHOWN = 40
 """Polynomials of more terms, and numbers of more signs, are not printed with the summary."""
@@ -21,13 +22,18 @@ _LONG = 20  # digits of coefficients that nobody reads
 _DIGITS = 6  # of decimals in their place
 
 
-def counted(n: int, what: str) -> str:
-    return f"{n} {what}{'s' * (n != 1)}"
-
-
 def size_text(form: PolynomialForm) -> str:
     """How long a polynomial is."""
     return f"{counted(len(form.terms), 'term')}, coefficients of {counted(form.digits, 'digit')} at most"
+
+
+def degree_text(form: PolynomialForm) -> str:
+    """Its degree, and in what.
+
+    >>> degree_text(PolynomialForm(("x", "y"), (((2, 1), 3), ((0, 0), 1))))
+    'degree 3 in x and y'
+    """
+    return f"degree {form.degree} in {listed(form.variables)}"
 
 
 def degrees_text(found: Mapping[str, int]) -> str:

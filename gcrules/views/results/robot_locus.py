@@ -5,13 +5,21 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from textwrap import fill
 
-from gcrules.core.english import listed
+from gcrules.core.english import counted, listed
 from gcrules.poses.loci.form import PolynomialForm
 from gcrules.poses.loci.limb_report import LocusPart, RobotLocus, RobotLocusFactor
 from gcrules.poses.loci.variables import TRANSLATION
 from gcrules.poses.loci.working_modes import Sightings
 from gcrules.views.results.locus import form_latex
-from gcrules.views.results.polynomials import SHOWN, brief, counted, degrees_text, formula, number, size_text
+from gcrules.views.results.polynomials import (
+    SHOWN,
+    brief,
+    degree_text,
+    degrees_text,
+    formula,
+    number,
+    size_text,
+)
 from gcrules.views.text_tables import WIDTH, table
 
 __all__ = ["account", "as_latex", "as_text", "headline", "numbered", "part_rows"]
@@ -49,7 +57,9 @@ def headline(found: RobotLocus) -> str:
     head = _ALONE if not found.roots else _HEAD if found.multiplied else _KEPT
     some = any(part.roots and _others(part, found) for part in found.parts)
     modes = "signs of its roots, which tell working modes apart" if some else "working modes"
-    return head.format(_CHOSEN if found.chosen else "", modes=modes)
+    degrees = [f"{name} has {degree_text(part.form)}" for name, part in numbered(found) if not part.vanishes]
+    size = f" {listed(degrees)}." if degrees else ""
+    return head.format(_CHOSEN if found.chosen else "", modes=modes) + size
 
 
 def account(found: RobotLocus, *, unicode: bool = False) -> list[tuple[str, str]]:

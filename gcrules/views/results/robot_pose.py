@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from gcrules.core.english import listed
+from gcrules.core.english import counted, listed
 from gcrules.mechanisms.kinematics.closure import CableTensions
 from gcrules.poses.limbs.factors import ConditionFactor
 from gcrules.poses.limbs.report import NearestConfiguration, RobotPose
@@ -91,7 +91,7 @@ def rows(r: RobotPose) -> Iterator[tuple[str, str]]:
     yield (
         "assembled",
         f"loops open by {_off(r.residual)} of the robot's size, relations off by {_off(r.disagreement)}; "
-        f"{_counted(r.steps, 'step')} from home, {_counted(r.iterations, 'iteration')}",
+        f"{counted(r.steps, 'step')} from home, {counted(r.iterations, 'iteration')}",
     )
     yield "branch", r.assembly.branch
     yield "mode", r.mode
@@ -197,10 +197,6 @@ def _pose(r: RobotPose) -> str:
 
 def _off(x: float) -> str:
     return f"at most {x:.1g}" if x > _EXACT else f"less than {_EXACT:g}"
-
-
-def _counted(n: int, word: str) -> str:
-    return f"{n} {word}{'s' * (n != 1)}"
 
 
 def meaning(kind: str, statement: str) -> str:
