@@ -10,9 +10,11 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from commands import invoke
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from mechanisms.shipped_robots import GIVEN_BY_LINES, GOOD
+from places import EXAMPLES
 
 import gcrules as gc
 from gcrules.algebra.evaluate import PRIME
@@ -307,3 +309,10 @@ def test_the_schema_refuses_faults(case: str) -> None:
 
 def test_the_schema_knows_all_joints() -> None:
     assert all(re.search(SCHEMA["$defs"]["joints"]["pattern"], f"{symbol}(A)") for symbol in JOINTS)
+
+
+def test_a_platform_is_told_in_one_fault() -> None:
+    run = invoke("robot", "check", str(EXAMPLES / "octahedral.yaml"))
+    assert run.exit_code == 2
+    assert run.stderr.count("error: ") == 1
+    assert "octahedral.yaml:5:1: these are the legs of a platform" in run.stderr

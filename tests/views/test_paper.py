@@ -65,6 +65,20 @@ def test_files_of_others_are_kept(tmp_path: Path) -> None:
     assert "expected a directory" in run.stderr
 
 
+def test_what_an_author_changed_is_kept(tmp_path: Path) -> None:
+    analysis = gc.analyze("ab af cb cd ed ef")
+    save(analysis, tmp_path)
+    save(analysis, tmp_path)  # what nobody has changed is written anew
+    section = tmp_path / "section.tex"
+    changed = section.read_bytes().replace(b"singular", b"degenerate", 1)
+    section.write_bytes(changed)
+    others = {p: p.read_bytes() for p in tmp_path.iterdir()}
+    run = invoke("paper", "ab af cb cd ed ef", "-o", str(tmp_path))
+    assert run.exit_code == 2
+    assert f"{section}: this file was changed since gcrules wrote it" in run.stderr
+    assert {p: p.read_bytes() for p in tmp_path.iterdir()} == others
+
+
 def test_bad_input_is_refused(tmp_path: Path) -> None:
     run = invoke("paper", "no-such-robot", "-o", str(tmp_path / "new"))
     assert run.exit_code == 2

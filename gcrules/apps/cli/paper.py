@@ -34,7 +34,8 @@ def paper(legs: tuple[str, ...], folder: str, full: bool, asked: AnalysisOptions
 
     The files are section.tex, figure.tex (of a robot of joints figure-2.tex too), references.bib, with --full
     appendix.tex, and main.tex, which sets them all: pdflatex main, bibtex main, and pdflatex main twice. The section
-    fits columns of any width. A file of one of these names that gcrules did not write is not overwritten.
+    fits columns of any width. A file of one of these names that gcrules did not write, or that was changed since, is
+    not overwritten.
     """
     analysis = asked.analysis(legs)
     with working("writing"):

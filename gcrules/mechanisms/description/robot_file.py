@@ -118,8 +118,17 @@ class _Reader:
         checked()
         return robot
 
+    def _no_platform(self) -> None:
+        """A platform on six legs has none of the keys that follow: one fault says what it is."""
+        root = self.document.root
+        keys = {key.text: key for key, _ in root.entries()} if root.kind == "mapping" else {}
+        if "legs" in keys and not {"limbs", "lines"} & keys.keys():
+            message = "these are the legs of a platform, and a robot described by its joints has limbs"
+            raise self.document.error(keys["legs"].span, message, "gcrules analyze, pose, path, map … take this file")
+
     def described(self) -> tuple[Robot, Callable[[], None]]:
         """The robot as its file has it, and what checks it. Both raise FileError."""
+        self._no_platform()
         top = self.document.root.mapping(_REQUIRED, _OPTIONAL)
         if "copies" in top:
             self.copies = top["copies"].integer() or 0

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from hashlib import sha256
 from os import PathLike, fspath
 
 from gcrules.conditions.analysis import Analysis
@@ -20,8 +21,11 @@ from gcrules.views.paper.tikz import at_column_width, tikz, trimmed
 __all__ = ["as_latex", "files_of", "save"]
 
 _MARK = "% gcrules paper"
-"""How each of the files begins: what begins otherwise is somebody's own, and is not overwritten."""
+"""How each of the files begins. What begins otherwise is somebody's own, and so are lines that were changed below a
+first line with their digest: neither is overwritten.
+"""
 
+_ELSEWHERE = "choose another directory, or move this file away to have it written anew"
 _CLASS = r"\documentclass[10pt]{article}"
 _PREAMBLE = r"""\usepackage[T1]{fontenc}
 \usepackage{lmodern}
@@ -37,22 +41,28 @@ _NEEDED = "needs the packages amsmath, amsthm and tikz, and theorem environments
 def files_of(a: Analysis | RobotAnalysis, *, full: bool = False) -> dict[str, str]:
     """The files by name: section.tex, figure.tex (and figure-2.tex), references.bib, main.tex; `full`: appendix.tex."""
     s = subject_of(a)
-    head = f"{_MARK}, version {__version__}; sha256 of the analysis {s.digest}\n"
+    head = f"{_MARK}, version {__version__}; sha256 of the analysis {s.digest}"
     pictures, placed = {}, []
     for n, (figure, drawing) in enumerate(_drawn(s), 1):
         name = f"figure{f'-{n}' * (n > 1)}"
-        pictures[f"{name}.tex"] = f"{head}{tikz(drawing)}\n"
+        pictures[f"{name}.tex"] = f"{tikz(drawing)}\n"
         placed.append(_placed(s, n, figure, drawing, rf"\input{{{name}}}"))
     body = section(s, placed, full=full)
-    more = {"appendix.tex": f"{head}{appendix(s)}"} if full else {}
-    return {
-        "section.tex": f"{head}% {_NEEDED}\n{MACROS}\n\n{body}",
+    more = {"appendix.tex": appendix(s)} if full else {}
+    made = {
+        "section.tex": f"% {_NEEDED}\n{MACROS}\n\n{body}",
         **more,
         **pictures,
-        "references.bib": head + references(keys(s)),
-        "main.tex": head
-        + _document(f"{_CLASS} % or [10pt,twocolumn]", r"\input{section}", r"\input{appendix}" if full else ""),
+        "references.bib": references(keys(s)),
+        "main.tex": _document(
+            f"{_CLASS} % or [10pt,twocolumn]", r"\input{section}", r"\input{appendix}" if full else ""
+        ),
     }
+    return {name: f"{head}; of the lines below {_digest(text)}\n{text}" for name, text in made.items()}
+
+
+def _digest(text: str) -> str:
+    return sha256(text.encode()).hexdigest()
 
 
 def as_latex(a: Analysis | RobotAnalysis, *, full: bool = False) -> str:
@@ -67,7 +77,7 @@ def save(a: Analysis | RobotAnalysis, folder: str | PathLike[str], *, full: bool
     """Write the files into a folder, which is made if need be; all of them appear, or none.
 
     Returns their names. Raises FileError where that is not possible, and where a file of one of these names was not
-    written by gcrules.
+    written by gcrules, or was changed since.
     """
     where = fspath(folder)
     check_name(where)
@@ -92,16 +102,14 @@ def _check_own(path: str) -> None:
     if not os.path.lexists(path):
         return
     try:
-        with open(path, encoding="utf-8", errors="replace") as file:
-            own = file.read(len(_MARK)) == _MARK
+        with open(path, encoding="utf-8", errors="replace", newline="") as file:
+            first, text = file.readline(), file.read()
     except OSError as fault:
         raise FileError(f"cannot be read: {fault.strerror}", filename=path) from None
-    if not own:
-        raise FileError(
-            "there is a file of this name that gcrules did not write",
-            filename=path,
-            hint="choose another directory; a file that begins with the line of gcrules paper is replaced",
-        )
+    if not first.startswith(_MARK):
+        raise FileError("there is a file of this name that gcrules did not write", filename=path, hint=_ELSEWHERE)
+    if not first.rstrip().endswith(_digest(text)):
+        raise FileError("this file was changed since gcrules wrote it", filename=path, hint=_ELSEWHERE)
 
 
 def _drawn(s: Subject) -> list[tuple[Figure, Drawing]]:
