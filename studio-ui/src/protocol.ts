@@ -440,6 +440,13 @@ export interface PlaceArgs {
   place: number[];
 }
 
+/** Where in a map over two coordinates the pose is. */
+export interface HereArgs {
+  source: Source;
+  over: [string, string];
+  pose: Pose;
+}
+
 export interface ManualArgs {
   source: Source;
   commands: string[];
@@ -1218,6 +1225,12 @@ export interface SurfaceAnswer {
   held: Record<string, number>;
 }
 
+/** Where a pose is in a map: its coordinates in the units of the axes, and what the others are. */
+export interface HereAnswer {
+  at: number[];
+  fixed: string;
+}
+
 export interface PlacedPose {
   pose: Pose;
 }
@@ -1560,6 +1573,7 @@ export interface Methods {
   map: { args: MapArgs; result: MapAnswer };
   surface: { args: SurfaceArgs; result: SurfaceAnswer };
   place: { args: PlaceArgs; result: PlacedPose };
+  here: { args: HereArgs; result: HereAnswer };
   locus: { args: LocusArgs; result: LocusAnswer };
   assemblies: { args: PoseArgs; result: AssembliesAnswer };
   aspects: { args: OpenArgs; result: AspectsAnswer };

@@ -279,6 +279,9 @@ def test_the_robot_gets_to_places_of_a_map(asked: Asked, page: Page, source: dic
         answer = page.answer(page.send("place", source=source, over=over, pose=HOME, place=place))
         if answer["ok"]:
             there = page.ask("pose", source=source, pose=answer["result"]["pose"])
+            here = page.ask("here", source=source, over=over, pose=answer["result"]["pose"])
+            assert here["at"] == pytest.approx(place, abs=1e-6)
+            assert here["fixed"] == found["fixed"]
             assert there["margin"] == pytest.approx(found["margin"][i][j], rel=1e-3)
         else:
             assert abs(place[1]) > 30, "only far turns lie behind singular configurations"

@@ -62,6 +62,10 @@ ANSWERS: Mapping[str, tuple[str, Callable[[Any, Any, Args], Any]]] = {
         "gcrules.apps.studio.map_view:place_view",
         lambda show, subject, args: show(subject, args["over"], args["pose"], args["place"]),
     ),
+    "here": (
+        "gcrules.apps.studio.map_view:here_view",
+        lambda show, subject, args: show(subject, args["over"], args["pose"]),
+    ),
     "locus": (
         "gcrules.apps.studio.locus_view:locus_view",
         lambda show, subject, args: show(subject, value("locus", subject, args), args["pose"], args.get("over")),

@@ -14,7 +14,7 @@ from gcrules.apps.studio.items import fact
 from gcrules.apps.studio.kept import kept
 from gcrules.apps.studio.moving import amounts_at
 from gcrules.apps.studio.numbers import exact_pose
-from gcrules.apps.studio.protocol.motion_views import CurveView, MapAnswer, PlacedPose
+from gcrules.apps.studio.protocol.motion_views import CurveView, HereAnswer, MapAnswer, PlacedPose
 from gcrules.apps.studio.protocol.requests import PoseJson
 from gcrules.apps.studio.protocol.study_views import Axis
 from gcrules.apps.studio.subject import Subject
@@ -30,17 +30,20 @@ from gcrules.mechanisms.mechanism import Mechanism
 from gcrules.mechanisms.six_legs import SixLegs
 from gcrules.poses.maps.axes import ACTUATOR, GridAxis, read_axes
 from gcrules.poses.maps.cells import MEANINGS
-from gcrules.poses.maps.grid import Grid
+from gcrules.poses.maps.grid import Grid, grid
 from gcrules.poses.maps.limb_grid import LimbsGrid
 from gcrules.poses.maps.maps import done
 from gcrules.poses.maps.planned import Plan, planned
 from gcrules.poses.maps.report import Curve, SingularMap
+from gcrules.poses.maps.task import Slice
 from gcrules.poses.methods import Methods, method
+from gcrules.screws.pose_text import ANGLES
 from gcrules.screws.threshold import DEFAULT, Threshold
 from gcrules.views.results.map import account
 
-__all__ = ["map_of", "map_view", "place_view", "planned_map", "rest_of_map"]
+__all__ = ["here_view", "map_of", "map_view", "place_view", "planned_map", "rest_of_map"]
 
+_DUST = 1e-9  # radians, and parts of the robot's size: what rounding leaves of 0
 MAX_NODES = 20_000
 """Poses of a map in the page."""
 
@@ -53,7 +56,7 @@ def map_view(found: SingularMap) -> MapAnswer:
         "margin": _table(found, "margin"),
         "index": _table(found, found.task.measure) if found.task.measure in INDICES else [],
         "status": [[MEANINGS[s] for s in row] for row in found.values("cell_status").tolist()],
-        "fixed": found.grid.fixed.replace("-", "−"),
+        "fixed": _fixed(found.grid),
         "guarantee": as_sentence(found.guarantee),
         "statement": found.sentence,
         "facts": [fact(name, value) for name, value in account(found)],
@@ -84,6 +87,11 @@ def place_view(subject: Subject, over: Sequence[str], pose: PoseJson, place: Seq
     return {"pose": method(_PLACED, subject.mechanism, "a map")(plan.task.grid, place)}
 
 
+def here_view(subject: Subject, over: Sequence[str], pose: PoseJson) -> HereAnswer:
+    """Where in that map a pose is, if it lies in it: it does where what is fixed reads the same."""
+    return method(_HERE, subject.mechanism, "a map")(subject, over, pose)
+
+
 def planned_map(subject: Subject, over: Sequence[str], pose: PoseJson, limit: Threshold, measure: str) -> Plan:
     """The map that is to be computed, the other coordinates as they are at the pose. Raises InputError for none."""
     m = subject.mechanism
@@ -95,19 +103,40 @@ def rest_of_map(m: Mechanism, over: Sequence[str], pose: PoseJson) -> Any:
     return method(_REST, m, "a map")(over, pose)
 
 
+def _here_of_legs(m: SixLegs, subject: Subject, over: Sequence[str], pose: PoseJson) -> HereAnswer:
+    g = grid(m.rig, read_axes(over, m.unit), exact_pose(pose))
+    return {"at": list(g.home), "fixed": _fixed(g)}
+
+
+def _here_of_limbs(m: Limbs, subject: Subject, over: Sequence[str], pose: PoseJson) -> HereAnswer:
+    g = planned_map(subject, over, pose, DEFAULT, "margin").task.grid
+    now = _coordinates_of_limbs(m, g.axes, pose)
+    return {"at": [now.get(a.name, 0.0) / a.scale for a in g.axes], "fixed": _fixed(g)}
+
+
+_HERE: Methods[HereAnswer] = {SixLegs: _here_of_legs, Limbs: _here_of_limbs}
+
+
+def _fixed(g: Slice) -> str:
+    return g.fixed.replace("-", "−")
+
+
 def _rest_of_limbs(m: Limbs, over: Sequence[str], pose: PoseJson) -> dict[str, float]:
     """What the coordinates, or the actuators, are at the pose that no axis stands for."""
-    actuators = {a.name: a.angle for a in leading(m.linkage)}
-    axes = read_axes(over, m.unit, actuators)
+    axes = read_axes(over, m.unit, {a.name: a.angle for a in leading(m.linkage)})
     names = [a.name for a in axes]
+    return {n: v for n, v in _coordinates_of_limbs(m, axes, pose).items() if n not in names}
+
+
+def _coordinates_of_limbs(m: Limbs, axes: Sequence[GridAxis], pose: PoseJson) -> dict[str, float]:
+    """The coordinates by which poses of the map are told, or the actuators, at a pose; none of them at home."""
     amounts = amounts_at(m, pose)
     if not amounts:
         return {}
     if axes[0].kind == ACTUATOR:
-        now = dict(zip(actuators, amounts, strict=True))
-    else:
-        now = coordinates_at(m, pose, free_coordinates(m.linkage, names))
-    return {n: v for n, v in now.items() if n not in names}
+        return dict(zip((a.name for a in leading(m.linkage)), amounts, strict=True))
+    found = coordinates_at(m, pose, free_coordinates(m.linkage, [a.name for a in axes]))
+    return {n: 0.0 if abs(c) <= _DUST * (1 if n in ANGLES else m.linkage.size) else c for n, c in found.items()}
 
 
 _REST: Methods[Any] = {SixLegs: lambda m, over, pose: exact_pose(pose), Limbs: _rest_of_limbs}

@@ -94,6 +94,7 @@ def _message(rng: Random, number: int) -> str:
             "path",
             "map",
             "place",
+            "here",
             "surface",
             "manual",
             "bench",
@@ -103,7 +104,7 @@ def _message(rng: Random, number: int) -> str:
             "cancel",
             "x",
         ),
-        (1, 0.02, 1.5, 5, 2, 0.5, 0.5, 0.5, 0.3, 2, 5, 2, 2, 1.5, 1, 0.5),
+        (1, 0.02, 1.5, 5, 2, 0.5, 0.5, 0.5, 0.5, 0.3, 2, 5, 2, 2, 1.5, 1, 0.5),
     )[0]
     args: dict[str, Any] = {}
     match do:
@@ -118,7 +119,7 @@ def _message(rng: Random, number: int) -> str:
             args = {"source": cheap, "goal": _pose(rng), "start": _pose(rng), "to": to}
             for name in rng.sample(("start", "to"), rng.randint(0, 2)):
                 del args[name]
-        case "map" | "place" | "surface":
+        case "map" | "place" | "here" | "surface":
             args = {
                 "source": cheap,
                 "over": [_range(rng) for _ in range(3 if do == "surface" else 2)],

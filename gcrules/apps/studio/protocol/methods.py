@@ -15,7 +15,14 @@ from gcrules.apps.studio.protocol.checking import Check
 from gcrules.apps.studio.protocol.limb_requests import LimbsArgs
 from gcrules.apps.studio.protocol.limb_views import LimbsAnswer
 from gcrules.apps.studio.protocol.locus_views import LocusAnswer
-from gcrules.apps.studio.protocol.motion_views import MapAnswer, PathAnswer, PlacedPose, SurfaceAnswer, WaypointsAnswer
+from gcrules.apps.studio.protocol.motion_views import (
+    HereAnswer,
+    MapAnswer,
+    PathAnswer,
+    PlacedPose,
+    SurfaceAnswer,
+    WaypointsAnswer,
+)
 from gcrules.apps.studio.protocol.report_requests import RepeatArgs, SaveArgs
 from gcrules.apps.studio.protocol.rule_views import CheckedRules, PluginsAnswer
 from gcrules.apps.studio.protocol.shape_checks import check_of
@@ -68,6 +75,7 @@ METHODS: Mapping[str, Method] = {
     "map": Method(requests.MapArgs, MapAnswer, seconds=600),
     "surface": Method(requests.SurfaceArgs, SurfaceAnswer, seconds=600),
     "place": Method(requests.PlaceArgs, PlacedPose),
+    "here": Method(requests.HereArgs, HereAnswer),
     "locus": Method(requests.LocusArgs, LocusAnswer, seconds=300),
     "assemblies": Method(requests.PoseArgs, AssembliesAnswer, seconds=300),
     "aspects": Method(requests.OpenArgs, AspectsAnswer, seconds=600),

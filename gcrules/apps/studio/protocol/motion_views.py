@@ -14,6 +14,7 @@ __all__ = [
     "CurveView",
     "DetourView",
     "FrameView",
+    "HereAnswer",
     "MapAnswer",
     "PathAnswer",
     "PathPlaceView",
@@ -149,6 +150,13 @@ class SurfaceAnswer(TypedDict):
     """Other freedoms of a robot with limbs, at which this holds: in radians or in its unit. Of a platform on six legs
     it holds at the turn of its pose.
     """
+
+
+class HereAnswer(TypedDict):
+    """Where a pose is in a map: its coordinates in the units of the axes, and what the others are."""
+
+    at: list[float]
+    fixed: str
 
 
 class PlacedPose(TypedDict):

@@ -36,6 +36,7 @@ __all__ = [
     "FollowArgs",
     "Format",
     "FreeArgs",
+    "HereArgs",
     "LegsSource",
     "LocusArgs",
     "ManualArgs",
@@ -285,6 +286,14 @@ class PlaceArgs(TypedDict):
     over: Annotated[list[_Range], EntryCount(2, 3)]
     pose: PoseJson
     place: Annotated[list[_Coordinate], EntryCount(2, 3)]
+
+
+class HereArgs(TypedDict):
+    """Where in a map over two coordinates the pose is."""
+
+    source: SourceJson
+    over: Annotated[list[_Range], EntryCount(2, 2)]
+    pose: PoseJson
 
 
 class ManualArgs(TypedDict):

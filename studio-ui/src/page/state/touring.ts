@@ -1,7 +1,9 @@
 // A path and a map of what is open, and what they are asked with.
-import type { Axis, Study } from "../../protocol";
+import { computed, effect, signal, type ReadonlySignal } from "@preact/signals";
+import type { Axis, HereAnswer, MapArgs, Pose, Study } from "../../protocol";
 import type { Client } from "../net/client";
-import { MARGIN, type Range, type Tour } from "./doc";
+import { latest } from "../net/latest";
+import { MARGIN, samePose, type Range, type Tour } from "./doc";
 import type { Editing } from "./editing";
 import { createRefining, type Refining } from "./refining";
 import { createRunner, type Runner } from "./running";
@@ -11,6 +13,8 @@ export interface Touring {
   map: Refining<"map">;
   surface: Refining<"surface">;
   place: Runner<"place">;
+  /** Where the robot is in the map that is drawn; null while that is not known. */
+  here: ReadonlySignal<HereAnswer | null>;
   locus: Runner<"locus">;
   /** Changes what is asked; changes of the same field in a row are undone as one. */
   change(part: Partial<Tour>): void;
@@ -18,14 +22,33 @@ export interface Touring {
 
 export function createTouring(client: Client, editing: Editing): Touring {
   const { doc, edit } = editing;
+  const map = createRefining(client, editing, "map", "Mapping");
   return {
     path: createRunner(client, editing, "path", "Going along the path"),
-    map: createRefining(client, editing, "map", "Mapping"),
+    map,
+    here: createHere(client, editing, map),
     surface: createRefining(client, editing, "surface", "Looking for singular poses"),
     place: createRunner(client, editing, "place", "Going there"),
     locus: createRunner(client, editing, "locus", "Working out the polynomial"),
     change: (part) => edit({ tour: { ...doc.peek().tour, ...part } }, `tour ${Object.keys(part).join(" ")}`),
   };
+}
+
+function createHere(client: Client, { pose$ }: Editing, map: Refining<"map">): ReadonlySignal<HereAnswer | null> {
+  const told = signal<{ of: MapArgs; pose: Pose; answer: HereAnswer } | null>(null);
+  const ask = latest(
+    ({ of: { source, over }, pose }: { of: MapArgs; pose: Pose }) => client.ask("here", { source, over, pose }, { channel: "here" }),
+    (answer, asked) => (told.value = { ...asked, answer }),
+    () => (told.value = null), // the robot does not assemble there, which is told elsewhere
+  );
+  effect(() => {
+    const [shown, pose] = [map.shown.value, pose$.value];
+    if (shown) ask({ of: shown.asked, pose });
+  });
+  return computed(() => {
+    const [now, shown] = [told.value, map.shown.value];
+    return now && shown && now.of === shown.asked && samePose(now.pose, pose$.value) ? now.answer : null;
+  });
 }
 
 /** The ranges that were chosen, else the first two; null where there are none, or none of these names any more. */

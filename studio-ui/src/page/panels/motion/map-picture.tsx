@@ -104,6 +104,9 @@ export function MapLegend({ result, measure }: { result: MapAnswer; measure: str
         </li>
       ))}
       <li>
+        <i class="robot" /> the robot
+      </li>
+      <li>
         <i class="ramp" /> {measure} from {short(least, 3)} to {short(most, 3)}
       </li>
     </ul>

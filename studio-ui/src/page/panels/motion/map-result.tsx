@@ -9,16 +9,17 @@ import { spoken } from "../../state/touring";
 import { Facts } from "./facts";
 import { CELLS, FRAME, MapLegend, MapPicture } from "./map-picture";
 import { Plot, type Spot } from "./plot";
-import { stepped, valueOf, within } from "./spots";
-
+import { partOf, stepped, valueOf, within } from "./spots";
 
 interface Props {
   asked: MapArgs;
   result: MapAnswer;
   measures: readonly Measure[];
+  /** Draws the map anew, around where the robot is. */
+  again(): void;
 }
 
-export function MapResult({ asked, result, measures }: Props) {
+export function MapResult({ asked, result, measures, again }: Props) {
   const { touring, moving, pose$ } = useStore();
   const hovered = useSignal<Spot | null>(null);
   const chosen = useSignal<Spot | null>(null);
@@ -27,6 +28,8 @@ export function MapResult({ asked, result, measures }: Props) {
   const going = touring.place.now.value;
   const mark = marked();
   const spot = hovered.value ?? mark;
+  const here = touring.here.value;
+  const elsewhere = here !== null && here.fixed !== fixed;
 
   /** The chosen place, unless the robot was taken there and has left it since; keys ask anew, they outrun pictures. */
   function marked(): Spot | null {
@@ -73,11 +76,20 @@ export function MapResult({ asked, result, measures }: Props) {
         onPress={choose}
         onRelease={() => chosen.value && void go(chosen.value)}
       >
+        {here && <Robot axes={axes} at={here.at} elsewhere={elsewhere} />}
         {mark && <span class="here" style={{ left: `${100 * mark[0]}%`, bottom: `${100 * mark[1]}%` }} />}
       </Plot>
       {fixed && (
         <p class="fixed" data-testid="map-fixed">
           fixed: {fixed}
+        </p>
+      )}
+      {elsewhere && (
+        <p class="elsewhere" data-testid="map-elsewhere">
+          The robot is not in this map: {here.fixed}.{" "}
+          <button type="button" data-testid="map-again" onClick={again}>
+            Map where it is
+          </button>
         </p>
       )}
       <MapLegend result={result} measure={spoken(asked.measure ?? MARGIN)} />
@@ -88,6 +100,15 @@ export function MapResult({ asked, result, measures }: Props) {
       <Facts facts={result.facts} title="What was computed" />
     </div>
   );
+}
+
+/** The robot's place, at the edge where it is outside; hollow where the map is of other poses. */
+function Robot({ axes, at, elsewhere }: { axes: MapAnswer["axes"]; at: readonly number[]; elsewhere: boolean }) {
+  const parts = axes.map((axis, i) => partOf(axis, at[i] ?? 0));
+  const [left, bottom] = parts.map((part) => `${100 * Math.min(Math.max(part, 0), 1)}%`);
+  const outside = parts.some((part) => part < 0 || part > 1);
+  const words = outside ? "The robot is outside of this map" : elsewhere ? "The robot, which is not in this map" : "The robot";
+  return <span class={`robot${outside ? " outside" : ""}${elsewhere ? " elsewhere" : ""}`} title={words} style={{ left, bottom }} data-testid="map-robot" />;
 }
 
 interface SpokenProps {

@@ -89,7 +89,7 @@ export function MapSection({ study }: { study: Study }) {
       </form>
       {now.state === "busy" && <Seeks words={now.words} stop={map.stop} testid="map-stop" />}
       {now.state === "failed" && <FaultBox fault={now.fault} />}
-      {shown && <MapResult asked={shown.asked} result={shown.result} measures={study.measures} />}
+      {shown && <MapResult asked={shown.asked} result={shown.result} measures={study.measures} again={() => go(ranges)} />}
     </section>
   );
 }
