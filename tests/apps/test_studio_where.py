@@ -79,7 +79,7 @@ def test_aspects(page: Page, source: dict[str, str], robot: str) -> None:
 def test_a_free_ball_around_a_pose(page: Page) -> None:
     found = page.ask("free", source=OCTAHEDRAL, pose=AWAY, shape="ball")
     same = gc.free_region(FILE, "0 0 -30", ball=True)
-    assert found["verdict"] in told(same)
+    assert found["verdict"].removesuffix(".") in told(same)
     assert [r["name"] for r in found["ranges"]] == list(same.names)
     for one, half in zip(found["ranges"], same.half_widths, strict=True):
         assert float(one["high"]) == -float(one["low"])
@@ -89,7 +89,7 @@ def test_a_free_ball_around_a_pose(page: Page) -> None:
 
 def test_a_free_box_of_a_robot_of_joints(page: Page) -> None:
     found = page.ask("free", source=RPR, pose={**HOME, "coordinates": [0, 0, 0]}, shape="box")
-    assert found["verdict"] in told(gc.free_region("3-rpr"))
+    assert found["verdict"].removesuffix(".") in told(gc.free_region("3-rpr"))
     assert [r["name"] for r in found["ranges"]] == ["x", "y", "yaw"]
 
 
@@ -116,7 +116,7 @@ def test_whole_ranges_of_a_platform(page: Page) -> None:
     over = ["x -60:60", "z -60:60", "yaw -20:20 deg"]
     found = boxes(page, OCTAHEDRAL, over, AWAY, limits="leg lengths 200..500")
     same = gc.box_map(FILE, over, "0 0 -30", margin=0.01, limits="leg lengths 200..500", tiles=8, boxes=6)
-    assert found["verdict"] in told(same)
+    assert found["verdict"].removesuffix(".") in told(same)
     assert facts(found)["limits"] in told(same)
     shares = {s["kind"]: s["share"] for s in found["shares"]}
     assert sum(shares.values()) == pytest.approx(1)
@@ -181,7 +181,7 @@ def test_a_certificate_is_that_of_the_library(page: Page) -> None:
     found = certified(page, OCTAHEDRAL, over, AWAY, margin=0.05, **more)
     same = gc.certify(FILE, over, "0 0 -30", margin=0.05, boxes=4_000, **more)
     assert found["answer"] == same.verdict == "free"
-    assert found["verdict"] in told(same)
+    assert found["verdict"].removesuffix(".") in told(same)
     assert found["bound"] == same.bound
     assert found["decided"] == same.decided == 1
     assert sum(s["share"] for s in found["shares"]) == pytest.approx(1)

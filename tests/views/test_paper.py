@@ -70,12 +70,12 @@ def test_what_an_author_changed_is_kept(tmp_path: Path) -> None:
     save(analysis, tmp_path)
     save(analysis, tmp_path)  # what nobody has changed is written anew
     section = tmp_path / "section.tex"
-    changed = section.read_bytes().replace(b"singular", b"degenerate", 1)
-    section.write_bytes(changed)
+    section.write_bytes(section.read_bytes().replace(b"singular", b"degenerate", 1))
+    (tmp_path / "main.tex").write_bytes(b"% mine\n" + (tmp_path / "main.tex").read_bytes())
     others = {p: p.read_bytes() for p in tmp_path.iterdir()}
     run = invoke("paper", "ab af cb cd ed ef", "-o", str(tmp_path))
     assert run.exit_code == 2
-    assert f"{section}: this file was changed since gcrules wrote it" in run.stderr
+    assert f"{section}: this file is not as gcrules wrote it, and main.tex likewise" in run.stderr
     assert {p: p.read_bytes() for p in tmp_path.iterdir()} == others
 
 

@@ -7,6 +7,7 @@ from hashlib import sha256
 from os import PathLike, fspath
 
 from gcrules.conditions.analysis import Analysis
+from gcrules.core.english import listed
 from gcrules.core.errors import FileError
 from gcrules.core.files import check_name, held, write_file
 from gcrules.core.version import __version__
@@ -84,8 +85,11 @@ def save(a: Analysis | RobotAnalysis, folder: str | PathLike[str], *, full: bool
     made = files_of(a, full=full)
     if os.path.exists(where) and not os.path.isdir(where):
         raise FileError("this is a file, expected a directory", filename=where, hint="-o names the directory")
-    for name in made:
-        _check_own(os.path.join(where, name))
+    kept = [(path, why) for path in (os.path.join(where, name) for name in made) if (why := _not_own(path))]
+    if kept:
+        path, why = kept[0]
+        others = f", and {listed([os.path.basename(other) for other, _ in kept[1:]])} likewise" if kept[1:] else ""
+        raise FileError(f"{why}{others}", filename=path, hint=_ELSEWHERE)
     try:
         if not os.path.isdir(where):
             os.mkdir(where)
@@ -98,18 +102,18 @@ def save(a: Analysis | RobotAnalysis, folder: str | PathLike[str], *, full: bool
     return paths
 
 
-def _check_own(path: str) -> None:
+def _not_own(path: str) -> str:
+    """Why a file is somebody's own; "" where it is not there, or is as gcrules wrote it."""
     if not os.path.lexists(path):
-        return
+        return ""
     try:
         with open(path, encoding="utf-8", errors="replace", newline="") as file:
             first, text = file.readline(), file.read()
     except OSError as fault:
         raise FileError(f"cannot be read: {fault.strerror}", filename=path) from None
     if not first.startswith(_MARK):
-        raise FileError("there is a file of this name that gcrules did not write", filename=path, hint=_ELSEWHERE)
-    if not first.rstrip().endswith(_digest(text)):
-        raise FileError("this file was changed since gcrules wrote it", filename=path, hint=_ELSEWHERE)
+        return "there is a file of this name that gcrules did not write"
+    return "" if first.rstrip().endswith(_digest(text)) else "this file is not as gcrules wrote it"
 
 
 def _drawn(s: Subject) -> list[tuple[Figure, Drawing]]:
