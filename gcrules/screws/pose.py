@@ -15,12 +15,14 @@ from typing import Any
 from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import InputError
 from gcrules.core.floats import as_float, exact, exact_float
-from gcrules.screws.rotations import IDENTITY, Matrix, Quaternion, Vector, rotation
+from gcrules.screws.rotations import IDENTITY, Matrix, Quaternion, Vector, is_rounded, rotation
 
 __all__ = [
+    "AT_ROUNDED",
     "METRES",
     "NOT_FINITE",
     "NUMBER",
+    "ROUNDED",
     "SILENT",
     "UNITS",
     "UNIT_TOLERANCE",
@@ -49,6 +51,13 @@ NOT_FINITE = re.compile(r"[+-]?\.?(?:nan|inf|infinity)", re.IGNORECASE)
 _MAX_NUMBER, _MAX_EXPONENT = 60, 300
 _ROUNDING = 1e-15
 
+ROUNDED = (
+    "the turn is taken with about 16 digits, as few turns by angles have cosines that are rational: what is exact or "
+    "proved holds for the turn as rounded"
+)
+AT_ROUNDED = "with the turn as rounded below, "
+"""What exact answers about a pose whose turn `is_rounded` begin with, and what they say of it."""
+
 
 @dataclass(frozen=True)
 class Pose:
@@ -65,6 +74,11 @@ class Pose:
     def rotation(self) -> Matrix:
         """The 3×3 matrix R, exactly orthogonal."""
         return rotation(self.quaternion)
+
+    @property
+    def exact_notes(self) -> tuple[str, ...]:
+        """The notes, with that on rounding for answers that are exact."""
+        return (*self.notes, ROUNDED) if is_rounded(self.quaternion) else self.notes
 
     @property
     def unit_quaternion(self) -> tuple[float, ...]:

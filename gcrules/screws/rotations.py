@@ -7,7 +7,7 @@ the length of q does not matter. That keeps superbrackets exact in turned poses.
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from fractions import Fraction
 from typing import Any, TypeVar
 
@@ -22,6 +22,7 @@ __all__ = [
     "check_sequence",
     "from_euler",
     "from_vector",
+    "is_rounded",
     "product",
     "rotation",
     "short",
@@ -38,6 +39,7 @@ IDENTITY: Quaternion = (Fraction(1), Fraction(0), Fraction(0), Fraction(0))
 _N = TypeVar("_N", int, Fraction)
 
 MANY = 10**9  # the largest angle, in degrees or radians: of more a float leaves no digits within one turn
+_EXACT = 40  # bits of a denominator above which a number is taken for a rounded one
 _LONG = 64  # bits of a denominator above which a quaternion is rounded to floats (error below 2⁻⁵² of its length)
 
 
@@ -110,11 +112,14 @@ def check_sequence(sequence: str) -> None:
 
 def from_euler(sequence: str, angles: Sequence[Fraction], *, degrees: bool) -> Quaternion:
     """Three turns about coordinate axes. "xyz": about the fixed axes, x first; "XYZ": about the axes of the platform
-    as they have turned, X first (so "XYZ" is "zyx" with the angles reversed).
+    as they have turned, X first (so "XYZ" is "zyx" with the angles reversed). Exact where all angles are multiples of
+    90 degrees, and where the second one makes them one turn by such an angle; otherwise rounded (see `is_rounded`).
 
     Raises InputError as `check_sequence` does.
     """
     check_sequence(sequence)
+    if degrees and (together := _about_one_axis(sequence, angles)):
+        return together
     common, turns = 1, []  # in whole numbers, which are several times as fast as fractions
     for letter, angle in zip(sequence.lower(), angles, strict=True):
         cosine, sine, divisor = _half(angle, degrees)
@@ -125,6 +130,24 @@ def from_euler(sequence: str, angles: Sequence[Fraction], *, degrees: bool) -> Q
         turns.reverse()
     w, x, y, z = product(turns[2], product(turns[1], turns[0]))
     return short((Fraction(w, common), Fraction(x, common), Fraction(y, common), Fraction(z, common)))
+
+
+def _about_one_axis(sequence: str, angles: Sequence[Fraction]) -> Quaternion | None:
+    """The turn where the second angle, a multiple of 90 degrees, makes the first and the third axis parallel: these two
+    are one turn by the sum or the difference of their angles, which may be exact where each of them is not.
+    """
+    first, second, third = angles
+    if second.denominator != 1 or second.numerator % 90 or not (first and third):
+        return None
+    turns = sequence if sequence.islower() else sequence[::-1].lower()
+    before, between, after = ("xyz".index(letter) for letter in turns)
+    if sequence.isupper():
+        first, third = third, first
+    middle = about_axis(between, second, degrees=True)
+    sign = rotation(middle)[after][before]
+    if not sign:
+        return None
+    return short(product(about_axis(after, third + sign * first, degrees=True), middle))
 
 
 def from_vector(vector: Sequence[Fraction], *, degrees: bool) -> Quaternion:
@@ -142,6 +165,13 @@ def from_vector(vector: Sequence[Fraction], *, degrees: bool) -> Quaternion:
     half = math.fmod(math.radians(size) if degrees else size, 4 * math.pi) / 2
     sine = math.sin(half) / size
     return Fraction(math.cos(half)), *(Fraction(float(c) * sine) for c in vector)  # type: ignore[return-value]
+
+
+def is_rounded(turn: Iterable[Fraction]) -> bool:
+    """Whether numbers of a turn are so long that they are the first digits of others, as those of most turns by angles
+    are.
+    """
+    return any(c.denominator.bit_length() > _EXACT for c in turn)
 
 
 def short(q: Quaternion) -> Quaternion:

@@ -35,12 +35,13 @@ _DENOMINATORS = 10**6  # of half-tangents of angles that are given
 @dataclass(frozen=True)
 class LimbQuestion:
     """The `coordinates` that determine the pose, the variables that are `free`, in that order, and the values of the
-    `fixed` ones, exact.
+    `fixed` ones, exact. `rounded` says that one of these was taken for that of an angle.
     """
 
     coordinates: tuple[str, ...]
     free: tuple[str, ...]
     fixed: Mapping[str, Fraction]
+    rounded: bool = False
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "fixed", FrozenMap(self.fixed))
@@ -94,7 +95,8 @@ def limb_question(
         raise InputError("no variable is left free", hint=f"the variables are {', '.join(coordinates)}")
     rest = {n: fixed.get(n, there.get(n, Fraction(0))) for n in coordinates if n not in free}
     names = tuple(n.removeprefix(_TANGENT) for n in coordinates)
-    return LimbQuestion(names, tuple(n for n in coordinates if n in free), rest)
+    rounded = any(n in TANGENTS and c.denominator != 1 for n, c in there.items())
+    return LimbQuestion(names, tuple(n for n in coordinates if n in free), rest, rounded)
 
 
 def _coordinates(m: Linkage, base: tuple[str, ...], named: Mapping[str, Any]) -> tuple[str, ...]:

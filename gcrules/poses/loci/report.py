@@ -99,6 +99,7 @@ class Locus(LocusPolynomial, Shown):
             "rotation": q.rotation,
             "variables": list(self.variables),
             "fixed": {n: str(c) for n, c in q.fixed.items()},
+            "rounded": q.rounded,
             "quaternion": None if q.turn is None else [str(c) for c in q.turn],
             "verdict": self.verdict,
             "degrees": self.degrees,

@@ -18,7 +18,7 @@ from gcrules.core.frozen import FrozenMap
 from gcrules.core.hints import near, run_together
 from gcrules.poses.numbers.pose_arguments import read_one
 from gcrules.screws.pose import Pose, exact, read_number
-from gcrules.screws.rotations import Quaternion, check_sequence, product
+from gcrules.screws.rotations import Quaternion, check_sequence, is_rounded, product
 
 __all__ = ["ROTATIONS", "Question", "images", "question", "read_fixed", "read_free"]
 
@@ -49,6 +49,12 @@ class Question:
     def whole(self) -> bool:
         """Whether every pose is meant, not a slice of them."""
         return not self.fixed and self.turn is None
+
+    @property
+    def rounded(self) -> bool:
+        """Whether the turn, or the part of it that is not free, was rounded."""
+        fixed = (c for n, c in self.fixed.items() if n not in TRANSLATION)
+        return is_rounded((*(self.turn or ()), *fixed))
 
     @property
     def meaning(self) -> str:

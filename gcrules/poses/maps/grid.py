@@ -183,6 +183,8 @@ def grid(rig: MovingPlatform, axes: tuple[GridAxis, ...], at: Any = None) -> Gri
     if turning is not None:
         rest, more = _rest(pose, at, turning)
         notes += more
+    else:
+        notes = pose.exact_notes
     found = Grid(axes, rig, pose, (rest[0], rest[1], rest[2]), notes)
     corners = np.array(np.meshgrid(*[[float(a.start), float(a.stop)] for a in axes])).reshape(len(axes), -1).T
     if np.abs(found.ends(corners) - rig.base).max() > FAR * rig.size:

@@ -29,6 +29,7 @@ from gcrules.poses.maps.summary import MapSummary
 from gcrules.poses.maps.task import Chunk, InLayers
 from gcrules.screws.guarantees import ROUNDING
 from gcrules.screws.margin import jacobian
+from gcrules.screws.pose import AT_ROUNDED, ROUNDED
 
 __all__ = ["LegsTask"]
 
@@ -36,6 +37,7 @@ Floats = NDArray[np.float64]
 
 _POSES = 120_000  # in one chunk, about
 _ROUNDING = 1e-12  # of σ: less is 0
+_BY_ROUNDING = "; but margins are 0 to rounding, so that with the exact turn poses may be singular"
 _BATCH = 20_000  # poses whose Jacobians are in memory at once
 
 
@@ -135,7 +137,14 @@ class LegsTask(InLayers, HoldsArrays):
         }
 
     def guarantee(self, summary: MapSummary) -> str:
-        """What is proved, in one sentence."""
+        """What is proved, in one sentence; of a turn that was rounded it says so."""
+        said = self._guarantee(summary)
+        if ROUNDED not in self.grid.notes:
+            return said
+        doubtful = summary.margin == 0 and not self.everywhere and not any(summary.cells[1:])
+        return AT_ROUNDED + said + _BY_ROUNDING * doubtful
+
+    def _guarantee(self, summary: MapSummary) -> str:
         free, crossed, undecided = summary.cells
         if self.everywhere and self.factors is None:
             return f"every pose is singular: the superbracket is exactly 0 in {MEMBERS} random poses of the slice"

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from gcrules.core.english import listed
+from gcrules.core.english import as_sentence, listed
 from gcrules.core.errors import LimitReached
 from gcrules.poses.loci.form import PolynomialForm, joined
 from gcrules.poses.loci.report import Locus, LocusFactor
 from gcrules.poses.loci.variables import TRANSLATION
+from gcrules.screws.pose import AT_ROUNDED, ROUNDED
 from gcrules.views.formulas.latex import latex_name
 from gcrules.views.results.polynomials import brief, degree_text, degrees_text, formula, number, size_text
 from gcrules.views.text_tables import table, wrapped
@@ -25,7 +26,8 @@ def as_text(found: Locus, *, unicode: bool = False, digits: int | None = None) -
 def headline(found: Locus) -> str:
     """What the polynomial says, in one sentence."""
     if not found.vanishes:
-        return f"A pose is singular exactly where the polynomial P, of {degree_text(found.form)}, is 0{_zeros(found)}."
+        words = f"a pose is singular exactly where the polynomial P, of {degree_text(found.form)}, is 0{_zeros(found)}"
+        return as_sentence(AT_ROUNDED * found.question.rounded + words)
     what = "each of these poses is singular"
     if found.question.whole:
         what = "every pose is singular, so the robot is architecturally singular"
@@ -74,7 +76,8 @@ def _fixed(found: Locus) -> list[tuple[str, str]]:
     parts = [f"{n} = {c}" for n, c in q.fixed.items()]
     if q.turn is not None:
         parts.append(f"quaternion {' '.join(map(str, q.turn))}" if any(q.turn[1:]) else "no turn")
-    return [("fixed", ", ".join(parts))] if parts else []
+    rows = [("fixed", ", ".join(parts))] if parts else []
+    return [*rows, ("rounded", ROUNDED)] if q.rounded else rows
 
 
 def _centre(found: Locus) -> str:

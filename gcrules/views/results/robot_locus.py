@@ -37,6 +37,10 @@ _KEPT = (
     "Each polynomial is a factor of the condition, in the coordinates and in roots whose signs are the working mode. A"
     " pose is singular in a mode exactly where one of them is 0, as far as no limb is singular by itself{}."
 )
+_TANGENTS = (
+    "tangents of half the fixed angles are fractions with denominators up to a million, within 1e-12 of the exact ones:"
+    " what is exact here holds for these fractions"
+)
 _EXCEPT = ", but where other signs are told"
 _CHOSEN = ", or lines that were chosen for a limb depend on each other"
 
@@ -59,7 +63,8 @@ def headline(found: RobotLocus) -> str:
     modes = "signs of its roots, which tell working modes apart" if some else "working modes"
     degrees = [f"{name} has {degree_text(part.form)}" for name, part in numbered(found) if not part.vanishes]
     size = f" {listed(degrees)}." if degrees else ""
-    return head.format(_CHOSEN if found.chosen else "", modes=modes) + size
+    said = head.format(_CHOSEN if found.chosen else "", modes=modes) + size
+    return f"{said} The turn that is fixed is rounded (see below)." if found.question.rounded else said
 
 
 def account(found: RobotLocus, *, unicode: bool = False) -> list[tuple[str, str]]:
@@ -83,6 +88,8 @@ def _rows(found: RobotLocus, unicode: bool) -> Iterator[tuple[str, str]]:
     yield "variables", "; ".join(parts)
     if q.fixed:
         yield "fixed", ", ".join(f"{n} = {c}" for n, c in q.fixed.items())
+    if q.rounded:
+        yield "rounded", _TANGENTS
     yield "centre", f"the platform turns about {', '.join(map(str, found.centre))}"
     for root in found.roots:
         yield "root", f"{root.name} tells apart two places of {root.places}; {root.name}^2 = {_short(root.radicand)}"
