@@ -385,10 +385,12 @@ def test_a_long_question_says_how_far_it_is_and_is_stopped(desk: Desk) -> None:
     desk.page.wait_for_function(
         "() => /line \\d+, :shorten .*, \\d+ s/.test(document.querySelector('.bench').innerText)"
     )
+    found = desk.one("bench-result").count()
+    assert found >= 1  # what has not changed is still true
     desk.one("bench-stop").click()
     desk.one("bench-stop").wait_for(state="detached")
-    assert desk.text("bench-note") == "Stopped. Evaluate begins anew."
-    assert desk.one("bench-result").count() == 1  # what has not changed is still true
+    assert desk.text("bench-note").startswith("Stopped with")
+    assert found <= desk.one("bench-result").count() <= len(turns)
     assert desk.page.get_by_test_id("fault").count() == 0
     desk.run("text => gcrules.edit({bench: text})", "[abcd] == -[bacd]\n[abcd]")
     desk.one("bench-result").nth(1).wait_for()

@@ -25,8 +25,9 @@ from gcrules.apps.studio.bench_questions import Question, of_command, of_equatio
 from gcrules.apps.studio.bench_repeating import Rules, answer_lines
 from gcrules.apps.studio.faults import fault_view, units
 from gcrules.apps.studio.formulas import pieces as in_pieces
+from gcrules.apps.studio.parts import give, shaped
 from gcrules.apps.studio.places import homogeneous_at
-from gcrules.apps.studio.protocol.answer_views import AppliedRule, Bench, BenchResult, DrawnPlane
+from gcrules.apps.studio.protocol.answer_views import AppliedRule, Bench, BenchPart, BenchResult, DrawnPlane
 from gcrules.apps.studio.protocol.bench_words import BENCH_COMMANDS
 from gcrules.apps.studio.protocol.requests import HOME, PoseJson, RuleFile
 from gcrules.apps.studio.protocol.study_views import FaultView
@@ -64,19 +65,21 @@ def bench(
     folders: Sequence[str] = (),
 ) -> Bench:
     """The results of all inputs of a text up to the first fault. Extensors of points of the subject are drawn at the
-    pose. The rules of `files` hold from the start, an analysis takes in those of `folders` of plugins.
+    pose. The rules of `files` hold from the start, an analysis takes in those of `folders` of plugins. Each result is
+    given as a `BenchPart` first, unless all of them are remembered.
     """
     rules = tuple((f["name"], f["text"], tuple(f["off"])) for f in files)
-    try:
-        found = _answered(text, context_of(subject), rules, tuple(folders))
-    except _Unfinished as part:
-        found = part.found
     at = _places(subject, pose or HOME)
-    results: list[BenchResult] = [
-        {**one.result, "drawn": _drawn(one.shape, one.label, at) if one.shape is not None else None}
-        for one in found.results
-    ]
-    return {"results": results, "fault": found.fault}
+
+    def part(numbered: tuple[int, _Result]) -> BenchPart:
+        return {"index": numbered[0], "result": _placed(numbered[1], at)}
+
+    try:
+        with shaped(part):
+            found = _answered(text, context_of(subject), rules, tuple(folders))
+    except _Unfinished as unfinished:
+        found = unfinished.found
+    return {"results": [_placed(one, at) for one in found.results], "fault": found.fault}
 
 
 @dataclass(frozen=True)
@@ -86,6 +89,10 @@ class _Result:
     result: BenchResult
     shape: Expr | None = None
     label: str = ""
+
+
+def _placed(one: _Result, at: Mapping[str, Any]) -> BenchResult:
+    return {**one.result, "drawn": _drawn(one.shape, one.label, at) if one.shape is not None else None}
 
 
 @dataclass(frozen=True)
@@ -123,6 +130,7 @@ def _answered(
         try:
             with stage(f"line {given.line}, {_shortened(body)}"):
                 for result in _results(repl, given, place, before):
+                    give((len(results), result))
                     results.append(result)
         except GcrulesError as fault:
             _in_text(fault, text, starts, Span(start, start + len(body)))

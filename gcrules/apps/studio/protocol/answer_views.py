@@ -23,6 +23,7 @@ __all__ = [
     "Along",
     "AppliedRule",
     "Bench",
+    "BenchPart",
     "BenchResult",
     "Cancelled",
     "Completed",
@@ -256,6 +257,13 @@ class BenchResult(TypedDict):
 class Bench(TypedDict):
     results: list[BenchResult]
     fault: FaultView | None
+
+
+class BenchPart(TypedDict):
+    """One result, as soon as it is there, and its place among all of them."""
+
+    index: int
+    result: BenchResult
 
 
 class Scripted(TypedDict):
