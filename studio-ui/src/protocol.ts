@@ -1026,11 +1026,19 @@ export interface DrawnPlane extends Plane {
   kind: "plane";
 }
 
+/** Who brought a rule: gcrules, a plugin, a file that the page has opened, or the text of the bench. */
+export interface RuleOwner {
+  kind: "gcrules" | "plugin" | "file" | "text";
+  /** Of the plugin or file; "" for others. */
+  name: string;
+  /** In the file. */
+  line: number | null;
+}
+
 export interface AppliedRule {
   id: string;
   sentence: string;
-  /** Who brought it: "gcrules", a plugin, a file with line, "" for the text of the bench. */
-  owner: string;
+  owner: RuleOwner;
 }
 
 export interface BenchResult {

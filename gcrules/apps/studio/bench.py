@@ -27,7 +27,7 @@ from gcrules.apps.studio.faults import fault_view, units
 from gcrules.apps.studio.formulas import pieces as in_pieces
 from gcrules.apps.studio.parts import give, shaped
 from gcrules.apps.studio.places import homogeneous_at
-from gcrules.apps.studio.protocol.answer_views import AppliedRule, Bench, BenchPart, BenchResult, DrawnPlane
+from gcrules.apps.studio.protocol.answer_views import AppliedRule, Bench, BenchPart, BenchResult, DrawnPlane, RuleOwner
 from gcrules.apps.studio.protocol.bench_words import BENCH_COMMANDS
 from gcrules.apps.studio.protocol.requests import HOME, PoseJson, RuleFile
 from gcrules.apps.studio.protocol.study_views import FaultView
@@ -39,6 +39,7 @@ from gcrules.core.errors import GcrulesError, InputError, LimitReached, Span
 from gcrules.core.seeds import remembered
 from gcrules.poses.numbers.extensors import coordinates, line_vectors, plane_equation
 from gcrules.rules.plugins import load_rules
+from gcrules.rules.rule import SHIPPED
 from gcrules.views.formulas.latex import latex
 from gcrules.views.scene_data import Constructed, NamedLineView, NamedPointView
 
@@ -250,25 +251,28 @@ def _said(
         "terms": len(shown),
         "step": None,
         "drawn": None,
-        "applied": _applied(repl, answer),
+        "applied": _applied(repl, before, answer),
         "repeat": answer_lines(question, before, limit) if question else None,
     }
 
 
-def _applied(repl: Interpreter, answer: Answer) -> list[AppliedRule]:
+def _applied(repl: Interpreter, before: Rules, answer: Answer) -> list[AppliedRule]:
     """The rules behind an answer, with who brought them."""
     if not answer.applied:
         return []
-    known = {r.id: r for r in load_rules(folders=repl.settings.plugins, identities=False)}
-    known |= {r.id: r for r in repl.state.rules}
-    return [
-        {
-            "id": name,
-            "sentence": known[name].sentence if name in known else "",
-            "owner": "" if name not in known or known[name].owner.startswith("<bench>") else known[name].owner,
-        }
-        for name in answer.applied
-    ]
+    brought = {r.id: r for r in load_rules(folders=repl.settings.plugins, identities=False)}
+    sentences = {r.id: r.sentence for r in (*brought.values(), *repl.state.rules)}
+
+    def owner(name: str) -> RuleOwner:
+        if name in before.brought:
+            return before.brought[name]
+        if name not in brought or any(r.id == name for r in repl.state.rules):
+            return {"kind": "text", "name": "", "line": None}
+        if brought[name].owner == SHIPPED:
+            return {"kind": "gcrules", "name": "", "line": None}
+        return {"kind": "plugin", "name": brought[name].owner, "line": None}
+
+    return [{"id": name, "sentence": sentences.get(name, ""), "owner": owner(name)} for name in answer.applied]
 
 
 def _in_text(fault: GcrulesError, text: str, starts: list[int], whole: Span) -> None:
