@@ -28,7 +28,7 @@ from gcrules.apps.studio.protocol import (
     study_views,
     where_views,
 )
-from gcrules.apps.studio.protocol.methods import METHODS
+from gcrules.apps.studio.protocol.methods import METHODS, Method
 from gcrules.core.shapes import EntryCount, OneOf
 from gcrules.views import glossary, scene_data
 from gcrules.views.report import stage_ids
@@ -70,7 +70,8 @@ export interface Request<M extends Method = Method> {
 export type Reply<M extends Method = Method> =
   | { id: number; ok: true; result: Methods[M]["result"]; ms: number }
   | { id: number; ok: false; error: Fault }
-  | { id: number; progress: string };
+  | { id: number; progress: string }
+  | { id: number; part: Methods[M]["part"] };
 """
 PLAIN = {"str": "string", "int": "number", "float": "number", "bool": "boolean", "Any": "unknown"}
 
@@ -79,10 +80,14 @@ def typescript() -> str:
     """The whole file."""
     parts = [START, *(part for module in MODULES for part in _module(module))]
     methods = "".join(
-        f"  {name}: {{ args: {_name(m.args.__name__)}; result: {_name(m.answer.__name__)} }};\n"
+        f"  {name}: {{ args: {_name(m.args.__name__)}; result: {_name(m.answer.__name__)}; part: {_part(m)} }};\n"
         for name, m in METHODS.items()
     )
     return "\n".join([*parts, f"export interface Methods {{\n{methods}}}\n{END}"])
+
+
+def _part(method: Method) -> str:
+    return _name(method.part.__name__) if method.part else "never"
 
 
 def _module(module: ModuleType) -> Iterator[str]:

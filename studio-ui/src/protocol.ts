@@ -1026,11 +1026,19 @@ export interface DrawnPlane extends Plane {
   kind: "plane";
 }
 
+/** Who brought a rule: gcrules, a plugin, a file that the page has opened, or the text of the bench. */
+export interface RuleOwner {
+  kind: "gcrules" | "plugin" | "file" | "text";
+  /** Of the plugin or file; "" for others. */
+  name: string;
+  /** In the file. */
+  line: number | null;
+}
+
 export interface AppliedRule {
   id: string;
   sentence: string;
-  /** Who brought it: "gcrules", a plugin, a file with line, "" for the text of the bench. */
-  owner: string;
+  owner: RuleOwner;
 }
 
 export interface BenchResult {
@@ -1063,6 +1071,12 @@ export interface BenchResult {
 export interface Bench {
   results: BenchResult[];
   fault: Fault | null;
+}
+
+/** One result, as soon as it is there, and its place among all of them. */
+export interface BenchPart {
+  index: number;
+  result: BenchResult;
 }
 
 export interface Scripted {
@@ -1560,40 +1574,40 @@ export interface PluginsAnswer {
 }
 
 export interface Methods {
-  hello: { args: NoArgs; result: Hello };
-  gallery: { args: NoArgs; result: Gallery };
-  open: { args: OpenArgs; result: Study };
-  pose: { args: PoseArgs; result: Numbers };
-  move: { args: MoveArgs; result: PlacedPose };
-  along: { args: AlongArgs; result: Along };
-  nearest: { args: PoseArgs; result: Nearest };
-  modes: { args: ModesArgs; result: ModesAnswer };
-  path: { args: PathArgs; result: PathAnswer };
-  waypoints: { args: WaypointsArgs; result: WaypointsAnswer };
-  map: { args: MapArgs; result: MapAnswer };
-  surface: { args: SurfaceArgs; result: SurfaceAnswer };
-  place: { args: PlaceArgs; result: PlacedPose };
-  here: { args: HereArgs; result: HereAnswer };
-  locus: { args: LocusArgs; result: LocusAnswer };
-  assemblies: { args: PoseArgs; result: AssembliesAnswer };
-  aspects: { args: OpenArgs; result: AspectsAnswer };
-  free: { args: FreeArgs; result: FreeAnswer };
-  boxes: { args: BoxesArgs; result: BoxesAnswer };
-  certify: { args: CertifyArgs; result: CertificateAnswer };
-  manual: { args: ManualArgs; result: Manual };
-  bench: { args: BenchArgs; result: Bench };
-  rules: { args: RulesArgs; result: CheckedRules };
-  plugins: { args: NoArgs; result: PluginsAnswer };
-  complete: { args: CompleteArgs; result: Completed };
-  script: { args: ScriptArgs; result: Scripted };
-  compose: { args: ComposeArgs; result: Composed };
-  resize: { args: ResizeArgs; result: Resized };
-  limbs: { args: LimbsArgs; result: LimbsAnswer };
-  save: { args: SaveArgs; result: Saved };
-  repeat: { args: RepeatArgs; result: Repeated };
-  follow: { args: FollowArgs; result: Followed };
-  show: { args: ShowArgs; result: Shown };
-  cancel: { args: CancelArgs; result: Cancelled };
+  hello: { args: NoArgs; result: Hello; part: never };
+  gallery: { args: NoArgs; result: Gallery; part: never };
+  open: { args: OpenArgs; result: Study; part: never };
+  pose: { args: PoseArgs; result: Numbers; part: never };
+  move: { args: MoveArgs; result: PlacedPose; part: never };
+  along: { args: AlongArgs; result: Along; part: never };
+  nearest: { args: PoseArgs; result: Nearest; part: never };
+  modes: { args: ModesArgs; result: ModesAnswer; part: never };
+  path: { args: PathArgs; result: PathAnswer; part: never };
+  waypoints: { args: WaypointsArgs; result: WaypointsAnswer; part: never };
+  map: { args: MapArgs; result: MapAnswer; part: never };
+  surface: { args: SurfaceArgs; result: SurfaceAnswer; part: never };
+  place: { args: PlaceArgs; result: PlacedPose; part: never };
+  here: { args: HereArgs; result: HereAnswer; part: never };
+  locus: { args: LocusArgs; result: LocusAnswer; part: never };
+  assemblies: { args: PoseArgs; result: AssembliesAnswer; part: never };
+  aspects: { args: OpenArgs; result: AspectsAnswer; part: never };
+  free: { args: FreeArgs; result: FreeAnswer; part: never };
+  boxes: { args: BoxesArgs; result: BoxesAnswer; part: never };
+  certify: { args: CertifyArgs; result: CertificateAnswer; part: never };
+  manual: { args: ManualArgs; result: Manual; part: never };
+  bench: { args: BenchArgs; result: Bench; part: BenchPart };
+  rules: { args: RulesArgs; result: CheckedRules; part: never };
+  plugins: { args: NoArgs; result: PluginsAnswer; part: never };
+  complete: { args: CompleteArgs; result: Completed; part: never };
+  script: { args: ScriptArgs; result: Scripted; part: never };
+  compose: { args: ComposeArgs; result: Composed; part: never };
+  resize: { args: ResizeArgs; result: Resized; part: never };
+  limbs: { args: LimbsArgs; result: LimbsAnswer; part: never };
+  save: { args: SaveArgs; result: Saved; part: never };
+  repeat: { args: RepeatArgs; result: Repeated; part: never };
+  follow: { args: FollowArgs; result: Followed; part: never };
+  show: { args: ShowArgs; result: Shown; part: never };
+  cancel: { args: CancelArgs; result: Cancelled; part: never };
 }
 export type Method = keyof Methods;
 
@@ -1608,4 +1622,5 @@ export interface Request<M extends Method = Method> {
 export type Reply<M extends Method = Method> =
   | { id: number; ok: true; result: Methods[M]["result"]; ms: number }
   | { id: number; ok: false; error: Fault }
-  | { id: number; progress: string };
+  | { id: number; progress: string }
+  | { id: number; part: Methods[M]["part"] };

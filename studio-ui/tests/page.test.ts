@@ -509,7 +509,7 @@ test("the engine is asked one request after the other, once it is there", async 
   assert.deepEqual(now().asked, []);
   now().says({ kind: "ready" });
   assert.deepEqual(now().asked.map(({ id, kind }) => [id, kind]), [[1, "request"]]);
-  now().says({ kind: "piece", id: 1, piece: "analysing" });
+  now().says({ kind: "piece", id: 1, piece: JSON.stringify({ id: 1, progress: "analysing" }) });
   now().answers(1, "one");
   now().answers(2, "two");
   assert.deepEqual([await first, await second, words], ["one", "two", ["analysing"]]);

@@ -56,6 +56,7 @@ class Page:
         self.number = 0
         self.answers: dict[int, dict[str, Any]] = {}
         self.progress: list[str] = []
+        self.parts: list[Any] = []
 
     def send(self, do: str, channel: str | None = None, **args: Any) -> int:
         self.number += 1
@@ -68,6 +69,8 @@ class Page:
             found = json.loads(self.socket.receive_text())
             if "progress" in found:
                 self.progress.append(found["progress"])
+            elif "part" in found:
+                self.parts.append(found["part"])
             else:
                 assert found["id"] not in self.answers
                 self.answers[found["id"]] = found

@@ -18,9 +18,12 @@ OCTAHEDRAL: SourceJson = {"kind": "legs", "legs": "ab af cb cd ed ef"}
 HOME = {"translation": [0, 0, 0], "quaternion": [1, 0, 0, 0]}
 
 
-def ask(do: str, args: Any, words: list[str] | None = None) -> Any:
-    heard: list[str] = [] if words is None else words
-    return json.loads(Answering().answer(json.dumps({"id": 7, "do": do, "args": args}), heard.append))
+def ask(do: str, args: Any, told: list[Any] | None = None) -> Any:
+    heard: list[str] = []
+    reply = json.loads(Answering().answer(json.dumps({"id": 7, "do": do, "args": args}), heard.append))
+    if told is not None:
+        told += map(json.loads, heard)
+    return reply
 
 
 @pytest.mark.parametrize(
@@ -29,13 +32,13 @@ def ask(do: str, args: Any, words: list[str] | None = None) -> Any:
     ids=["octahedral", "6-6", "3-3.1"],
 )
 def test_opening(source: SourceJson, steps: int) -> None:
-    words: list[str] = []
-    reply = ask("open", {"source": source}, words)
+    told: list[Any] = []
+    reply = ask("open", {"source": source}, told)
     assert reply["id"] == 7
     assert reply["ok"]
     assert reply["result"] == json.loads(json.dumps(study(read_subject(source))))
     assert len(reply["result"]["stages"]) == steps
-    assert words == ["analysing", "stages"]
+    assert told == [{"id": 7, "progress": "analysing"}, {"id": 7, "progress": "stages"}]
 
 
 def test_the_gallery_is_that_of_what_can_be_opened() -> None:
@@ -52,8 +55,11 @@ def test_hello() -> None:
 
 
 def test_the_bench() -> None:
-    reply = ask("bench", {"text": ":prove ab /\\ cd == [abcd]"})
-    assert [found["verdict"] for found in reply["result"]["results"]] == ["proved"]
+    told: list[Any] = []
+    reply = ask("bench", {"text": ":prove ab /\\ cd == [abcd]\n[abce]"}, told)
+    assert [found["verdict"] for found in reply["result"]["results"]] == ["proved", "value"]
+    parts = [said["part"] for said in told if "part" in said]
+    assert parts == [{"index": i, "result": found} for i, found in enumerate(reply["result"]["results"])]
 
 
 @pytest.mark.parametrize(

@@ -183,6 +183,27 @@ def test_what_is_found_where_is_a_section_too(page: Page) -> None:
     assert "ab /\\ cde" in words
 
 
+def test_the_bench_is_there_with_its_answers(page: Page) -> None:
+    """As the bench gives them, in both kinds of report."""
+    text = "# mine 𝑥\nlet p = ab /\\ cde\n[abcd] == [bacd]\nrewrite ab /\\ cd\n# last\n"
+    rules = [{"name": "mine.gca", "text": 'rule turn "two lines": ab /\\ cd => [abcd]', "off": []}]
+    for source in (OCTAHEDRAL, THREE_RPS):
+        results = page.ask("bench", text=text, rules=rules, source=source, pose=HOME)["results"]
+        words = text_of(saved(page, source, HOME, ("bench", {"text": text, "rules": rules})))
+        there = words.partition(" On the bench ")[2].partition(" Repeat it ")[0]
+        assert there.startswith("# mine 𝑥 let p = ab /\\ cde ")
+        assert there.rstrip().endswith("# last")
+        assert [r["verdict"] for r in results] == ["value", "refuted", "value"]
+        for result in results:
+            assert " ".join(result["text"].split()[:12]) in there
+        assert there.count("Refuted") == 1
+        assert there.index("Refuted") > there.index("[abcd] == [bacd]")
+    words = text_of(saved(page, OCTAHEDRAL, HOME, ("bench", {"text": "[abcd] == -[bacd]\n[abc <b>"})))
+    assert "[abcd] == -[bacd] Proved" in words
+    assert "[abc <b> At fault line 2:" in words
+    assert "On the bench" not in text_of(saved(page, OCTAHEDRAL, HOME))
+
+
 def test_hostile_names_do_nothing(page: Page) -> None:
     text = (EXAMPLES / "octahedral.yaml").read_text(encoding="utf-8")
     text = re.sub("^title:.*$", f"title: '{HOSTILE}'", text, flags=re.MULTILINE)

@@ -18,7 +18,11 @@ from gcrules.mechanisms.description.discovery import theorems
 
 pytest.importorskip("starlette", reason="needs the extra gcrules[studio]")
 
+from apps.studio_client import HOME
+from apps.studio_client import OCTAHEDRAL as OCTAHEDRAL_CLASS
+
 if TYPE_CHECKING:
+    from apps.studio_client import Page
     from studio_page import Desk
 
 OCTAHEDRAL = "[[ab, af, cb, cd, ed, ef]]"
@@ -76,6 +80,19 @@ def test_faults_have_their_place_in_the_whole_text() -> None:
     assert fault is not None
     assert "only scalars are factored" in fault["message"]
     assert (fault["place"]["line"], fault["place"]["column"]) == (3, 9)
+
+
+def test_each_result_comes_as_a_part_before_the_whole(page: Page) -> None:
+    text = "let p = AB /\\ abc\n[ABCd] == -[BACd]\n[abc"
+    for args in ({"text": text, "source": OCTAHEDRAL_CLASS, "pose": HOME}, {"text": f"{text} "}):
+        page.parts.clear()
+        found = page.ask("bench", **args)
+        assert found["fault"]["place"]["line"] == 3
+        assert page.parts == [{"index": i, "result": result} for i, result in enumerate(found["results"])]
+        assert bool(found["results"][0]["drawn"]) == ("pose" in args)
+        page.parts.clear()
+        assert page.ask("bench", **args) == found
+        assert page.parts == []  # nothing is worked out again
 
 
 # --- scripts -------------------------------------------------------------------------------------------------------
@@ -185,6 +202,89 @@ def test_completion_and_help_on_words(desk: Desk) -> None:
     desk.page.locator(".cm-line").first.hover(position={"x": 12, "y": 8})
     desk.page.locator(".bench-tip").wait_for()
     assert "long names" in desk.page.locator(".bench-tip").inner_text()
+
+
+# Each cyclic shift of the joints, each of the same legs: minutes of work.
+LONG = "\n".join(
+    f":shorten [[{', '.join(f'{a}{b}' for a, b in zip('ABCDEF', 'abcdef'[i:] + 'abcdef'[:i], strict=True))}]]"
+    for i in range(6)
+)
+
+
+@pytest.mark.browser
+def test_each_answer_is_there_before_the_last_one_and_stays_when_the_rest_is_stopped(desk: Desk) -> None:
+    written(desk, f"[abcd] == -[bacd]\nlet p = ab /\\ cde\n{LONG}")
+    desk.one("bench-stop").wait_for()
+    desk.one("bench-result").nth(1).wait_for()
+    assert desk.one("bench-run").is_enabled()
+    desk.one("bench-stop").click()
+    desk.one("bench-stop").wait_for(state="detached")
+    results = desk.one("bench-result").all()
+    assert [found.get_attribute("data-verdict") for found in results[:2]] == ["proved", "value"]
+    words = "1 answer" if len(results) == 1 else f"{len(results)} answers"
+    assert desk.text("bench-note") == f"Stopped with {words}. Evaluate begins anew."
+    assert desk.page.locator(".bench .earlier").count() == 0
+    desk.run("text => gcrules.edit({bench: text})", f"[abcd] == -[bacd]\n[abcd]\n{LONG}")
+    desk.page.wait_for_function(
+        "() => document.querySelectorAll('[data-testid=bench-result]')[1]?.textContent.includes('[abcd]')"
+    )
+    desk.one("bench-stop").click()
+
+
+@pytest.mark.browser
+def test_answers_to_the_text_before_are_marked_until_there_are_new_ones(desk: Desk) -> None:
+    written(desk, f"[abcd]\n[abce]\n{LONG}")
+    desk.one("bench-result").nth(1).wait_for()
+    desk.one("bench-stop").click()
+    desk.one("bench-stop").wait_for(state="detached")
+    desk.page.locator(".cm-line").nth(1).click()
+    desk.page.keyboard.press("End")
+    # of one turn of the page's own: a key, and what is marked before anything is asked
+    desk.run(
+        """() => { const marked = () => [...document.querySelectorAll('.bench-answers')].map(
+            box => box.parentElement.classList.contains('earlier'));
+        window.marked = []; new MutationObserver(() => window.marked.push(marked().join())).observe(
+            document.querySelector('.cm-content'), {subtree: true, childList: true, attributes: true}); }"""
+    )
+    desk.page.keyboard.type(" e")
+    desk.page.wait_for_function("() => window.marked.some(found => found.startsWith('false,true'))")
+    desk.page.wait_for_function("() => window.marked.at(-1).startsWith('false,false')")
+    assert "e" in desk.one("bench-result").nth(1).inner_text()
+    desk.one("bench-stop").click()
+
+
+@pytest.mark.browser
+def test_an_answer_stays_below_its_statement_while_the_next_line_is_begun(desk: Desk) -> None:
+    written(desk, "[abcd]")
+    desk.one("bench-result").first.wait_for()
+    desk.run("window.answer = document.querySelector('.bench-answers').parentElement")
+    desk.page.keyboard.press("Enter")
+    assert desk.run("window.answer.isConnected && !window.answer.classList.contains('earlier')")
+    assert desk.run("window.answer.previousElementSibling.textContent") == "[abcd]"
+
+
+@pytest.mark.browser
+def test_the_preview_of_legs_says_which_legs_it_is_of_while_they_are_changed(desk: Desk) -> None:
+    legs = "ab af cb cd ed ef"
+    preview = desk.one("legs-preview")
+    desk.one("legs").fill(legs)
+    preview.wait_for()
+    assert f"Of {legs}" not in preview.inner_text()
+    desk.one("legs").fill(f"{legs} e")
+    desk.page.wait_for_function(
+        "legs => document.querySelector('[data-testid=legs-preview]')?.innerText.includes(`Of ${legs}:`) "
+        "|| document.querySelector('[data-testid=fault]')",
+        arg=legs,
+    )
+    desk.one("fault").wait_for()
+    assert preview.count() == 0
+    assert desk.one("legs-open").is_disabled()
+    desk.one("legs").fill("Aa Ab Ac Bd Be Cf")
+    desk.page.wait_for_function(
+        "() => document.querySelector('[data-testid=legs-preview]')?.innerText.includes('Aabc')"
+    )
+    assert "Of " not in preview.inner_text()
+    assert desk.one("legs-open").is_enabled()
 
 
 @pytest.mark.browser

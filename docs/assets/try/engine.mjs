@@ -27,7 +27,7 @@ export async function start(loadPyodide, folder, read) {
     return { code, files };
   }
 
-  // A message of the studio's page and its reply; `hear(words)` is told how far it is.
+  // A message of the studio's page and its reply; `hear(message)` takes those that go before it.
   let studio = null;
   function request(text, hear) {
     studio ??= python.pyimport("gcrules.apps.studio.in_page").Answering();

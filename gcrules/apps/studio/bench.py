@@ -25,8 +25,9 @@ from gcrules.apps.studio.bench_questions import Question, of_command, of_equatio
 from gcrules.apps.studio.bench_repeating import Rules, answer_lines
 from gcrules.apps.studio.faults import fault_view, units
 from gcrules.apps.studio.formulas import pieces as in_pieces
+from gcrules.apps.studio.parts import give, shaped
 from gcrules.apps.studio.places import homogeneous_at
-from gcrules.apps.studio.protocol.answer_views import AppliedRule, Bench, BenchResult, DrawnPlane
+from gcrules.apps.studio.protocol.answer_views import AppliedRule, Bench, BenchPart, BenchResult, DrawnPlane, RuleOwner
 from gcrules.apps.studio.protocol.bench_words import BENCH_COMMANDS
 from gcrules.apps.studio.protocol.requests import HOME, PoseJson, RuleFile
 from gcrules.apps.studio.protocol.study_views import FaultView
@@ -38,6 +39,7 @@ from gcrules.core.errors import GcrulesError, InputError, LimitReached, Span
 from gcrules.core.seeds import remembered
 from gcrules.poses.numbers.extensors import coordinates, line_vectors, plane_equation
 from gcrules.rules.plugins import load_rules
+from gcrules.rules.rule import SHIPPED
 from gcrules.views.formulas.latex import latex
 from gcrules.views.scene_data import Constructed, NamedLineView, NamedPointView
 
@@ -64,19 +66,21 @@ def bench(
     folders: Sequence[str] = (),
 ) -> Bench:
     """The results of all inputs of a text up to the first fault. Extensors of points of the subject are drawn at the
-    pose. The rules of `files` hold from the start, an analysis takes in those of `folders` of plugins.
+    pose. The rules of `files` hold from the start, an analysis takes in those of `folders` of plugins. Each result is
+    given as a `BenchPart` first, unless all of them are remembered.
     """
     rules = tuple((f["name"], f["text"], tuple(f["off"])) for f in files)
-    try:
-        found = _answered(text, context_of(subject), rules, tuple(folders))
-    except _Unfinished as part:
-        found = part.found
     at = _places(subject, pose or HOME)
-    results: list[BenchResult] = [
-        {**one.result, "drawn": _drawn(one.shape, one.label, at) if one.shape is not None else None}
-        for one in found.results
-    ]
-    return {"results": results, "fault": found.fault}
+
+    def part(numbered: tuple[int, _Result]) -> BenchPart:
+        return {"index": numbered[0], "result": _placed(numbered[1], at)}
+
+    try:
+        with shaped(part):
+            found = _answered(text, context_of(subject), rules, tuple(folders))
+    except _Unfinished as unfinished:
+        found = unfinished.found
+    return {"results": [_placed(one, at) for one in found.results], "fault": found.fault}
 
 
 @dataclass(frozen=True)
@@ -86,6 +90,10 @@ class _Result:
     result: BenchResult
     shape: Expr | None = None
     label: str = ""
+
+
+def _placed(one: _Result, at: Mapping[str, Any]) -> BenchResult:
+    return {**one.result, "drawn": _drawn(one.shape, one.label, at) if one.shape is not None else None}
 
 
 @dataclass(frozen=True)
@@ -123,6 +131,7 @@ def _answered(
         try:
             with stage(f"line {given.line}, {_shortened(body)}"):
                 for result in _results(repl, given, place, before):
+                    give((len(results), result))
                     results.append(result)
         except GcrulesError as fault:
             _in_text(fault, text, starts, Span(start, start + len(body)))
@@ -242,25 +251,28 @@ def _said(
         "terms": len(shown),
         "step": None,
         "drawn": None,
-        "applied": _applied(repl, answer),
+        "applied": _applied(repl, before, answer),
         "repeat": answer_lines(question, before, limit) if question else None,
     }
 
 
-def _applied(repl: Interpreter, answer: Answer) -> list[AppliedRule]:
+def _applied(repl: Interpreter, before: Rules, answer: Answer) -> list[AppliedRule]:
     """The rules behind an answer, with who brought them."""
     if not answer.applied:
         return []
-    known = {r.id: r for r in load_rules(folders=repl.settings.plugins, identities=False)}
-    known |= {r.id: r for r in repl.state.rules}
-    return [
-        {
-            "id": name,
-            "sentence": known[name].sentence if name in known else "",
-            "owner": "" if name not in known or known[name].owner.startswith("<bench>") else known[name].owner,
-        }
-        for name in answer.applied
-    ]
+    brought = {r.id: r for r in load_rules(folders=repl.settings.plugins, identities=False)}
+    sentences = {r.id: r.sentence for r in (*brought.values(), *repl.state.rules)}
+
+    def owner(name: str) -> RuleOwner:
+        if name in before.brought:
+            return before.brought[name]
+        if name not in brought or any(r.id == name for r in repl.state.rules):
+            return {"kind": "text", "name": "", "line": None}
+        if brought[name].owner == SHIPPED:
+            return {"kind": "gcrules", "name": "", "line": None}
+        return {"kind": "plugin", "name": brought[name].owner, "line": None}
+
+    return [{"id": name, "sentence": sentences.get(name, ""), "owner": owner(name)} for name in answer.applied]
 
 
 def _in_text(fault: GcrulesError, text: str, starts: list[int], whole: Span) -> None:

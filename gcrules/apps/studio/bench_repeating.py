@@ -23,10 +23,11 @@ from gcrules.apps.repl.reading import first_word
 from gcrules.apps.repl.state import PromptState
 from gcrules.apps.studio.bench_questions import Question
 from gcrules.apps.studio.calls import Call, Option
-from gcrules.apps.studio.protocol.answer_views import Repeated, RepeatedFile
+from gcrules.apps.studio.protocol.answer_views import Repeated, RepeatedFile, RuleOwner
 from gcrules.apps.studio.protocol.requests import RuleFile
-from gcrules.apps.studio.rule_files import saved
+from gcrules.apps.studio.rule_files import owners, saved
 from gcrules.core.dataclass import dataclass
+from gcrules.core.frozen import FrozenMap
 
 __all__ = ["Rules", "answer_lines", "pasted", "prompt_lines"]
 
@@ -36,15 +37,18 @@ LONGEST = 20_000
 
 @dataclass(frozen=True)
 class Rules:
-    """What holds from the start of the bench: `files` as lines name them, and `folders` of plugins."""
+    """What holds from the start of the bench: `files` as lines name them, `folders` of plugins, and by its id who
+    brought each rule of the files.
+    """
 
     files: tuple[RepeatedFile, ...] = ()
     folders: tuple[str, ...] = ()
+    brought: Mapping[str, RuleOwner] = FrozenMap()
 
     @classmethod
     def of(cls, files: Sequence[RuleFile], folders: Sequence[str] = ()) -> Rules:
         """Those of files that a page has opened, what is switched off in them left out."""
-        return cls(tuple(saved(files)), tuple(folders))
+        return cls(tuple(saved(files)), tuple(folders), owners(files) if files else FrozenMap())
 
     @property
     def of_files(self) -> list[Option]:
@@ -138,7 +142,7 @@ def _with_own(question: Question, rules: Rules) -> Rules:
     taken = {file["name"] for file in rules.files}
     name = next(n for number in count() if (n := f"bench-rules{number or ''}.gca") not in taken)
     own: RepeatedFile = {"name": name, "text": "".join(f"{line}\n" for line in lines)}
-    return Rules((*rules.files, own), rules.folders)
+    return replace(rules, files=(*rules.files, own))
 
 
 def _analyzed(question: Question, rules: Rules) -> Repeated:
@@ -152,9 +156,9 @@ def _analyzed(question: Question, rules: Rules) -> Repeated:
     known = ", ".join(f"{word}={json.dumps(values, ensure_ascii=False)}" for word, values in named.items() if values)
     usual = f"folders={json.dumps(named['folders'], ensure_ascii=False)}" if before.folders else ""
     lines = [
-        f"usual = gc.load_rules({usual}).strategy()",
-        f"own = [r for r in gc.load_rules({known}) if r.owner.partition(':')[0] in {json.dumps(named['files'])}]",
-        "strategy = gc.Strategy((*own, *usual.rules))",
+        f"usual = gc.load_rules({usual})",
+        f"own = [r for r in gc.load_rules({known}) if r not in usual]",
+        "strategy = gc.Strategy((*own, *usual.strategy().rules))",
     ]
     python = Call("", "analyze", (*before.of_plugins, *space)).direct(question.text, "strategy=strategy", before=lines)
     return {"shell": shell, "python": python, "files": list(before.files)}

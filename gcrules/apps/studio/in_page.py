@@ -6,6 +6,7 @@ What is answered is what exact algebra answers: there is no NumPy in a page.
 from __future__ import annotations
 
 import secrets
+from collections.abc import Callable
 from typing import Any
 
 from gcrules.apps.studio.faults import fault_view
@@ -17,6 +18,7 @@ from gcrules.apps.studio.protocol.messages import (
     message_text,
     read_request,
     result_message,
+    told_message,
 )
 from gcrules.apps.studio.protocol.study_views import FaultView, Hello
 from gcrules.apps.studio.subject import Subject
@@ -41,13 +43,13 @@ class Answering:
         self.instance = secrets.token_hex(8)
         self.subjects: dict[str, Subject] = {}
 
-    def answer(self, message: str, tell: Tell) -> str:
-        """The reply to a message of `protocol.requests`; `tell` hears how far it is."""
+    def answer(self, message: str, send: Callable[[str], None]) -> str:
+        """The reply to a message of `protocol.requests`; `send` takes the messages that go before it."""
         try:
             request = read_request(message)
         except Misread as misread:
             return message_text(fault_message(misread.id, fault_view(misread.fault)))
-        kind, found = self._done(request, tell)
+        kind, found = self._done(request, lambda what: send(message_text(told_message(request.id, what))))
         written = result_message(request, found) if kind == "done" else fault_message(request.id, found)
         return message_text(written)
 

@@ -157,7 +157,7 @@ class _Answer:
         return asyncio.ensure_future(read_frame(self.outward))
 
     async def get(self, tell: Tell) -> Any:
-        """The last frame; `tell` hears those of progress. Where this is cancelled, frames are still awaited."""
+        """The last frame; `tell` hears those before it. Where this is cancelled, frames are still awaited."""
         try:
             await self.inward.drain()
             start, words = monotonic(), "working"
@@ -172,10 +172,13 @@ class _Answer:
                     tell(told())
                     continue
                 found = self.frame.result()
-                if found[0] != "progress":
+                if found[0] != "told":
                     return found
-                words = found[1]
-                tell(told())
+                if isinstance(found[1], str):
+                    words = found[1]
+                    tell(told())
+                else:
+                    tell(found[1])
                 self.frame = self._next()
         except asyncio.CancelledError:
             raise
@@ -192,7 +195,7 @@ class _Answer:
                 return False
             self.inward.write(framed(GIVE_UP))
             async with asyncio.timeout(_GRACE):
-                while (await asyncio.shield(self.frame))[0] == "progress":
+                while (await asyncio.shield(self.frame))[0] == "told":
                     self.frame = self._next()
         except (TimeoutError, *_GONE):
             return False

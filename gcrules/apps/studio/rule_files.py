@@ -11,13 +11,13 @@ r"""Files of rules that a page has opened: read, proved, and what of them is use
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Literal, cast
 
 from gcrules.algebra.language.rule_text import RuleText
 from gcrules.algebra.language.statements import Script, parse_script
 from gcrules.apps.studio.faults import fault_view
-from gcrules.apps.studio.protocol.answer_views import RepeatedFile
+from gcrules.apps.studio.protocol.answer_views import RepeatedFile, RuleOwner
 from gcrules.apps.studio.protocol.requests import RuleFile
 from gcrules.apps.studio.protocol.rule_views import CheckedRule, CheckedRuleFile, CheckedRules
 from gcrules.core.budget import checkpoint, stage, within
@@ -28,7 +28,7 @@ from gcrules.rules.identity import Identity
 from gcrules.rules.plugins import load_rules
 from gcrules.rules.rule_file import RuleCheck, check_rule, identities
 
-__all__ = ["checked_view", "saved", "usable"]
+__all__ = ["checked_view", "owners", "saved", "usable"]
 
 _SECONDS = 20.0
 """For one rule: what takes longer is not decided here."""
@@ -58,25 +58,40 @@ def usable(files: Sequence[RuleFile]) -> tuple[Identity, ...]:
     )
 
 
+def owners(files: Sequence[RuleFile]) -> Mapping[str, RuleOwner]:
+    """By its id, who brought each rule that is proved and not switched off."""
+    return {
+        check.rule.id: {"kind": "file", "name": file["name"], "line": line_of[check.rule.id]}
+        for file, read in zip(files, _all_read(files), strict=True)
+        for line_of in [_lines(read)]
+        for check in read.checks
+        if check.ok and check.rule.id not in file["off"]
+    }
+
+
+def _lines(read: _Read) -> Mapping[str, int]:
+    return {r.id: r.line for r in read.script.rules} if read.script else {}
+
+
 def _all_read(files: Sequence[RuleFile]) -> list[_Read]:
     """The files one after the other; ids that one before has taken, or a rule of gcrules, are faults."""
-    owners = {rule.id: rule.owner for rule in load_rules()}
+    known = {rule.id: rule.owner for rule in load_rules()}
     found = []
     for file in files:
         with stage(f"rules of {file['name']}"):
             read = _read(file["name"], file["text"])
-        checks = tuple(_clashing(check, owners, read.script) for check in read.checks)
-        owners |= {c.rule.id: c.rule.owner for c in checks if c.ok and c.rule.id not in file["off"]}
+        checks = tuple(_clashing(check, known, read.script) for check in read.checks)
+        known |= {c.rule.id: c.rule.owner for c in checks if c.ok and c.rule.id not in file["off"]}
         found.append(_Read(read.script, checks, read.fault))
     return found
 
 
-def _clashing(check: RuleCheck, owners: dict[str, str], script: Script | None) -> RuleCheck:
+def _clashing(check: RuleCheck, known: Mapping[str, str], script: Script | None) -> RuleCheck:
     rule = check.rule
-    if not check.ok or rule.id not in owners or script is None:
+    if not check.ok or rule.id not in known or script is None:
         return check
     span = next(r.span for r in script.rules if r.id == rule.id)
-    words = f"two rules are called {rule.id}: one of {owners[rule.id]}, one of {rule.owner}"
+    words = f"two rules are called {rule.id}: one of {known[rule.id]}, one of {rule.owner}"
     fault = InputError(words, hint="rename one of them, or load only one").located(script.source, script.filename, span)
     return RuleCheck(rule, check.place, "refused", check.ranks, fault)
 
@@ -136,7 +151,7 @@ def _check(rule: RuleText, script: Script) -> RuleCheck:
 
 
 def _view(file: RuleFile, read: _Read) -> CheckedRuleFile:
-    lines = {r.id: r.line for r in read.script.rules} if read.script else {}
+    lines = _lines(read)
     return {
         "name": file["name"],
         "rules": [_rule_view(check, lines[check.rule.id]) for check in read.checks],

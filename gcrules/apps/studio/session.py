@@ -14,10 +14,12 @@ from gcrules.apps.studio.pool import WorkerFault
 from gcrules.apps.studio.protocol.messages import (
     Misread,
     Request,
+    Told,
     fault_message,
     message_text,
     read_request,
     result_message,
+    told_message,
 )
 from gcrules.apps.studio.protocol.study_views import FaultView
 from gcrules.apps.studio.service import Service
@@ -129,11 +131,14 @@ class PageSession:
     # --- answers ---------------------------------------------------------------------------------------------------
 
     async def _answer(self, request: Request) -> None:
-        def tell(words: str) -> None:
-            self._tell(self._send({"id": request.id, "progress": words}))
+        def tell(what: Told) -> None:
+            self._tell(self._send(told_message(request.id, what)))
 
         try:
-            await self._done(request, await self.service.answer(request.do, request.args, tell))
+            found = await self.service.answer(request.do, request.args, tell)
+            if self.telling:
+                await asyncio.wait(self.telling)  # what was said before the answer comes before it
+            await self._done(request, found)
         except asyncio.CancelledError:
             if request.id not in self.why:
                 raise

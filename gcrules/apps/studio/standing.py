@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
+from itertools import groupby
 from typing import Any
 
+from gcrules.apps.studio.bench import bench
 from gcrules.apps.studio.moving import amounts_at, configuration
 from gcrules.apps.studio.numbers import exact_pose
 from gcrules.apps.studio.path_view import Way
 from gcrules.apps.studio.posed import analysis_of, drawing_there, platform_there
+from gcrules.apps.studio.protocol.answer_views import Bench
 from gcrules.apps.studio.protocol.methods import METHODS
 from gcrules.apps.studio.protocol.report_requests import ReportedJson, StateJson
 from gcrules.apps.studio.protocol.requests import PoseJson
@@ -20,6 +23,7 @@ from gcrules.apps.studio.values import VALUES, value
 from gcrules.apps.studio.whereabouts import pose_json
 from gcrules.conditions.pose_value import PoseValue, pose_value
 from gcrules.core.budget import report as tell
+from gcrules.core.budget import within
 from gcrules.core.errors import InputError
 from gcrules.poses.limbs.path_report import RobotPath
 from gcrules.poses.limbs.report import RobotPose
@@ -27,7 +31,7 @@ from gcrules.poses.numbers.report import PoseReport
 from gcrules.poses.paths.report import PathReport
 from gcrules.poses.pose_report import report_of_legs
 from gcrules.views.report.report import report
-from gcrules.views.report.standing import Repetition, Standing, Titled
+from gcrules.views.report.standing import Answered, Repetition, Standing, Titled
 
 __all__ = ["report_there"]
 
@@ -71,6 +75,7 @@ def _standing(
         start=_start(subject, pose),
         picture=state["picture"] if state else "",
         notes=tuple((one["title"], one["text"]) for one in state["notes"]) if state else (),
+        bench=_on_the_bench(subject, pose, state, folders) if state else (),
         link=state["link"] if state else "",
         repetitions=tuple(
             found for one in (state["answers"] if state else ()) if (found := _repetition(subject, one, folders))
@@ -119,6 +124,42 @@ def _answered(subject: Subject, asked: ReportedJson) -> Any:
 def _args(subject: Subject, asked: ReportedJson) -> Args:
     return asked["args"] if asked["what"] == "bench" else {**asked["args"], "source": subject.source}
 
+
+def _on_the_bench(subject: Subject, pose: PoseJson, state: StateJson, folders: Sequence[str]) -> tuple[Answered, ...]:
+    """The texts of the bench with their answers; what takes longer there is not answered here either."""
+    found: list[Answered] = []
+    for one in state["answers"]:
+        if one["what"] != "bench":
+            continue
+        args = METHODS["bench"].check(_args(subject, one), "args of bench")
+        tell(one["title"])
+        with within(METHODS["bench"].seconds):
+            answered = bench(args["text"], subject, pose, args.get("rules", ()), folders)
+        found += _answered_parts(args["text"], answered)
+    return tuple(found)
+
+
+def _answered_parts(text: str, answered: Bench) -> Iterator[Answered]:
+    """Where a fault ends the answers, it stands behind the rest of the text."""
+    last, whole = 0, text.encode("utf-16-le")
+
+    def until(end: int) -> str:
+        nonlocal last
+        part, last = whole[2 * last : 2 * end].decode("utf-16-le"), end
+        return part.strip("\n")
+
+    for end, results in groupby(answered["results"], lambda result: result["end"]):
+        yield Answered(until(end), tuple((_SURE.get(r["verdict"], ""), r["text"]) for r in results))
+    rest, fault = until(len(whole) // 2), answered["fault"]
+    if fault:
+        place = fault.get("place")
+        words = f"line {place['line']}: {fault['message']}" if place else fault["message"]
+        yield Answered(rest, (("Limit reached" if fault["kind"] == "limit" else "At fault", words),))
+    elif rest.strip():
+        yield Answered(rest)
+
+
+_SURE = {"proved": "Proved", "refuted": "Refuted", "undecided": "Not decided"}
 
 _TITLED = (PathReport, RobotPath)
 """There may be several of them."""

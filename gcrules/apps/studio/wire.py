@@ -12,6 +12,7 @@ from asyncio import StreamReader
 from collections.abc import Callable, Mapping
 from typing import Any, BinaryIO
 
+from gcrules.apps.studio.protocol.messages import Told
 from gcrules.apps.studio.protocol.requests import SourceJson
 
 __all__ = ["GIVE_UP", "Job", "Tell", "framed", "key_of", "read", "read_frame"]
@@ -22,8 +23,8 @@ Job = tuple[str, Mapping[str, Any], Any]
 GIVE_UP = None
 """Sent in place of a job: nobody waits for the answer to the last one any more. It is answered all the same."""
 
-Tell = Callable[[str], None]
-"""Hears how far some work is."""
+Tell = Callable[[Told], None]
+"""Hears how far some work is, and the parts of its answer that are there."""
 
 
 def key_of(source: SourceJson) -> str:

@@ -14,6 +14,8 @@ from typing import Any, BinaryIO
 
 from gcrules.apps.studio.answers import answer, load
 from gcrules.apps.studio.faults import fault_view, limit, own_fault
+from gcrules.apps.studio.parts import given_to
+from gcrules.apps.studio.protocol.messages import Part, Told
 from gcrules.apps.studio.protocol.methods import METHODS
 from gcrules.apps.studio.subject import Subject, read_subject
 from gcrules.apps.studio.wire import GIVE_UP, Job, Tell, framed, key_of, read
@@ -34,11 +36,12 @@ def done(
     job: Job, known: dict[str, Subject], tell: Tell, begun: Callable[[Budget], None] = lambda _: None
 ) -> tuple[str, Any, Subject | None]:
     """What came of a job: ("done", result, subject) or ("fault", fault, None). `known` are subjects of earlier ones,
-    `tell` hears how far it is, `begun` is given the budget by which it can be given up.
+    `tell` hears how far it is and the parts of the result, `begun` is given the budget by which it can be given up.
     """
     name, args, subject = job
     try:
-        with within(progress=tell) as budget, limited(METHODS["open" if name == "subject" else name].seconds):
+        seconds = METHODS["open" if name == "subject" else name].seconds
+        with within(progress=tell) as budget, limited(seconds), given_to(lambda part: tell(Part(part))):
             begun(budget)
             source = args.get("source")
             if source is not None:
@@ -127,13 +130,15 @@ def serve() -> None:
 
     told, stage = 0.0, ""
 
-    def tell(words: str) -> None:
-        """What is new at once, how far it is now and then."""
+    def tell(what: Told) -> None:
+        """Parts, and what is new, at once; how far it is now and then."""
         nonlocal told, stage
-        now = _NUMBERS.sub("", words)
-        if now != stage or monotonic() - told >= _PACE:
+        if isinstance(what, str):
+            now = _NUMBERS.sub("", what)
+            if now == stage and monotonic() - told < _PACE:
+                return
             told, stage = monotonic(), now
-            put(("progress", words, None))
+        put(("told", what, None))
 
     tasks: SimpleQueue[_Task | None] = SimpleQueue()
     threading.Thread(target=_receive, args=(inward, tasks), daemon=True).start()

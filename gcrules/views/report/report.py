@@ -22,7 +22,14 @@ from gcrules.views.report.robot_report import moves, robot_report
 from gcrules.views.report.scene_json import drawable, scene
 from gcrules.views.report.stages import Stage, leading_sentences, stages
 from gcrules.views.report.standing import Standing
-from gcrules.views.report.standing_sections import notes_html, numbers_here_html, repeating_html, started, view_html
+from gcrules.views.report.standing_sections import (
+    bench_html,
+    notes_html,
+    numbers_here_html,
+    repeating_html,
+    started,
+    view_html,
+)
 from gcrules.views.report.value_section import value_html
 from gcrules.views.results.derivation import reasons
 
@@ -66,6 +73,7 @@ def report(
         *(_stage(s) for s in stages(analysis) if s.id != "pose"),
         "</ol>",
         _derivation(analysis),
+        bench_html(standing),
         repeating_html(standing),
         footer(),
     ]

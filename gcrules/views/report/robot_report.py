@@ -27,7 +27,14 @@ from gcrules.views.report.pose_section import pose_html
 from gcrules.views.report.report_page import footer, page, robot_figure_html
 from gcrules.views.report.scene_json import scene
 from gcrules.views.report.standing import Standing
-from gcrules.views.report.standing_sections import notes_html, numbers_here_html, repeating_html, started, view_html
+from gcrules.views.report.standing_sections import (
+    bench_html,
+    notes_html,
+    numbers_here_html,
+    repeating_html,
+    started,
+    view_html,
+)
 from gcrules.views.results.robot import CONDITION, FACTORS, factor_kind, leading_sentences, sections
 from gcrules.views.robots.entities import DrawnFlat, entities
 from gcrules.views.robots.joint_chain import unit_vector
@@ -63,6 +70,7 @@ def robot_report(
         '<ol class="stages">',
         *(f"<li><h3>{escape(title)}</h3>{body}</li>" for title, body in _stages(a)),
         "</ol>",
+        bench_html(standing),
         repeating_html(standing),
         footer(),
     ]

@@ -13,7 +13,7 @@ from gcrules.mechanisms.six_legs import SixLegs
 from gcrules.poses.limbs.report import RobotPose
 from gcrules.poses.numbers.report import PoseReport
 
-__all__ = ["Repetition", "Standing", "Titled"]
+__all__ = ["Answered", "Repetition", "Standing", "Titled"]
 
 
 @dataclass(frozen=True)
@@ -37,11 +37,22 @@ class Repetition:
 
 
 @dataclass(frozen=True)
+class Answered:
+    """A part of the bench's text, as it is written, and the answers to the statement with which it ends: each how sure
+    it is ("" where nothing is decided), and its text. A last part may have none.
+    """
+
+    text: str
+    answers: tuple[tuple[str, str], ...] = ()
+
+
+@dataclass(frozen=True)
 class Standing:
     """`mechanism` is what stands there and what answers are asked of; `numbers` are those in the pose, None where there
     are none, for the reason `unset`; `drawing` is the robot in it, as SVG, or "". `start` is what takes a 3D view
     there: a `pose`, or the amounts of the actuators to `drive` to. `picture` is one of the view itself, a data address
-    of an image; `notes` are titles with their texts, `link` is the address that opens the same state again.
+    of an image; `notes` are titles with their texts, `bench` is the text of the bench with its answers, `link` is the
+    address that opens the same state again.
     """
 
     mechanism: SixLegs | Limbs
@@ -51,6 +62,7 @@ class Standing:
     start: Mapping[str, Any] | None = None
     picture: str = ""
     notes: tuple[tuple[str, str], ...] = ()
+    bench: tuple[Answered, ...] = ()
     link: str = ""
     repetitions: tuple[Repetition, ...] = ()
 

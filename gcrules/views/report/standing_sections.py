@@ -11,10 +11,10 @@ from gcrules.core.english import as_sentence
 from gcrules.core.errors import EngineFault
 from gcrules.views.report.pose_section import pose_html
 from gcrules.views.report.stage_ids import TITLES
-from gcrules.views.report.standing import Repetition, Standing
+from gcrules.views.report.standing import Answered, Repetition, Standing
 from gcrules.views.report.value_section import value_html
 
-__all__ = ["notes_html", "numbers_here_html", "repeating_html", "started", "view_html"]
+__all__ = ["bench_html", "notes_html", "numbers_here_html", "repeating_html", "started", "view_html"]
 
 _LONGEST = 600
 """Characters of a link that is written out for paper; longer ones are pressed only."""
@@ -47,6 +47,21 @@ def numbers_here_html(s: Standing) -> str:
         why = f'<p class="verdict">No numbers</p><p class="why">{escape(as_sentence(s.unset))}</p>'
         return f'<section class="motion close"><h2>{escape(TITLES["pose"])}</h2>{why}</section>' if s.unset else ""
     return value_html(s.numbers) if isinstance(s.numbers, PoseValue) else pose_html(s.numbers, s.mechanism)
+
+
+def bench_html(s: Standing | None) -> str:
+    """The text of the bench, each statement with its answers."""
+    if s is None or not s.bench:
+        return ""
+    return f'<section class="bench"><h2>On the bench</h2>{"".join(map(_answered, s.bench))}</section>'
+
+
+def _answered(one: Answered) -> str:
+    answers = "".join(
+        f"<li>{f'<strong>{escape(sure)}</strong>' if sure else ''}<pre>{escape(text)}</pre></li>"
+        for sure, text in one.answers
+    )
+    return f"<pre>{escape(one.text)}</pre>" + (f"<ul>{answers}</ul>" if answers else "")
 
 
 def repeating_html(s: Standing | None) -> str:

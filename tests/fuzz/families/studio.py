@@ -298,7 +298,7 @@ class _Socket:
         if self.messages:
             return self.messages.pop(0)
         for _ in range(10_000):
-            if sum("progress" not in json.loads(a) for a in self.answers) >= self.waiting:
+            if sum("ok" in json.loads(a) for a in self.answers) >= self.waiting:
                 break
             await asyncio.sleep(0)
         return {"type": "websocket.disconnect"}
@@ -337,7 +337,7 @@ async def _talked(data: Any) -> list[str]:
     socket = _Socket(data["messages"])
     await PageSession(socket, _service()).run()
     answers = [json.loads(a, parse_constant=_never) for a in socket.answers]
-    last = [a for a in answers if "progress" not in a]
+    last = [a for a in answers if "ok" in a]
     wrong = [
         f"a fault of gcrules: {a['error']['message']}" for a in last if not a["ok"] and a["error"]["kind"] == "fault"
     ]

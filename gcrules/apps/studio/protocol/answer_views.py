@@ -23,6 +23,7 @@ __all__ = [
     "Along",
     "AppliedRule",
     "Bench",
+    "BenchPart",
     "BenchResult",
     "Cancelled",
     "Completed",
@@ -43,6 +44,7 @@ __all__ = [
     "Repeated",
     "RepeatedFile",
     "Resized",
+    "RuleOwner",
     "Saved",
     "Scripted",
     "Shown",
@@ -219,11 +221,20 @@ class DrawnPlane(PlaneView):
     kind: Literal["plane"]
 
 
+class RuleOwner(TypedDict):
+    """Who brought a rule: gcrules, a plugin, a file that the page has opened, or the text of the bench."""
+
+    kind: Literal["gcrules", "plugin", "file", "text"]
+    name: str
+    """Of the plugin or file; "" for others."""
+    line: int | None
+    """In the file."""
+
+
 class AppliedRule(TypedDict):
     id: str
     sentence: str
-    owner: str
-    """Who brought it: "gcrules", a plugin, a file with line, "" for the text of the bench."""
+    owner: RuleOwner
 
 
 class BenchResult(TypedDict):
@@ -256,6 +267,13 @@ class BenchResult(TypedDict):
 class Bench(TypedDict):
     results: list[BenchResult]
     fault: FaultView | None
+
+
+class BenchPart(TypedDict):
+    """One result, as soon as it is there, and its place among all of them."""
+
+    index: int
+    result: BenchResult
 
 
 class Scripted(TypedDict):

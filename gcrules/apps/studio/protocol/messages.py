@@ -13,7 +13,17 @@ from gcrules.apps.studio.protocol.study_views import FaultView
 from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import GcrulesError
 
-__all__ = ["Misread", "Request", "fault_message", "message_text", "read_request", "result_message"]
+__all__ = [
+    "Misread",
+    "Part",
+    "Request",
+    "Told",
+    "fault_message",
+    "message_text",
+    "read_request",
+    "result_message",
+    "told_message",
+]
 
 _LARGEST = 2**53
 
@@ -34,6 +44,17 @@ class Request:
     args: Mapping[str, Any]
     channel: str | None
     since: float
+
+
+@dataclass(frozen=True)
+class Part:
+    """What is there already of an answer that takes long, in the shape that its method says."""
+
+    value: Any
+
+
+Told = str | Part
+"""What is said before an answer: in words how far it is, or a part of it."""
 
 
 class Misread(Exception):
@@ -63,6 +84,11 @@ def result_message(request: Request, result: Any) -> Mapping[str, Any]:
     """The answer to a request, with the milliseconds that it took."""
     ms = round(1000 * (perf_counter() - request.since), 3)
     return {"id": request.id, "ok": True, "result": result, "ms": ms}
+
+
+def told_message(id: int, told: Told) -> Mapping[str, Any]:
+    """What is said before the answer to a request."""
+    return {"id": id, "part": told.value} if isinstance(told, Part) else {"id": id, "progress": told}
 
 
 def fault_message(id: int, fault: FaultView) -> Mapping[str, Any]:

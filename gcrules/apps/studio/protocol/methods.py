@@ -44,9 +44,10 @@ LONGEST = 1_000_000
 
 @dataclass(frozen=True)
 class Method:
-    """`args` and `answer` are typed dictionaries. It works in the `session` with the page, in the server itself, in
-    turn (`numbers`), or in a `worker` process, which is ended after so many `seconds`, and when the page gives up.
-    With `folders` it is told the folders of plugins that the studio was started with, which no page can name.
+    """`args`, `answer` and `part`, of which some may come before the answer, are typed dictionaries. It works in the
+    `session` with the page, in the server itself, in turn (`numbers`), or in a `worker` process, which is ended after
+    so many `seconds`, and when the page gives up. With `folders` it is told the folders of plugins that the studio was
+    started with, which no page can name.
     """
 
     args: Any
@@ -54,6 +55,7 @@ class Method:
     where: Literal["session", "numbers", "worker"] = "worker"
     seconds: float = 60.0
     folders: bool = False
+    part: Any = None
 
     @cached_property
     def check(self) -> Check:
@@ -83,7 +85,7 @@ METHODS: Mapping[str, Method] = {
     "boxes": Method(requests.BoxesArgs, BoxesAnswer, seconds=600),
     "certify": Method(requests.CertifyArgs, CertificateAnswer, seconds=600),
     "manual": Method(requests.ManualArgs, answers.Manual),
-    "bench": Method(requests.BenchArgs, answers.Bench, seconds=60, folders=True),
+    "bench": Method(requests.BenchArgs, answers.Bench, seconds=60, folders=True, part=answers.BenchPart),
     "rules": Method(requests.RulesArgs, CheckedRules, seconds=60),
     "plugins": Method(requests.NoArgs, PluginsAnswer, seconds=120, folders=True),
     "complete": Method(requests.CompleteArgs, answers.Completed, seconds=5),

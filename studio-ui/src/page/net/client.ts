@@ -11,10 +11,12 @@ export class Refused extends Error {
   }
 }
 
-export interface Ask {
+export interface Ask<M extends Method> {
   /** The server works on the latest request of a channel only. */
   channel?: string;
   progress?(words: string): void;
+  /** Hears the parts of the answer that are there already; where it is asked again they come again. */
+  part?(part: Methods[M]["part"]): void;
   signal?: AbortSignal;
 }
 
@@ -22,7 +24,7 @@ export interface Client {
   line: ReadonlySignal<Line>;
   /** Whether the page itself answers, without a server: what exact algebra can tell, and no numbers of poses. */
   alone: boolean;
-  ask<M extends Method>(method: M, args: Methods[M]["args"], options?: Ask): Promise<Methods[M]["result"]>;
+  ask<M extends Method>(method: M, args: Methods[M]["args"], options?: Ask<M>): Promise<Methods[M]["result"]>;
   retry(): void;
 }
 
@@ -30,6 +32,7 @@ interface Waiting {
   text: string;
   done(reply: Reply): void;
   progress?(words: string): void;
+  part?(part: unknown): void;
 }
 
 export function openClient(open: (on: Hearing) => Socket, alone = false): Client {
@@ -45,13 +48,14 @@ export function openClient(open: (on: Hearing) => Socket, alone = false): Client
     const request = waiting.get(reply.id);
     if (!request) return;
     if ("progress" in reply) return request.progress?.(reply.progress);
+    if ("part" in reply) return request.part?.(reply.part);
     waiting.delete(reply.id);
     request.done(reply);
   }
 
-  function ask<M extends Method>(method: M, args: Methods[M]["args"], options: Ask = {}): Promise<Methods[M]["result"]> {
+  function ask<M extends Method>(method: M, args: Methods[M]["args"], options: Ask<M> = {}): Promise<Methods[M]["result"]> {
     const id = (last += 1);
-    const { channel, progress, signal } = options;
+    const { channel, progress, part, signal } = options;
     const text = JSON.stringify({ id, do: method, args, ...(channel && { channel }) });
     return new Promise((resolve, reject) => {
       const done = (reply: Reply) => {
@@ -59,7 +63,7 @@ export function openClient(open: (on: Hearing) => Socket, alone = false): Client
         if (reply.ok) resolve(reply.result as Methods[M]["result"]);
         else reject(new Refused(reply.error));
       };
-      waiting.set(id, { text, done, ...(progress && { progress }) });
+      waiting.set(id, { text, done, ...(progress && { progress }), ...(part && { part: (found) => part(found as Methods[M]["part"]) }) });
       socket.send(text);
       signal?.addEventListener("abort", () => {
         if (!waiting.delete(id)) return;

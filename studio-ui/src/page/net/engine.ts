@@ -53,7 +53,7 @@ export function openEngine(url: URL, on: Hearing): Socket {
       line.value = "open";
       return on.open();
     }
-    if (said.kind === "piece") return on.message(JSON.stringify({ id: said.id, progress: said.piece }));
+    if (said.kind === "piece") return on.message(said.piece);
     if (said.kind === "answer") {
       running = null;
       on.message(said.reply);

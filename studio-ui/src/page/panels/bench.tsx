@@ -132,14 +132,14 @@ export function Bench({ store }: PanelProps) {
       />
       {fault && !fault.place && <FaultBox fault={fault} />}
       <p class="note" role="status" data-testid="bench-note">
-        {words || (evaluation.stopped.value ? STOPPED : noteOf(results, drawn, firstNote(store), fault !== null))}
+        {words || (evaluation.stopped.value ? stoppedNote(results.length) : noteOf(results, drawn, firstNote(store), fault !== null))}
       </p>
       {!store.client.alone && <Rules store={store} results={results} text={text} say={say} write={(rule) => editor.current && declareText(editor.current, rule)} />}
     </div>
   );
 }
 
-const STOPPED = "Stopped. Evaluate begins anew.";
+const stoppedNote = (answers: number): string => `Stopped${answers > 0 ? ` with ${counted(answers, "answer")}` : ""}. Evaluate begins anew.`;
 
 const NONE: readonly BenchResult[] = [];
 
@@ -156,12 +156,13 @@ function firstNote({ client, study }: Store): string {
     : "Letters are points. Open a structure to see points, lines and planes in 3D.";
 }
 
+const counted = (n: number, noun: string): string => `${n} ${noun}${n === 1 ? "" : "s"}`;
+
 function noteOf(results: readonly BenchResult[], drawn: number, first: string, wrong: boolean): string {
   if (results.length === 0 && !wrong) return first;
-  const count = (n: number, noun: string) => `${n} ${noun}${n === 1 ? "" : "s"}`;
   const refuted = results.filter(({ verdict }) => verdict === "refuted").length;
   return [
-    count(results.length, "answer"),
+    counted(results.length, "answer"),
     drawn > 0 ? `${drawn} in 3D` : "",
     refuted > 0 ? `${refuted} refuted` : "",
     wrong ? "a fault" : "",

@@ -8,6 +8,7 @@ import { NoNumbers } from "../pose/no-numbers";
 import { PosePanel } from "../pose/pose-panel";
 import { Banner } from "./banner";
 import { Front } from "./front";
+import { keepFocus } from "./kept-focus";
 import { useKeys } from "./keys";
 import { Opening } from "./opening";
 import { Rail } from "./rail";
@@ -20,6 +21,7 @@ export function Shell({ store }: { store: Store }) {
   const drawn = useRef(false);
   const { across, down } = store.taste;
   useEffect(() => (root.current ? listen(root.current, store) : undefined), [store]);
+  useEffect(() => (root.current ? keepFocus(root.current, () => document.getElementById("content")) : undefined), [store]);
   useKeys(store);
 
   const panels = panelsOf(store);

@@ -11,33 +11,36 @@ import { faultOf } from "../state/studying";
 const PAUSE = 350; // milliseconds of rest before a fault is told
 const EXAMPLE = "ab af cb cd ed ef";
 
+/** What some legs are, or what is wrong with them. */
+interface Found {
+  legs: string;
+  study: Study | null;
+  fault: Fault | null;
+}
+
 export function TypeLegs() {
   const { open, client, doc } = useStore();
   const source = doc.peek().source;
   const [legs, type] = useState(source?.kind === "legs" ? source.legs : "");
-  const [study, show] = useState<Study | null>(null);
-  const [fault, tell] = useState<Fault | null>(null);
-
+  const [found, show] = useState<Found | null>(null);
   const timer = useRef(0);
+  const answer = found?.legs === legs ? found : null;
 
-  /** Not while the hand is still at a leg. */
-  function tellLater(said: Fault | null): void {
+  /** A fault not while the hand is still at a leg. */
+  function arrived(now: Found): void {
     window.clearTimeout(timer.current);
-    if (said) timer.current = window.setTimeout(() => tell(said), PAUSE);
-    else tell(null);
+    if (now.fault) timer.current = window.setTimeout(() => show(now), PAUSE);
+    else show(now);
   }
 
   const preview = useMemo(
     () =>
       latest(
         (text: string) => client.ask("open", { source: { kind: "legs", legs: text } }, { channel: "preview" }),
-        (found) => {
-          show(found);
-          tellLater(null);
-        },
-        (error) => {
-          const said = faultOf(error);
-          if (said.kind !== "superseded") tellLater(said);
+        (study, text) => arrived({ legs: text, study, fault: null }),
+        (error, text) => {
+          const fault = faultOf(error);
+          if (fault.kind !== "superseded") arrived({ legs: text, study: null, fault });
         },
       ),
     [client],
@@ -45,9 +48,9 @@ export function TypeLegs() {
 
   function typed(text: string): void {
     type(text);
-    if (text.trim()) return preview(text);
-    show(null);
-    tellLater(null);
+    window.clearTimeout(timer.current);
+    if (text.trim()) preview(text);
+    else show(null);
   }
 
   return (
@@ -55,7 +58,7 @@ export function TypeLegs() {
       class="type-legs"
       onSubmit={(event) => {
         event.preventDefault();
-        if (legs.trim() && !fault) open({ kind: "legs", legs: legs.trim() });
+        if (legs.trim() && !answer?.fault) open({ kind: "legs", legs: legs.trim() });
       }}
     >
       <label for="legs">Six legs, each by its two joints</label>
@@ -68,20 +71,31 @@ export function TypeLegs() {
           placeholder={EXAMPLE}
           autoComplete="off"
           spellcheck={false}
-          aria-invalid={fault !== null}
+          aria-invalid={!!answer?.fault}
           data-testid="legs"
           onInput={(event) => typed(event.currentTarget.value)}
         />
-        <button type="submit" class="primary" disabled={!legs.trim() || fault !== null} data-testid="legs-open">
+        <button type="submit" class="primary" disabled={!legs.trim() || !!answer?.fault} data-testid="legs-open">
           Analyse <Icon name="next" size={16} />
         </button>
       </div>
       <div class="answer" aria-live="polite">
-        {fault && legs.trim() && <FaultBox fault={fault} text={legs} />}
-        {!fault && study && legs.trim() && (
-          <div class="preview" data-testid="legs-preview">
-            <Drawing svg={study.schematic} />
-            <p>{study.condition.statement}</p>
+        {found && legs.trim() && (
+          <div class={answer ? "" : "earlier"}>
+            {found.fault && <FaultBox fault={found.fault} text={found.legs} />}
+            {found.study && (
+              <div class="preview" data-testid="legs-preview">
+                <Drawing svg={found.study.schematic} />
+                <p>
+                  {!answer && (
+                    <>
+                      Of <code>{found.legs}</code>:{" "}
+                    </>
+                  )}
+                  {found.study.condition.statement}
+                </p>
+              </div>
+            )}
           </div>
         )}
         {!legs.trim() && (

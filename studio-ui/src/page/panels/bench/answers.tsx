@@ -1,6 +1,6 @@
 // What one statement gave: a formula, a verdict, and whether it stands in the picture.
 import { useState } from "preact/hooks";
-import type { AppliedRule, BenchResult, Piece, Repeated } from "../../../protocol";
+import type { AppliedRule, BenchResult, Piece, Repeated, RuleOwner } from "../../../protocol";
 import { Formula } from "../../parts/formula";
 import { Icon, type IconName } from "../../parts/icon";
 import { LineToCopy, useCopy } from "../../parts/line-to-copy";
@@ -153,13 +153,15 @@ function Applied({ rules }: { rules: readonly AppliedRule[] }) {
     <p class="applied" data-testid="bench-applied">
       by{" "}
       {rules.map(({ id, sentence, owner }) => (
-        <code key={id} class={owner === "gcrules" ? "" : "own"} title={[sentence, owner || "of this text"].filter(Boolean).join(" — ")}>
+        <code key={id} class={owner.kind === "gcrules" ? "" : "own"} title={[sentence, ownerName(owner)].filter(Boolean).join(" — ")}>
           {id}
         </code>
       ))}
     </p>
   );
 }
+
+const ownerName = ({ kind, name, line }: RuleOwner): string => (kind === "text" ? "of this text" : kind === "gcrules" ? "gcrules" : line === null ? name : `${name}:${line}`);
 
 function Lines({ repeated }: { repeated: Repeated | null }) {
   if (!repeated)

@@ -2,13 +2,14 @@
 import { defaultKeymap, history, historyKeymap } from "@codemirror/commands";
 import { bracketMatching } from "@codemirror/language";
 import { lintGutter } from "@codemirror/lint";
-import { StateEffect, StateField, type Extension } from "@codemirror/state";
+import { StateEffect, StateField, type Extension, type Range, type Transaction } from "@codemirror/state";
 import { Decoration, EditorView, highlightActiveLine, keymap, lineNumbers, placeholder, WidgetType, type DecorationSet } from "@codemirror/view";
 import { render, type ComponentChild } from "preact";
 import type { ReadonlySignal } from "@preact/signals";
 import { useEffect, useMemo, useRef } from "preact/hooks";
 import type { Fault } from "../../../protocol";
 import { useTextEditor } from "../../parts/text-editor";
+import { holds } from "./holding";
 import { gca } from "./language";
 
 /** What stands below the line in which a statement ends. `key` tells whether it has changed. */
@@ -30,17 +31,31 @@ interface Props {
   hold(view: EditorView | null): void;
 }
 
+const EARLIER = "Of the text before it was changed";
+
 class BelowWidget extends WidgetType {
-  constructor(readonly key: string, readonly content: ComponentChild) {
+  /** `earlier`: the text has changed since. */
+  constructor(readonly key: string, readonly content: ComponentChild, readonly end: number, readonly earlier = false) {
     super();
   }
   override eq(other: BelowWidget): boolean {
-    return other.key === this.key;
+    return other.key === this.key && other.end === this.end && other.earlier === this.earlier;
   }
   toDOM(): HTMLElement {
     const box = document.createElement("div");
     render(this.content, box);
+    this.mark(box);
     return box;
+  }
+  override updateDOM(box: HTMLElement, _: EditorView, before: BelowWidget): boolean {
+    if (before.key !== this.key) return false;
+    this.mark(box);
+    return true;
+  }
+  private mark(box: HTMLElement): void {
+    box.classList.toggle("earlier", this.earlier);
+    if (this.earlier) box.title = EARLIER;
+    else box.removeAttribute("title");
   }
   override destroy(box: HTMLElement): void {
     render(null, box);
@@ -49,15 +64,30 @@ class BelowWidget extends WidgetType {
 
 const setBelow = StateEffect.define<readonly Below[]>();
 
+/** What is no more true of the text is marked; the rest stays below its statement. */
+function outdated(shown: DecorationSet, { changes, startState, state: { doc } }: Transaction): DecorationSet {
+  const [before, now] = [startState.doc.toString(), doc.toString()];
+  const found: Range<Decoration>[] = [];
+  for (const cursor = shown.map(changes).iter(); cursor.value; cursor.next()) {
+    const { key, content, end, earlier } = cursor.value.spec.widget as BelowWidget;
+    if (earlier) found.push(cursor.value.range(cursor.from));
+    else if (holds(end, before, now)) found.push(cursor.value.range(doc.lineAt(end).to));
+    else found.push(below(new BelowWidget(key, content, end, true)).range(cursor.from));
+  }
+  return Decoration.set(found, true);
+}
+
+const below = (widget: BelowWidget): Decoration => Decoration.widget({ widget, block: true, side: 1 });
+
 const belowField = StateField.define<DecorationSet>({
   create: () => Decoration.none,
   update(shown, change) {
     const set = change.effects.find((effect) => effect.is(setBelow));
-    if (!set) return shown.map(change.changes);
+    if (!set) return change.docChanged ? outdated(shown, change) : shown;
     const { doc } = change.state;
     const widgets = (set.value as readonly Below[]).map(({ end, key, content }) => {
       const at = doc.lineAt(Math.min(end, doc.length)).to;
-      return Decoration.widget({ widget: new BelowWidget(key, content), block: true, side: 1 }).range(at);
+      return below(new BelowWidget(key, content, end)).range(at);
     });
     return Decoration.set(widgets, true);
   },

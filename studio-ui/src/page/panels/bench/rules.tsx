@@ -1,6 +1,6 @@
 // Files of rules that hold on the bench: opened, checked, switched on and off, and at work. Below them the plugins.
 import { useEffect, useMemo } from "preact/hooks";
-import type { BenchResult, CheckedRule, CheckedRuleFile, PluginRule, PluginsAnswer, RuleFile } from "../../../protocol";
+import type { BenchResult, CheckedRule, CheckedRuleFile, PluginRule, PluginsAnswer, RuleFile, RuleOwner } from "../../../protocol";
 import { FaultBox } from "../../parts/fault-box";
 import { Icon } from "../../parts/icon";
 import { OpenFile } from "../../parts/open-file";
@@ -88,8 +88,7 @@ function usedIn(results: readonly BenchResult[], text: string): Used {
   return found;
 }
 
-/** An owner with the line in its file, or in a plugin's, counts as its file. */
-const keyOf = (id: string, owner: string): string => `${id} of ${owner.replace(/:\d+$/, "")}`;
+const keyOf = (id: string, { kind, name }: Pick<RuleOwner, "kind" | "name">): string => JSON.stringify([id, kind, name]);
 
 function countOf(files: readonly RuleFile[], found: readonly CheckedRuleFile[], state: string): string {
   if (files.length === 0) return "";
@@ -136,7 +135,7 @@ function OwnFile({ file, checked, checks, index, used }: OwnProps) {
             text={file.text}
             on={!file.off.includes(rule.id)}
             toggle={(on) => checks.toggle(index, rule.id, on)}
-            lines={used.get(keyOf(rule.id, file.name))}
+            lines={used.get(keyOf(rule.id, { kind: "file", name: file.name }))}
           />
         ))}
       </ul>
@@ -207,7 +206,7 @@ function Plugins({ checks, used, write }: { checks: RuleChecks; used: Used; writ
               )}
               <ul>
                 {rules.map((rule) => (
-                  <Brought key={rule.id} rule={rule} lines={used.get(keyOf(rule.id, name))} write={write} />
+                  <Brought key={rule.id} rule={rule} lines={used.get(keyOf(rule.id, { kind: "plugin", name }))} write={write} />
                 ))}
               </ul>
             </div>
