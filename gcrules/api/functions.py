@@ -295,13 +295,16 @@ def load(
 
 
 @public
-def paper(source: Source, folder: str | PathLike[str], *, full: bool = False, plugins: Folders = ()) -> tuple[str, ...]:
+def paper(
+    source: Source, folder: str | PathLike[str], *, full: bool = False, force: bool = False, plugins: Folders = ()
+) -> tuple[str, ...]:
     """Write a source's analysis as a section of a paper in LaTeX, with figures and references, into a folder.
 
     `full` adds an appendix of every step. Returns the names of the files, of which all appear or none. Raises FileError
-    where that is not possible, or would replace a file that gcrules did not write.
+    where that is not possible, or would replace a file that gcrules did not write, or that
+    was changed since; `force` replaces it.
     """
-    return tuple(_paper(_analyze(source, plugins=plugins), folder, full=full))
+    return tuple(_paper(_analyze(source, plugins=plugins), folder, full=full, force=force))
 
 
 @public
