@@ -27,6 +27,8 @@ PICTURES = {
         "-o",
     ),
     "modes-octahedral.svg": ("modes examples/octahedral.yaml", "--picture"),
+    "locus-four-dof.svg": ("locus examples/four-dof.yaml --over t1,t2 --rotation zyx", "--picture"),
+    "locus-octahedral.svg": ("locus examples/octahedral.yaml --over z", "--picture"),
     "path-octahedral.svg": (
         'path examples/octahedral.yaml --at "0 0 0" --at "0 0 -400; euler zyx 90 0 0 deg"',
         "--plot",

@@ -147,8 +147,10 @@ FORMS: dict[str, Forms] = {
     "gcrules.poses.regions.report.FreeRegion": _told("free_region"),
     "gcrules.poses.aspects.report.Aspects": _told("aspects"),
     "gcrules.poses.plans.report.Plan": _told("plan"),
-    "gcrules.poses.loci.report.Locus": _result("locus"),
-    "gcrules.poses.loci.limb_report.RobotLocus": _result("robot_locus"),
+    "gcrules.poses.loci.report.Locus": _result("locus", others={"picture": f"{_VIEWS}.plots.locus_plot:picture"}),
+    "gcrules.poses.loci.limb_report.RobotLocus": _result(
+        "robot_locus", others={"picture": f"{_VIEWS}.plots.locus_plot:picture"}
+    ),
 }
 
 

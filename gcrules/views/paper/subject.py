@@ -11,12 +11,12 @@ from typing import Any
 from gcrules.algebra import expr as ex
 from gcrules.algebra.expr import Expr, Point, join
 from gcrules.conditions.analysis import Analysis
+from gcrules.conditions.pose_value import Coordinates
 from gcrules.core.dataclass import dataclass
 from gcrules.core.deferred import deferred
 from gcrules.core.english import listed
 from gcrules.core.errors import InputError
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
-from gcrules.mechanisms.description.platform_file import Platform
 from gcrules.mechanisms.robot import Robot
 from gcrules.rules.condition import Condition
 from gcrules.rules.statement import Statement
@@ -88,7 +88,7 @@ class Subject:
         return hashlib.sha256(written.encode()).hexdigest()
 
     @property
-    def _described(self) -> Platform | Robot | None:
+    def _described(self) -> Coordinates | Robot | None:
         return self.robot.robot if self.robot else self.lines.platform if self.lines else None
 
     @property
@@ -100,7 +100,7 @@ class Subject:
     def coordinates(self) -> Mapping[str, Sequence[Fraction]]:
         """Where the points of the file are, of a robot at home its directions too; empty without dimensions."""
         d = self._described
-        return {} if d is None else d.points if isinstance(d, Platform) else d.home or {}
+        return {} if d is None else d.home or {} if isinstance(d, Robot) else d.points
 
     @property
     def ideal(self) -> frozenset[str]:

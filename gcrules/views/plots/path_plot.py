@@ -21,7 +21,7 @@ from gcrules.screws.threshold import Threshold, margin_of
 from gcrules.views.drawing.axis import Axis
 from gcrules.views.drawing.drawing import XY, Circle, Drawing, Polygon, Run, Shape, Stroke, Text, text_width
 
-__all__ = ["FRAME", "plot", "plot_of_robot", "svg", "svg_of_robot"]
+__all__ = ["FRAME", "marker", "plot", "plot_of_robot", "svg", "svg_of_robot", "words_at"]
 
 Floats = NDArray[np.float64]
 
@@ -111,7 +111,7 @@ def _drawn(p: _Plot) -> Drawing:
     shapes += _curve(x, other, p.places, value, "entity2")
     for place, kind in p.zeros:
         height = float(np.interp(place, p.places, value))
-        shapes += [_marker(kind, (x(place), sigma(0))), _marker(kind, (x(place), other(height)))]
+        shapes += [marker(kind, (x(place), sigma(0))), marker(kind, (x(place), other(height)))]
     shapes += _numbers([place for place, _ in p.zeros], x, sigma.end - 6)
     shapes += _legend(p, _FLOOR + 58)
     return Drawing(WIDTH, _FLOOR + _BOTTOM, tuple(shapes), p.title)
@@ -133,19 +133,19 @@ def _up(value: float) -> float:
 def _frame(x: Axis, y: Axis, label: str, *, last: bool) -> Iterator[Shape]:
     for tick in y.ticks(4):
         yield Stroke((x.start, y(tick)), (x.end, y(tick)), "muted", 0.5, 0.35)
-        yield _words((x.start - 6, y(tick) + 4), f"{tick:.4g}".replace("-", "−"), "end")
+        yield words_at((x.start - 6, y(tick) + 4), f"{tick:.4g}".replace("-", "−"), "end")
     yield Stroke((x.start, y.start), (x.end, y.start), "ink", 1.0)
     yield Stroke((x.start, y.start), (x.start, y.end), "ink", 1.0)
-    yield _words((x.start - 44, y.end - 12), label)
+    yield words_at((x.start - 44, y.end - 12), label)
     for tick in x.ticks(8, whole=x.high >= 3):
         yield Stroke((x(tick), y.start), (x(tick), y.start + 4), "ink", 1.0)
         if last:
-            yield _words((x(tick), y.start + 17), f"{tick:.4g}", "middle")
+            yield words_at((x(tick), y.start + 17), f"{tick:.4g}", "middle")
     if last:
-        yield _words(((x.start + x.end) / 2, y.start + 34), "parameter of the path (0 is the first pose)", "middle")
+        yield words_at(((x.start + x.end) / 2, y.start + 34), "parameter of the path (0 is the first pose)", "middle")
 
 
-def _words(at: XY, text: str, anchor: Literal["start", "middle", "end"] = "start") -> Text:
+def words_at(at: XY, text: str, anchor: Literal["start", "middle", "end"] = "start") -> Text:
     return Text(at, (Run(text),), _SIZE, anchor)
 
 
@@ -159,7 +159,7 @@ def _curve(x: Axis, y: Axis, places: Floats, values: Floats, colour: str) -> Ite
         yield Stroke(start, end, colour, 1.6)
 
 
-def _marker(kind: str, at: XY) -> Shape:
+def marker(kind: str, at: XY) -> Shape:
     """A full diamond where the path crosses, an open circle where it touches, a full square at its ends."""
     (u, v), d = at, 4.5
     if kind == "touches":
@@ -198,7 +198,7 @@ def _legend(p: _Plot, height: float) -> Iterator[Shape]:
         entries.append((partial(_block, height), p.meaning))
     u = LEFT + 8
     for draw, words in entries:
-        text = _words((u + 14, height), words)
+        text = words_at((u + 14, height), words)
         yield draw(u)
         yield text
         u += 36 + text_width(text) * 0.9
@@ -209,7 +209,7 @@ def _dashes(height: float, u: float) -> Shape:
 
 
 def _sign(kind: str, height: float, u: float) -> Shape:
-    return _marker(kind, (u, height - 4))
+    return marker(kind, (u, height - 4))
 
 
 def _block(height: float, u: float) -> Shape:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from gcrules.algebra.expr import ONE
 from gcrules.algebra.language.text import text
@@ -30,7 +30,7 @@ def dimension_lines(d: Dimensions, what: str = DIMENSIONS_OF_ROBOT) -> list[str]
     return [what, *words]
 
 
-def main_facts(d: Dimensions) -> tuple[list[Fact], int]:
+def main_facts(d: Dimensions) -> tuple[Sequence[Fact], int]:
     """The facts that are shown, of several mirrors one, and how many mirrors there are."""
     mirrors = [fact for fact in d.facts if fact.kind == "mirror"]
     return first([*(fact for fact in d.facts if fact.kind != "mirror"), *mirrors[:1]], _MANY), len(mirrors)
