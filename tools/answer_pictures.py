@@ -37,6 +37,11 @@ PICTURES = {
         'path 3-rps --at home --at "z=0.2, roll=20deg, pitch=10deg" --at "z=-0.3, roll=0deg, pitch=60deg"',
         "--plot",
     ),
+    "plan-octahedral.svg": (
+        'plan examples/octahedral.yaml --from "-36.9 75 87.5; rotvec 85.27 -39.32 115.91 deg"'
+        ' --to "215.1 70.5 125.5; rotvec 2.3 -27.94 46.06 deg" --margin 0.02',
+        "--plot",
+    ),
     "rotary-hexapod.svg": ("analyze examples/models/rotary-hexapod.xml", "--figure"),
     "tutorial-hexapod.svg": ("analyze examples/tutorial/hexapod.yaml", "--figure"),
     "tutorial-hexapod-path.svg": ('path examples/tutorial/hexapod.yaml --at "0 0 0" --at "yaw=100deg"', "--plot"),

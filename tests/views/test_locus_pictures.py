@@ -95,7 +95,7 @@ def test_translations_reach_as_far_as_a_curve_is() -> None:
 )
 def test_what_cannot_be_drawn(source: object, over: str, more: dict[str, object], why: str) -> None:
     with pytest.raises(InputError, match=why):
-        gc.locus(source, over=over, **more).picture()  # type: ignore[arg-type]
+        gc.locus(source, over=over, **more).picture()
 
 
 def test_the_command_writes_it(tmp_path: Path) -> None:

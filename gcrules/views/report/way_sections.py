@@ -45,7 +45,7 @@ def plan_html(r: Plan, m: SixLegs | Limbs, *, live: bool) -> str:
     plot = view = ""
     if r.path is not None:
         words = "The margin along the way; whole numbers mark its poses."
-        plot = f'<figure class="plot">{shown(r.path, "svg")}<figcaption>{words}</figcaption></figure>'
+        plot = f'<figure class="plot">{shown(r, "svg")}<figcaption>{words}</figcaption></figure>'
         view = path_lead(r.path, m) if live else ""
     title = "A way out" if r.end_margin is not None or r.goal is None else "A way from pose to pose"
     return section_html(title, told.verdict, pictures, plot, view, blocks_html(told.blocks), latex_html(r))
