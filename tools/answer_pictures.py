@@ -27,6 +27,7 @@ PICTURES = {
         "-o",
     ),
     "modes-octahedral.svg": ("modes examples/octahedral.yaml", "--picture"),
+    "free-octahedral.svg": ('free examples/octahedral.yaml --over "x 100, z 150, rz 30 deg"', "--picture"),
     "locus-four-dof.svg": ("locus examples/four-dof.yaml --over t1,t2 --rotation zyx", "--picture"),
     "locus-octahedral.svg": ("locus examples/octahedral.yaml --over z", "--picture"),
     "path-octahedral.svg": (

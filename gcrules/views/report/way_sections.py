@@ -64,4 +64,6 @@ def _pose_cards(r: Plan, m: SixLegs | Limbs) -> list[str]:
 
 def free_region_html(r: FreeRegion, m: SixLegs | Limbs, *, live: bool) -> str:
     """The sentence that says what is proved, the ranges of the coordinates, and where the proof ended."""
-    return account_section(r, f"A {r.shape} free of singular poses")
+    words = "The range of each coordinate, and the pose at which the proof ended."
+    picture = f'<figure class="plot">{shown(r, "svg")}<figcaption>{words}</figcaption></figure>'
+    return account_section(r, f"A {r.shape} free of singular poses", picture)
