@@ -13,6 +13,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent
 
 PICTURES = {
+    "aspects-octahedral.svg": ("aspects examples/octahedral.yaml", "--picture"),
     "map-curves.svg": (
         'map examples/octahedral.yaml --over "x -300:300:121" --over "z -500:100:121" --limits "leg lengths 120..560"',
         "-o",

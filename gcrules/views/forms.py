@@ -147,7 +147,9 @@ FORMS: dict[str, Forms] = {
     "gcrules.poses.regions.report.FreeRegion": _told(
         "free_region", svg=f"{_VIEWS}.plots.free_plot:svg", picture=f"{_VIEWS}.plots.free_plot:picture"
     ),
-    "gcrules.poses.aspects.report.Aspects": _told("aspects"),
+    "gcrules.poses.aspects.report.Aspects": _told(
+        "aspects", svg=f"{_VIEWS}.plots.aspects_plot:svg", picture=f"{_VIEWS}.plots.aspects_plot:picture"
+    ),
     "gcrules.poses.plans.report.Plan": _told(
         "plan", svg=f"{_VIEWS}.plots.path_plot:svg_of_plan", plot=f"{_VIEWS}.plots.path_plot:plot_of_plan"
     ),

@@ -23,7 +23,10 @@ _DRAWN = 24  # poses of one section
 def aspects_html(r: Aspects, m: SixLegs | Limbs, *, live: bool) -> str:
     """In how many aspects the poses lie, a picture of a pose of each set, the table of the sets, and how sure it is."""
     cards = "".join(_set_card(r, one, m) for one in r.sets[:_DRAWN])
-    return account_section(r, "Aspects", f'<div class="cards">{cards}</div>' if cards else "")
+    words = "All poses over two of their coordinates, with the proved ways between them."
+    drawn = shown(r, "svg")
+    plot = f'<figure class="plot">{drawn}<figcaption>{words}</figcaption></figure>' if drawn else ""
+    return account_section(r, "Aspects", plot, f'<div class="cards">{cards}</div>' if cards else "")
 
 
 def _set_card(r: Aspects, one: AspectSet, m: SixLegs | Limbs) -> str:
