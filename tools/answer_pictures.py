@@ -13,6 +13,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent
 
 PICTURES = {
+    "aspects-octahedral.svg": ("aspects examples/octahedral.yaml", "--picture"),
     "map-curves.svg": (
         'map examples/octahedral.yaml --over "x -300:300:121" --over "z -500:100:121" --limits "leg lengths 120..560"',
         "-o",
@@ -27,12 +28,20 @@ PICTURES = {
         "-o",
     ),
     "modes-octahedral.svg": ("modes examples/octahedral.yaml", "--picture"),
+    "free-octahedral.svg": ('free examples/octahedral.yaml --over "x 100, z 150, rz 30 deg"', "--picture"),
+    "locus-four-dof.svg": ("locus examples/four-dof.yaml --over t1,t2 --rotation zyx", "--picture"),
+    "locus-octahedral.svg": ("locus examples/octahedral.yaml --over z", "--picture"),
     "path-octahedral.svg": (
         'path examples/octahedral.yaml --at "0 0 0" --at "0 0 -400; euler zyx 90 0 0 deg"',
         "--plot",
     ),
     "path-3-rps.svg": (
         'path 3-rps --at home --at "z=0.2, roll=20deg, pitch=10deg" --at "z=-0.3, roll=0deg, pitch=60deg"',
+        "--plot",
+    ),
+    "plan-octahedral.svg": (
+        'plan examples/octahedral.yaml --from "-36.9 75 87.5; rotvec 85.27 -39.32 115.91 deg"'
+        ' --to "215.1 70.5 125.5; rotvec 2.3 -27.94 46.06 deg" --margin 0.02',
         "--plot",
     ),
     "rotary-hexapod.svg": ("analyze examples/models/rotary-hexapod.xml", "--figure"),

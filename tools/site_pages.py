@@ -4,6 +4,7 @@
 * An image and the paragraph after it become a figure with its caption if all of the paragraph is emphasised.
 * Figures of gcrules that a page shows as images are put into the page, so that they follow its light and dark colours.
 * The first use of each term of the glossary leads there (site_glossary.py).
+* The lines of the page on Python become what docstrings say (site_api.py).
 * A link to a file of the repository outside docs/ leads to a page that shows the file.
 * The pages of the catalog and of the robots come into the navigation by themselves.
 """
@@ -19,6 +20,7 @@ from html import escape, unescape
 from pathlib import Path
 from typing import Any
 
+import site_api
 import site_glossary
 import site_grammar
 from site_parts import PLACE
@@ -130,7 +132,8 @@ class Guide:
                 svg = svg.replace('role="img">', f'role="img" aria-label="{escape(unescape(match[1]))}">', 1)
             return self._place(svg.strip())
 
-        text = site_glossary.link(self.pages[name], name)
+        text = site_api.directives(self.pages[name]) if name == site_api.PAGE else self.pages[name]
+        text = site_glossary.link(text, name)
         text = SESSION.sub("```pycon\n>>> ", LINK.sub(inside, text))
         text = GENERATED.sub(generated, IMAGE.sub(figure, CAPTIONED.sub(captioned, text)))
         for left in re.findall(r"<!-- generated:.*", text):

@@ -194,8 +194,7 @@ def shorten(
 
     The answer has `polynomial` (equal to the scalar, proved by normal forms), `terms`, `lower` (no bracket polynomial
     with fewer terms equals it; `bound` says why) and `minimal` (whether these agree). After `seconds` what was found is
-    the answer. Raises InputError for extensors, LimitReached where there are more than `limit` bracket monomials of the
-    multidegree.
+    the answer. Raises InputError for extensors, LimitReached beyond `limit` bracket monomials of the multidegree.
     """
     given = e if isinstance(e, (BracketPolynomial, ExtensorPolynomial)) else _expression(e, rank, points, ideal)
     answer: Shortening = shortened(
@@ -295,13 +294,15 @@ def load(
 
 
 @public
-def paper(source: Source, folder: str | PathLike[str], *, full: bool = False, plugins: Folders = ()) -> tuple[str, ...]:
+def paper(
+    source: Source, folder: str | PathLike[str], *, full: bool = False, force: bool = False, plugins: Folders = ()
+) -> tuple[str, ...]:
     """Write a source's analysis as a section of a paper in LaTeX, with figures and references, into a folder.
 
-    `full` adds an appendix of every step. Returns the names of the files, of which all appear or none. Raises FileError
-    where that is not possible, or would replace a file that gcrules did not write.
+    `full` adds every step. Returns the names of the files, of which all appear or none. Raises FileError where that is
+    not possible, or would replace a file that is not as gcrules wrote it; `force` replaces it.
     """
-    return tuple(_paper(_analyze(source, plugins=plugins), folder, full=full))
+    return tuple(_paper(_analyze(source, plugins=plugins), folder, full=full, force=force))
 
 
 @public

@@ -262,7 +262,7 @@ SIGNATURES: dict[str, dict[str, ArgumentKind]] = {
         "length": ANYTHING,
         "plugins": _FOLDERS,
     },
-    "paper": {"source": _SOURCE, "folder": FILE, "full": FLAG, "plugins": _FOLDERS},
+    "paper": {"source": _SOURCE, "folder": FILE, "full": FLAG, "force": FLAG, "plugins": _FOLDERS},
     "prove": {"claim": _EXPR, "right": optional(_EXPR), **_LIMITED, "given": TEXTS},
     "report": {
         "source": _SOURCE,

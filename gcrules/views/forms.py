@@ -144,11 +144,19 @@ FORMS: dict[str, Forms] = {
         },
     ),
     "gcrules.poses.operation_modes.report.OperationModes": _told("operation_modes"),
-    "gcrules.poses.regions.report.FreeRegion": _told("free_region"),
-    "gcrules.poses.aspects.report.Aspects": _told("aspects"),
-    "gcrules.poses.plans.report.Plan": _told("plan"),
-    "gcrules.poses.loci.report.Locus": _result("locus"),
-    "gcrules.poses.loci.limb_report.RobotLocus": _result("robot_locus"),
+    "gcrules.poses.regions.report.FreeRegion": _told(
+        "free_region", svg=f"{_VIEWS}.plots.free_plot:svg", picture=f"{_VIEWS}.plots.free_plot:picture"
+    ),
+    "gcrules.poses.aspects.report.Aspects": _told(
+        "aspects", svg=f"{_VIEWS}.plots.aspects_plot:svg", picture=f"{_VIEWS}.plots.aspects_plot:picture"
+    ),
+    "gcrules.poses.plans.report.Plan": _told(
+        "plan", svg=f"{_VIEWS}.plots.path_plot:svg_of_plan", plot=f"{_VIEWS}.plots.path_plot:plot_of_plan"
+    ),
+    "gcrules.poses.loci.report.Locus": _result("locus", others={"picture": f"{_VIEWS}.plots.locus_plot:picture"}),
+    "gcrules.poses.loci.limb_report.RobotLocus": _result(
+        "robot_locus", others={"picture": f"{_VIEWS}.plots.locus_plot:picture"}
+    ),
 }
 
 

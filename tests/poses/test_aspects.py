@@ -6,6 +6,7 @@ import json
 from collections.abc import Sequence
 from dataclasses import replace
 from itertools import pairwise
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -20,6 +21,7 @@ from gcrules.poses.plans.domain import Proved
 from gcrules.poses.plans.limb_domain import LimbDomain
 from gcrules.poses.plans.report import Waypoint
 from gcrules.screws.pose import Pose
+from gcrules.views.drawing.drawing import Circle, Text
 
 FOUR_DOF = EXAMPLES / "four-dof.yaml"
 OCTAHEDRAL = EXAMPLES / "octahedral.yaml"
@@ -172,6 +174,32 @@ def test_limits_leave_modes_out() -> None:
 def test_wrong_questions(options: dict[str, object], words: str) -> None:
     with pytest.raises(InputError, match=words):
         gc.aspects(OCTAHEDRAL, modes=False, **options)
+
+
+def test_the_picture_has_each_pose_in_the_colour_of_its_set(octahedral: Aspects) -> None:
+    """And each assembly mode with its number, at one of the poses of its set."""
+    drawn = octahedral.picture()
+    assert octahedral._repr_svg_() == drawn.svg()
+    circles = [s for s in drawn.shapes if isinstance(s, Circle)]
+    for n, one in enumerate(octahedral.sets):
+        own = [s.center for s in circles if s.fill == f"entity{n + 1}"]
+        assert len(own) == len(one.poses) + 1  # one in the key
+        rings = [s.center for s in circles if s.stroke == f"entity{n + 1}"]
+        assert len(rings) == len(one.modes)
+        assert set(rings) <= set(own)
+    said = ["".join(run.text for run in s.runs) for s in drawn.shapes if isinstance(s, Text)]
+    assert set("12345678") <= set(said)
+    assert f"set A, signs −: {len(octahedral.sets[0].poses)} poses, assembly modes 1, 4, 5 and 8" in said
+
+
+def test_the_command_writes_the_picture(tmp_path: Path) -> None:
+    file = tmp_path / "aspects.svg"
+    options = ["--within", TURN, "--poses", "6"]
+    assert invoke("aspects", "3-rpr", *options, "--picture", str(file)).exit_code in (0, 3)
+    same = gc.aspects("3-rpr", within=TURN, poses=6)
+    assert file.read_text(encoding="utf-8") == same.picture().svg()
+    with pytest.raises(InputError, match="fewer than two coordinates"):
+        replace(same, poses=same.poses[:1] * len(same.poses)).picture()
 
 
 def test_the_command() -> None:

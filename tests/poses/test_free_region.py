@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import numpy as np
 import pytest
 from commands import invoke
@@ -14,6 +16,7 @@ from gcrules.poses.numbers.arrays import from_vectors
 from gcrules.poses.regions.extent import parse_extents
 from gcrules.poses.regions.report import FreeRegion
 from gcrules.screws.pose import Pose
+from gcrules.views.drawing.drawing import Polygon, Text
 
 OCTAHEDRAL = EXAMPLES / "octahedral.yaml"
 
@@ -141,3 +144,33 @@ def test_the_command() -> None:
 def test_poses_of_legs_are_given_in_all_forms() -> None:
     by_text, by_value = (gc.free_region(OCTAHEDRAL, at, over="x") for at in ("0 0 5", Pose((0, 0, 5))))
     assert by_text.scale == by_value.scale
+
+
+def test_the_picture_has_the_ranges_and_where_the_proof_ended(tmp_path: Path) -> None:
+    """Bars on the axes of lengths and of angles; the marks are at the pose, each just outside its bar or at its end."""
+    file = tmp_path / "free.svg"
+    run = invoke("free", str(OCTAHEDRAL), "--over", "x 100, z 150, rz 30 deg", "--picture", str(file))
+    assert run.exit_code == 0, run.output
+    found = gc.free_region(OCTAHEDRAL, over="x 100, z 150, rz 30 deg")
+    drawn = found.picture()
+    assert file.read_text(encoding="utf-8") == drawn.svg() == found._repr_svg_()
+    said = ["".join(run.text for run in s.runs) for s in drawn.shapes if isinstance(s, Text)]
+    assert {"x", "z", "rz", "−200", "200", "mm", "deg"} <= set(said)
+    assert f"free, proved for all values together, by {found.boxes} boxes" in said
+    bars = [s for s in drawn.shapes if isinstance(s, Polygon) and s.fill == "entity1"][:3]
+    marks = [s for s in drawn.shapes if isinstance(s, Polygon) and s.fill == "mark"][:3]
+    widths = [bar.points[1][0] - bar.points[0][0] for bar in bars]
+    assert widths[0] / widths[1] == pytest.approx(100 / 150)
+    for bar, sign, name in zip(bars, marks, found.names, strict=False):
+        left, right = bar.points[0][0], bar.points[1][0]
+        middle = sum(x for x, _ in sign.points) / 4
+        low, high = found.ranges[name]
+        assert middle == pytest.approx(left + (found.worst[name] - low) / (high - low) * (right - left))
+
+
+def test_the_picture_of_a_ball_says_so_and_leaves_out_what_is_fixed() -> None:
+    found = gc.free_region("3-rps", over="roll, pitch", ball=True)
+    said = ["".join(run.text for run in s.runs) for s in found.picture().shapes if isinstance(s, Text)]
+    assert any(one.startswith("axes of the ball that is free, proved") for one in said)
+    assert any("fixed: z = 0" in one for one in said)
+    assert "z" not in said

@@ -325,3 +325,30 @@ def test_faults_of_poses_stand_where_they_were_typed(robot: str | Path) -> None:
         done = invoke("plan", str(robot), "--from", words[0], "--to", words[1])
         assert done.exit_code == 2
         assert f"{option}:1:6: " in done.stderr
+
+
+# --- picture --------------------------------------------------------------------------------------------------------
+
+
+def test_the_picture_of_a_way(tmp_path: Path) -> None:
+    """It is that of its path, with the margin that was asked for where it is another than the threshold."""
+    file = tmp_path / "way.svg"
+    command = ("plan", "3-rps", "--from", "home", "--to", "z=0.2, roll=20deg, pitch=10deg")
+    assert invoke(*command, "--margin", "0.2", "--plot", str(file)).exit_code == 0
+    way = gc.plan("3-rps", "home", "z=0.2, roll=20deg, pitch=10deg", margin=0.2)
+    assert file.read_text(encoding="utf-8") == way.plot().svg() == way._repr_svg_()
+    assert "margin asked for, 0.2" in way.plot().svg()
+    plain = gc.plan("3-rps", "home", "z=0.2, roll=20deg, pitch=10deg")
+    assert plain.path is not None
+    assert plain.plot().svg() == plain.path.plot().svg()
+
+
+def test_where_there_is_no_way_nothing_is_drawn(tmp_path: Path) -> None:
+    octahedral = EXAMPLES / "octahedral.yaml"
+    found = gc.plan(octahedral, "home", "0 0 -490")
+    with pytest.raises(gc.GcrulesError, match="no way to be drawn"):
+        found.plot()
+    assert found._repr_svg_() is None
+    file = tmp_path / "none.svg"
+    assert invoke("plan", str(octahedral), "--from", "home", "--to", "0 0 -490", "--plot", str(file)).exit_code == 1
+    assert not file.exists()

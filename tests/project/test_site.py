@@ -269,6 +269,21 @@ def test_the_crossing_legs_are_singular() -> None:
     assert gc.evaluate("[[ab, af, cb, cd, ed, ef]]", at) == 0
 
 
+# --- Python -----------------------------------------------------------------------------------------------------------
+
+
+def test_the_page_on_python_reads_as_a_list_and_says_what_docstrings_say() -> None:
+    """`python tools/site_api.py` writes it."""
+    api = tool("site_api")
+    page = (ROOT / "docs" / api.PAGE).read_text(encoding="utf-8")
+    assert page == api.listed(page)
+    assert not re.search(r"^:::", page, re.MULTILINE)
+    paths = re.findall(r"<!-- ::: (\S+) -->", page)
+    built = tool("site_pages").Guide().page(api.PAGE)
+    assert re.findall(r"^::: (\S+)$", built, re.MULTILINE) == paths
+    assert "* `gc." not in built
+
+
 # --- pictures of answers ---------------------------------------------------------------------------------------------
 
 PICTURES = tool("answer_pictures").PICTURES

@@ -76,7 +76,14 @@ def test_what_an_author_changed_is_kept(tmp_path: Path) -> None:
     run = invoke("paper", "ab af cb cd ed ef", "-o", str(tmp_path))
     assert run.exit_code == 2
     assert f"{section}: this file is not as gcrules wrote it, and main.tex likewise" in run.stderr
+    assert "--force" in run.stderr
     assert {p: p.read_bytes() for p in tmp_path.iterdir()} == others
+    assert invoke("paper", "ab af cb cd ed ef", "-o", str(tmp_path), "--force").exit_code == 0
+    written = {p.name: p.read_text("utf-8") for p in tmp_path.iterdir()}
+    assert written == files_of(analysis)
+    section.write_bytes(b"mine")
+    gc.paper("ab af cb cd ed ef", tmp_path, force=True)
+    assert {p.name: p.read_text("utf-8") for p in tmp_path.iterdir()} == written
 
 
 def test_bad_input_is_refused(tmp_path: Path) -> None:
@@ -99,6 +106,35 @@ def test_the_digest_is_that_of_the_analysis() -> None:
     digests = [m[1] for m in found if m]
     assert digests[0] != digests[1]
     assert digests[0][:16] in one.split("Reproducibility")[1]
+
+
+# --- dimensions -----------------------------------------------------------------------------------------------------
+
+
+def test_dimensions_are_tables_with_units_in_their_head() -> None:
+    section = files_of(gc.analyze(gc.load(OCTAHEDRAL)))["section.tex"]
+    joints = section.partition(r"\label{tab:octahedral-platform-3-3-joints}")[2].partition(r"\end{table}")[0]
+    assert r"point & $x$ (mm) & $y$ (mm) & $z$ (mm) \\" in joints
+    assert r"$a$ & $0$ & $-300$ & $0$ \\" in joints
+    assert "Not every pose is singular: an exact pose is known in which the legs are independent." in section
+    assert "certificate: " not in section
+
+
+def test_directions_have_no_unit_and_facts_have_signs() -> None:
+    section = files_of(gc.analyze(gc.load(EXAMPLES / "tutorial" / "tripod.yaml")))["section.tex"]
+    assert r"$S_{2}$ & $-60$ & $90$ & $300$ \\" in section
+    assert r"direction & $x$ & $y$ & $z$ \\" in section
+    assert "the axes $A_{1}r_{1}$, $A_{2}r_{2}$ and $A_{3}r_{3}$ are in one plane" in section
+    facts = files_of(gc.analyze("delta"))["section.tex"]
+    assert r"links & \gccell $|O_{2}A_{2}| = |O_{3}A_{3}|$" in facts
+    assert "what holds of the bodies, exactly, in every pose" in facts
+
+
+def test_what_holds_nearly_is_told_with_its_deviation() -> None:
+    section = " ".join(files_of(gc.analyze("reachy-mini-head"))["section.tex"].split())
+    assert r"body & what holds & deviation \\" in section
+    assert re.search(r"\|A_\{1\}B_\{1\}\| \\approx .* & \$\\leq \d\.\d \\cdot 10\^\{-1\d\}\$ \\\\", section)
+    assert "Of the 3 mirrors that take the base to itself and the platform too it names one." in section
 
 
 # --- works ----------------------------------------------------------------------------------------------------------

@@ -5,7 +5,7 @@ from __future__ import annotations
 import click
 
 from gcrules.apps.cli.base import ExpressionCommand
-from gcrules.apps.cli.files import working
+from gcrules.apps.cli.files import OutputFile, working
 from gcrules.apps.cli.limits import time_limit
 from gcrules.apps.cli.naming import mechanism_argument
 from gcrules.apps.cli.options import about_option
@@ -13,6 +13,7 @@ from gcrules.apps.cli.output import Output, output_options
 from gcrules.apps.cli.sources import mode_option, read_source, warn
 from gcrules.poses.aspects.aspects import POSES, STATES
 from gcrules.poses.aspects.aspects import aspects as found_aspects
+from gcrules.views.drawing.drawing_files import save
 
 __all__ = ["aspects"]
 
@@ -32,6 +33,12 @@ __all__ = ["aspects"]
 @about_option
 @click.option("--states", default=STATES, show_default=True, metavar="N", help="Give up at so many states.")
 @click.option("--seed", default=0, show_default=True, metavar="N", help="Another seed draws other poses.")
+@click.option(
+    "--picture",
+    type=OutputFile(".svg", ".pdf"),
+    metavar="FILE.svg|FILE.pdf",
+    help="Draw the poses over two coordinates, with the proved ways between them.",
+)
 @time_limit()
 @output_options()
 def aspects(
@@ -45,12 +52,13 @@ def aspects(
     about: str,
     states: int,
     seed: int,
+    picture: str | None,
     out: Output,
 ) -> None:
     """Find in how many parts without singularities (aspects) a robot's poses lie, and which assembly modes share one.
 
     \b
-    gcrules aspects robot.yaml
+    gcrules aspects robot.yaml --picture aspects.svg
     gcrules aspects 3-rpr --within "x -1..1, y -1..1, yaw -180..180 deg"
     gcrules aspects 3-rps --limits "actuators -0.5..0.5" --no-modes
 
@@ -71,5 +79,7 @@ def aspects(
             seed=seed,
             about=about,
         )
+    if picture is not None:
+        save(found.picture(), picture)
     out.show(found)
     click.get_current_context().exit(0 if found.decided else 3)

@@ -5,13 +5,14 @@ from __future__ import annotations
 import click
 
 from gcrules.apps.cli.base import ExpressionCommand
-from gcrules.apps.cli.files import working
+from gcrules.apps.cli.files import OutputFile, working
 from gcrules.apps.cli.limits import time_limit
 from gcrules.apps.cli.naming import mechanism_argument
 from gcrules.apps.cli.options import about_option
 from gcrules.apps.cli.output import Output, output_options
 from gcrules.apps.cli.sources import mode_option, read_source, warn
 from gcrules.poses.regions.free_region import free_region
+from gcrules.views.drawing.drawing_files import save
 
 __all__ = ["free"]
 
@@ -24,6 +25,12 @@ __all__ = ["free"]
 @click.option("--ball", is_flag=True, help="A ball instead of a box.")
 @about_option
 @click.option("--boxes", type=int, metavar="N", help="Give up a size that so many boxes do not prove.")
+@click.option(
+    "--picture",
+    type=OutputFile(".svg", ".pdf"),
+    metavar="FILE.svg|FILE.pdf",
+    help="Draw the range of each coordinate, and the pose at which the proof ended.",
+)
 @time_limit()
 @output_options()
 def free(
@@ -34,6 +41,7 @@ def free(
     ball: bool,
     about: str,
     boxes: int | None,
+    picture: str | None,
     out: Output,
 ) -> None:
     """Find the largest box, or ball, around a pose that is proved free of singular poses.
@@ -41,7 +49,7 @@ def free(
     \b
     gcrules free robot.yaml --over "x, y, z"
     gcrules free robot.yaml --over "rx, ry, rz" --ball --at "0 0 20"
-    gcrules free delta --over actuators
+    gcrules free delta --over actuators --picture free.svg
 
     Boxes that are not proved are halved, until all are or there are too many. With "actuators" the ranges of a robot's
     joints around home, or around the pose, that keep it regular. "-" reads the file from standard input.
@@ -49,4 +57,6 @@ def free(
     loaded = warn(read_source(file, mode=mode))
     with working("proving"):
         found = free_region(loaded, at, over=over, ball=ball, boxes=boxes, about=about)
+    if picture is not None:
+        save(found.picture(), picture)
     out.show(found)

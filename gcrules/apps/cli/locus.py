@@ -5,7 +5,7 @@ from __future__ import annotations
 import click
 
 from gcrules.apps.cli.base import ExpressionCommand
-from gcrules.apps.cli.files import working
+from gcrules.apps.cli.files import OutputFile, working
 from gcrules.apps.cli.limits import time_limit
 from gcrules.apps.cli.naming import mechanism_argument
 from gcrules.apps.cli.options import about_option, limit_option
@@ -14,6 +14,7 @@ from gcrules.apps.cli.sources import mode_option, read_source, warn
 from gcrules.poses.loci.factors import MAX_TERMS
 from gcrules.poses.loci.form import FORMATS
 from gcrules.poses.loci.locus import locus as computed
+from gcrules.views.drawing.drawing_files import save
 
 __all__ = ["locus"]
 
@@ -45,6 +46,12 @@ __all__ = ["locus"]
     metavar="N",
     help="Print decimals of N digits, up to a factor; without it of 6 where coefficients have more than 20 digits.",
 )
+@click.option(
+    "--picture",
+    type=OutputFile(".svg", ".pdf"),
+    metavar="FILE.svg|FILE.pdf",
+    help="Draw the zeros over one variable, or the curves over two.",
+)
 @limit_option(MAX_TERMS, "Search for factors of polynomials of so many terms, where no proof decides.")
 @time_limit()
 @output_options()
@@ -59,6 +66,7 @@ def locus(
     about: str,
     export: str | None,
     digits: int | None,
+    picture: str | None,
     limit: int,
     out: Output,
 ) -> None:
@@ -69,6 +77,7 @@ def locus(
     gcrules locus 3-rpr --over x,y --at "yaw=90deg"
     gcrules locus robot.yaml --over translation --at "0 0 0; euler zyx 90 0 0 deg"
     gcrules locus robot.yaml --fix "e1=0, e2=0" --json
+    gcrules locus robot.yaml --over x,z --picture locus.svg
     gcrules locus robot.yaml --rotation rodrigues --export maple -o locus.mpl
 
     The variables are x, y, z (the translation in the file's unit) and those of the rotation. "-" reads the file from
@@ -85,4 +94,6 @@ def locus(
     with working("computing"):
         found = computed(loaded, over, fix=fix, at=at, rotation=rotation, about=about, limit=limit, product=product)
         text = found.text(unicode=out.unicode, digits=digits) if export is None else found.written(export)
+    if picture is not None:
+        save(found.picture(), picture)
     out.show(found, text)

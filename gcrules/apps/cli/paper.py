@@ -21,9 +21,10 @@ _own_entry = deferred("gcrules.views.paper.bibliography:own_entry")
 @click.argument("legs", nargs=-1, required=True, metavar="LEGS|FILE.yaml|ROBOT", shell_complete=complete_source)
 @click.option("-o", "--output", "folder", required=True, metavar="DIR", help="The directory for the files.")
 @click.option("--full", is_flag=True, help="Add an appendix with every single step of the derivation.")
+@click.option("--force", is_flag=True, help="Overwrite files that gcrules did not write, or that were changed since.")
 @time_limit(plus="search")
 @analysis_options
-def paper(legs: tuple[str, ...], folder: str, full: bool, asked: AnalysisOptions) -> None:
+def paper(legs: tuple[str, ...], folder: str, full: bool, force: bool, asked: AnalysisOptions) -> None:
     """Write the analysis as a section of a paper in LaTeX, with its figures and references.
 
     \b
@@ -35,11 +36,11 @@ def paper(legs: tuple[str, ...], folder: str, full: bool, asked: AnalysisOptions
     The files are section.tex, figure.tex (of a robot of joints figure-2.tex too), references.bib, with --full
     appendix.tex, and main.tex, which sets them all: pdflatex main, bibtex main, and pdflatex main twice. The section
     fits columns of any width. A file of one of these names that gcrules did not write, or that was changed since, is
-    not overwritten.
+    overwritten with --force only.
     """
     analysis = asked.analysis(legs)
     with working("writing"):
-        paths = _save(analysis, folder, full=full)
+        paths = _save(analysis, folder, full=full, force=force)
     for path in paths:
         click.echo(path)
 

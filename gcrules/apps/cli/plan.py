@@ -15,6 +15,7 @@ from gcrules.core.files import write_file
 from gcrules.core.streams import is_stdout
 from gcrules.poses.plans.plan import STATES
 from gcrules.poses.plans.plan import plan as planned
+from gcrules.views.drawing.drawing_files import save
 
 __all__ = ["plan"]
 
@@ -37,6 +38,12 @@ _CODES = {"way": 0, "none": 1, "undecided": 3}
 @click.option("--states", default=STATES, show_default=True, metavar="N", help="Give up at so many states.")
 @click.option("--seed", default=0, show_default=True, metavar="N", help="Another seed draws other poses.")
 @click.option("--csv", "table", type=OutputFile(alone=True), metavar="FILE.csv", help="Write the poses of the way.")
+@click.option(
+    "--plot",
+    type=OutputFile(".svg", ".pdf"),
+    metavar="FILE.svg|FILE.pdf",
+    help="Draw the margin along the way, if there is one.",
+)
 @time_limit()
 @output_options()
 def plan(
@@ -51,13 +58,14 @@ def plan(
     states: int,
     seed: int,
     table: str | None,
+    plot: str | None,
     out: Output,
 ) -> None:
     """Find a way from one pose to another without a singularity, or prove that there is none.
 
     \b
     gcrules plan robot.yaml --from home --to "0 0 -300; rotvec 0 0 60 deg"
-    gcrules plan 3-rps --from home --to "z=0.2, roll=20deg, pitch=10deg" --margin 0.2
+    gcrules plan 3-rps --from home --to "z=0.2, roll=20deg, pitch=10deg" --margin 0.2 --plot way.svg
     gcrules plan robot.yaml --from home --to "50 0 10" --limits "leg lengths 300..700" --csv way.csv
     gcrules plan robot.yaml --from "0 0 -349" --margin 0.1
 
@@ -82,6 +90,8 @@ def plan(
     code = _CODES[found.outcome]
     if table is not None and code == 0:
         write_file(table, found.csv())
+    if plot is not None and found.path is not None:
+        save(found.plot(), plot)
     if table is None or out.path is not None or not is_stdout(table) or code:
         out.show(found)
     click.get_current_context().exit(code)

@@ -161,6 +161,12 @@ class Aspects(Shown):
             "notes": list(self.notes),
         }
 
+    def picture(self) -> Any:
+        """The poses over the two coordinates that tell the sets apart best, with the proved ways: a drawing with
+        `svg()`. Raises InputError where they differ in fewer than two.
+        """
+        return self._show("picture")
+
     def __repr__(self) -> str:
         number = str(self.least) if self.decided else f"{self.least} to {self.most}"
         return f"<Aspects: {len(self.poses)} poses in {number}>"

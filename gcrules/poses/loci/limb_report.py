@@ -160,6 +160,12 @@ class RobotLocus(LocusPolynomial, Shown):
         """The polynomial for sympy, maple or singular, as text; with the squares of the roots where they are kept."""
         return self.form.written(style, () if self.multiplied else [(r.name, r.radicand) for r in self.roots])
 
+    def picture(self) -> Any:
+        """Over one variable the graph of the polynomial with its zeros, over two the curves of its factors: a drawing
+        with `svg()`. Raises InputError for more variables, and where every pose is singular.
+        """
+        return self._show("picture")
+
     def to_json(self) -> dict[str, Any]:
         """One JSON object; coefficients are texts, exponents belong to `variables`."""
         q = self.question

@@ -80,6 +80,12 @@ class Locus(LocusPolynomial, Shown):
         found = factored(p, candidates(self.rig, self.question, self.condition, self.norms), self.limit)
         return tuple(LocusFactor(kind, name, PolynomialForm.of(f), n) for kind, name, f, n in found)
 
+    def picture(self) -> Any:
+        """Over one variable the graph of the polynomial with its zeros, over two the curves of its factors: a drawing
+        with `svg()`. Raises InputError for more variables, and where every pose is singular.
+        """
+        return self._show("picture")
+
     def to_json(self) -> dict[str, Any]:
         """One JSON object; coefficients are texts, exponents belong to `variables`. `factors` is null, with the reason
         in `factors_undecided`, where the limit was reached.

@@ -116,6 +116,12 @@ class Plan(Shown):
         """A table of the way's poses; that of a platform on six legs `gcrules path --poses` reads."""
         return table_text(self.poses, self.unit)
 
+    def plot(self) -> Any:
+        """The margin along the way, with the one that was asked for: a drawing with `svg()`. Raises InputError where
+        there is no way.
+        """
+        return self._show("plot")
+
     def __repr__(self) -> str:
         if self.path is None:
             return f"<Plan {self.outcome}: {self.reason}>"

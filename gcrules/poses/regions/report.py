@@ -74,5 +74,9 @@ class FreeRegion(Shown):
             "notes": list(self.notes),
         }
 
+    def picture(self) -> Any:
+        """The range of each coordinate, and the pose at which the proof ended: a drawing with `svg()`."""
+        return self._show("picture")
+
     def __repr__(self) -> str:
         return f"<FreeRegion {self.shape} over {', '.join(self.names)}: {self.scale:.4g}>"

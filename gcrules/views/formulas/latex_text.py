@@ -12,13 +12,13 @@ from __future__ import annotations
 import math
 import re
 import unicodedata
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from fractions import Fraction
 from itertools import groupby
 
 from gcrules.core.floats import decimal
 
-__all__ = ["latex_document", "latex_quantity", "latex_table", "latex_words"]
+__all__ = ["latex_document", "latex_quantity", "latex_ruled", "latex_table", "latex_words"]
 
 _TEXT = {
     **{"\\": r"\textbackslash{}", "^": r"\^{}", "~": r"\~{}", **{c: f"\\{c}" for c in "{}_&#%$"}},
@@ -90,8 +90,21 @@ def latex_quantity(x: float | Fraction, unit: str = "", power: int = 1) -> str:
 
 def latex_table(rows: Iterable[tuple[str, str]]) -> str:
     """A tabular of names and values, both LaTeX; it needs no package."""
-    body = "\n".join(f"  {name} & {value} \\\\" for name, value in rows)
-    return f"\\begin{{tabular}}{{ll}}\n{body}\n\\end{{tabular}}"
+    return _ruled("ll", [[*rows]])
+
+
+def latex_ruled(columns: str, *parts: tuple[Sequence[str], Iterable[Sequence[str]]]) -> str:
+    """A tabular of parts, each with a head of its own, ruled as books do it; it needs no package."""
+    return _ruled(columns, [block for head, rows in parts for block in ([head], rows)])
+
+
+def _ruled(columns: str, blocks: Iterable[Iterable[Sequence[str]]]) -> str:
+    """A line above each block and at the end, with some room below it."""
+    lines = [rf"\begin{{tabular}}{{{columns}}}"]
+    for block in blocks:
+        body = [f"  {' & '.join(row)} \\\\" for row in block]
+        lines += [r"\hline\rule{0pt}{2.5ex}%", *body]
+    return "\n".join([*lines, r"\hline", r"\end{tabular}"])
 
 
 def latex_document(body: Iterable[str]) -> str:

@@ -23,6 +23,7 @@ MACROS = r"""\providecommand{\gcbreak}{\penalty0\relax}
 \providecommand{\gcformula}[1]{% in one line, or broken where it is wider than the column
   \setbox0=\hbox{$#1$}%
   \ifdim\wd0<0.86\linewidth\copy0\else\parbox{0.86\linewidth}{\gcraggedright$#1$}\fi}
+\providecommand{\gccell}{\raggedright\let\\\tabularnewline\relax}
 \providecommand{\gclong}[1]{\par{\gcraggedright\leftskip=1em\noindent$#1$\par}}"""
 """Definitions that a section begins with; an author may define them otherwise before."""
 

@@ -23,10 +23,10 @@ __all__ = ["as_latex", "files_of", "save"]
 
 _MARK = "% gcrules paper"
 """How each of the files begins. What begins otherwise is somebody's own, and so are lines that were changed below a
-first line with their digest: neither is overwritten.
+first line with their digest: neither is overwritten unless asked for.
 """
 
-_ELSEWHERE = "choose another directory, or move this file away to have it written anew"
+_ELSEWHERE = "choose another directory, or overwrite what is there with --force (in Python with force=True)"
 _CLASS = r"\documentclass[10pt]{article}"
 _PREAMBLE = r"""\usepackage[T1]{fontenc}
 \usepackage{lmodern}
@@ -74,11 +74,13 @@ def as_latex(a: Analysis | RobotAnalysis, *, full: bool = False) -> str:
     return works + _document(_CLASS, f"{MACROS}\n\n{section(s, placed, full=full)}", appendix(s) if full else "")
 
 
-def save(a: Analysis | RobotAnalysis, folder: str | PathLike[str], *, full: bool = False) -> tuple[str, ...]:
+def save(
+    a: Analysis | RobotAnalysis, folder: str | PathLike[str], *, full: bool = False, force: bool = False
+) -> tuple[str, ...]:
     """Write the files into a folder, which is made if need be; all of them appear, or none.
 
     Returns their names. Raises FileError where that is not possible, and where a file of one of these names was not
-    written by gcrules, or was changed since.
+    written by gcrules, or was changed since, unless `force` is given.
     """
     where = fspath(folder)
     check_name(where)
@@ -86,7 +88,7 @@ def save(a: Analysis | RobotAnalysis, folder: str | PathLike[str], *, full: bool
     if os.path.exists(where) and not os.path.isdir(where):
         raise FileError("this is a file, expected a directory", filename=where, hint="-o names the directory")
     kept = [(path, why) for path in (os.path.join(where, name) for name in made) if (why := _not_own(path))]
-    if kept:
+    if kept and not force:
         path, why = kept[0]
         others = f", and {listed([os.path.basename(other) for other, _ in kept[1:]])} likewise" if kept[1:] else ""
         raise FileError(f"{why}{others}", filename=path, hint=_ELSEWHERE)

@@ -16,9 +16,9 @@ from gcrules.rules.condition import Condition
 from gcrules.views.formulas.latex_text import latex_words
 from gcrules.views.formulas.suppositions import supposed
 from gcrules.views.paper.bibliography import OWN_KEY, cited_in
+from gcrules.views.paper.dimensions import dimensions, table
 from gcrules.views.paper.formulas import breakable, displayed, equation, inline, itemized, named_words, sentence
 from gcrules.views.paper.subject import Subject
-from gcrules.views.report.dimension_items import DIMENSIONS, dimension_lines
 from gcrules.views.report.stage_ids import TITLES
 from gcrules.views.results.derivation import reasons
 from gcrules.views.results.robot import CONDITION, FACTORS, LIMBS, LINES, factor_words, in_every_pose, sections
@@ -33,7 +33,7 @@ _COUNTS = {3: "three", 6: "six", 10: "ten"}
 def section(s: Subject, figures: Sequence[str], *, full: bool = False) -> str:
     """The section; `figures` are the pictures as LaTeX, with their captions. `full` refers to the appendix of steps."""
     parts = [rf"\section{{{latex_words(s.title)}}}\label{{sec:{slug(s)}}}", *_structure(s, len(figures))]
-    parts += [*figures, *_result(s), *_limits(s), *_numbers(s), _sure(s, full)]
+    parts += [*figures, *_result(s), *_limits(s), *dimensions(s, slug(s)), *_numbers(s), _sure(s, full)]
     return "\n\n".join(filter(None, parts)) + "\n"
 
 
@@ -243,17 +243,21 @@ def _vanishing(e: Expr) -> Iterator[str]:
 
 # --- what else is known --------------------------------------------------------------------------------------------
 
-_TOLD = (LIMBS, LINES, CONDITION, FACTORS, "Wrenches that are no such lines, at home", "Certificate")
+_TOLD = (
+    LIMBS,
+    LINES,
+    CONDITION,
+    FACTORS,
+    "Wrenches that are no such lines, at home",
+    TITLES["dimensions"],
+    "Certificate",
+)
 
 
 def _limits(s: Subject) -> Iterator[str]:
     """Factors of a robot's condition told apart, and the singularities of its limbs."""
     a = s.robot
     if a is None:
-        dimensions = s.lines.dimensions if s.lines else None
-        if dimensions is not None:
-            yield rf"\paragraph{{{latex_words(TITLES['dimensions'])}.}}"
-            yield itemized(named_words(line, s.names) for line in dimension_lines(dimensions, DIMENSIONS))
         return
     if len(a.parts) > 1 or any(p.kind in ("never", "choice", "limb") for p in a.parts):
         yield r"\paragraph{Factors.} The factors of the right side are, for this robot:"
@@ -271,15 +275,7 @@ def _numbers(s: Subject) -> Iterator[str]:
     if report is None:
         return
     caption = f"{latex_words(s.title)}: numbers in the pose of the file"
-    yield "\n".join(
-        [
-            r"\begin{table}[t]",
-            rf"\centering\caption{{{caption}}}\label{{tab:{slug(s)}}}",
-            r"\smallskip\small",
-            report.latex(),
-            r"\end{table}",
-        ]
-    )
+    yield table(caption, f"tab:{slug(s)}", report.latex())
     yield (
         f"Table~\\ref{{tab:{slug(s)}}} lists the numbers in the pose of the file; the margin $\\sigma$ is $0$ in"
         " singular poses."

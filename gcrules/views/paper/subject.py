@@ -4,17 +4,20 @@ from __future__ import annotations
 
 import hashlib
 import json
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Sequence
+from fractions import Fraction
 from typing import Any
 
 from gcrules.algebra import expr as ex
 from gcrules.algebra.expr import Expr, Point, join
 from gcrules.conditions.analysis import Analysis
+from gcrules.conditions.pose_value import Coordinates
 from gcrules.core.dataclass import dataclass
 from gcrules.core.deferred import deferred
 from gcrules.core.english import listed
 from gcrules.core.errors import InputError
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
+from gcrules.mechanisms.robot import Robot
 from gcrules.rules.condition import Condition
 from gcrules.rules.statement import Statement
 from gcrules.views.drawing.drawing import Drawing
@@ -83,6 +86,27 @@ class Subject:
         data = {key: value for key, value in self.analysis.to_json().items() if key not in _OF_A_MACHINE}
         written = json.dumps(data, sort_keys=True, separators=(",", ":"), ensure_ascii=True)
         return hashlib.sha256(written.encode()).hexdigest()
+
+    @property
+    def _described(self) -> Coordinates | Robot | None:
+        return self.robot.robot if self.robot else self.lines.platform if self.lines else None
+
+    @property
+    def unit(self) -> str:
+        """The unit of length of the file, "" without."""
+        return self._described.units if self._described else ""
+
+    @property
+    def coordinates(self) -> Mapping[str, Sequence[Fraction]]:
+        """Where the points of the file are, of a robot at home its directions too; empty without dimensions."""
+        d = self._described
+        return {} if d is None else d.home or {} if isinstance(d, Robot) else d.points
+
+    @property
+    def ideal(self) -> frozenset[str]:
+        """The names among them that are directions."""
+        sorts = self.robot.robot.family.sorts if self.robot else {}
+        return frozenset(name for name, sort in sorts.items() if sort == "direction")
 
     def numbers(self) -> Any:
         """The report of the pose of the file, None where there are no dimensions."""

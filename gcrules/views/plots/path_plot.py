@@ -12,16 +12,18 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gcrules.core.dataclass import dataclass
+from gcrules.core.errors import InputError
 from gcrules.poses.limbs.path_report import RobotPath
 from gcrules.poses.numbers.arrays import matrices
 from gcrules.poses.numbers.many import scaled_superbracket
 from gcrules.poses.paths.report import PathReport
+from gcrules.poses.plans.report import Plan
 from gcrules.screws.margin import jacobian
 from gcrules.screws.threshold import Threshold, margin_of
 from gcrules.views.drawing.axis import Axis
 from gcrules.views.drawing.drawing import XY, Circle, Drawing, Polygon, Run, Shape, Stroke, Text, text_width
 
-__all__ = ["FRAME", "plot", "plot_of_robot", "svg", "svg_of_robot"]
+__all__ = ["FRAME", "marker", "plot", "plot_of_plan", "plot_of_robot", "svg", "svg_of_plan", "svg_of_robot", "words_at"]
 
 Floats = NDArray[np.float64]
 
@@ -32,12 +34,13 @@ FRAME = LEFT / WIDTH, 1 - RIGHT / WIDTH, _TOP / (_FLOOR + _BOTTOM), _FLOOR / (_F
 """Where the axes are in the plot: left and right as parts of its width, top and bottom of its height."""
 _MOST = 600  # points of a curve; of more, the least and the largest of every group are drawn
 _SIZE = 11.0
+_ASKED = "entity3"  # the colour of the margin that was asked for
 
 
 @dataclass(frozen=True)
 class _Plot:
     """What is drawn: above the margin σ with the threshold, below another quantity; `zeros` are places with their kind,
-    `blocks` stretches with what they mean.
+    `blocks` stretches with what they mean, `asked` the margin of a plan, 0 for none.
     """
 
     title: str
@@ -49,9 +52,10 @@ class _Plot:
     blocks: tuple[tuple[float, float], ...]
     meaning: str
     threshold: Threshold
+    asked: float
 
 
-def plot(r: PathReport) -> Drawing:
+def plot(r: PathReport, asked: float = 0.0) -> Drawing:
     """Above the margin σ with the threshold, below the superbracket; the x axis is the parameter of the path."""
     return _drawn(
         _Plot(
@@ -64,11 +68,12 @@ def plot(r: PathReport) -> Drawing:
             tuple((s.start, s.end) for s in r.stretches),
             "singular throughout",
             r.threshold,
+            asked,
         )
     )
 
 
-def plot_of_robot(r: RobotPath) -> Drawing:
+def plot_of_robot(r: RobotPath, asked: float = 0.0) -> Drawing:
     """Above the margin σ with the threshold, below the least margin of the limbs by themselves."""
     return _drawn(
         _Plot(
@@ -81,8 +86,17 @@ def plot_of_robot(r: RobotPath) -> Drawing:
             r.undecided,
             "not decided",
             r.threshold,
+            asked,
         )
     )
+
+
+def plot_of_plan(p: Plan) -> Drawing:
+    """The plot of its way, with the margin that was asked for. Raises InputError where there is no way."""
+    if p.path is None:
+        raise InputError("there is no way to be drawn", hint="a plan whose `outcome` is way has one")
+    asked = p.asked if p.end_margin is None else 0.0
+    return plot(p.path, asked) if isinstance(p.path, PathReport) else plot_of_robot(p.path, asked)
 
 
 def _drawn(p: _Plot) -> Drawing:
@@ -104,6 +118,11 @@ def _drawn(p: _Plot) -> Drawing:
         shapes.append(Stroke((x.start, sigma(limit)), (x.end, sigma(limit)), "muted", 1.0, dash=(5, 3)))
     if other.low < 0 < other.high:
         shapes.append(Stroke((x.start, other(0)), (x.end, other(0)), "muted", 0.8))
+    if _asked(p, limit):
+        shapes.append(Stroke((x.start, sigma(p.asked)), (x.end, sigma(p.asked)), _ASKED, 1.2, dash=(5, 3)))
+    for pose in range(1, round(p.end)):
+        for axis in (sigma, other):
+            shapes.append(Stroke((x(pose), axis.end), (x(pose), axis.start), "muted", 0.5, 0.35))
     for place, _ in p.zeros:
         for axis in (sigma, other):
             shapes.append(Stroke((x(place), axis.end), (x(place), axis.start), "mark", 0.8, 0.6, dash=(2, 3)))
@@ -111,10 +130,15 @@ def _drawn(p: _Plot) -> Drawing:
     shapes += _curve(x, other, p.places, value, "entity2")
     for place, kind in p.zeros:
         height = float(np.interp(place, p.places, value))
-        shapes += [_marker(kind, (x(place), sigma(0))), _marker(kind, (x(place), other(height)))]
+        shapes += [marker(kind, (x(place), sigma(0))), marker(kind, (x(place), other(height)))]
     shapes += _numbers([place for place, _ in p.zeros], x, sigma.end - 6)
     shapes += _legend(p, _FLOOR + 58)
     return Drawing(WIDTH, _FLOOR + _BOTTOM, tuple(shapes), p.title)
+
+
+def _asked(p: _Plot, limit: float) -> bool:
+    """Whether the margin that was asked for is another one than that of the threshold."""
+    return p.asked > 0 and abs(p.asked - limit) > 1e-9
 
 
 def _determinant(r: PathReport) -> Floats:
@@ -133,19 +157,19 @@ def _up(value: float) -> float:
 def _frame(x: Axis, y: Axis, label: str, *, last: bool) -> Iterator[Shape]:
     for tick in y.ticks(4):
         yield Stroke((x.start, y(tick)), (x.end, y(tick)), "muted", 0.5, 0.35)
-        yield _words((x.start - 6, y(tick) + 4), f"{tick:.4g}".replace("-", "−"), "end")
+        yield words_at((x.start - 6, y(tick) + 4), f"{tick:.4g}".replace("-", "−"), "end")
     yield Stroke((x.start, y.start), (x.end, y.start), "ink", 1.0)
     yield Stroke((x.start, y.start), (x.start, y.end), "ink", 1.0)
-    yield _words((x.start - 44, y.end - 12), label)
+    yield words_at((x.start - 44, y.end - 12), label)
     for tick in x.ticks(8, whole=x.high >= 3):
         yield Stroke((x(tick), y.start), (x(tick), y.start + 4), "ink", 1.0)
         if last:
-            yield _words((x(tick), y.start + 17), f"{tick:.4g}", "middle")
+            yield words_at((x(tick), y.start + 17), f"{tick:.4g}", "middle")
     if last:
-        yield _words(((x.start + x.end) / 2, y.start + 34), "parameter of the path (0 is the first pose)", "middle")
+        yield words_at(((x.start + x.end) / 2, y.start + 34), "parameter of the path (0 is the first pose)", "middle")
 
 
-def _words(at: XY, text: str, anchor: Literal["start", "middle", "end"] = "start") -> Text:
+def words_at(at: XY, text: str, anchor: Literal["start", "middle", "end"] = "start") -> Text:
     return Text(at, (Run(text),), _SIZE, anchor)
 
 
@@ -159,7 +183,7 @@ def _curve(x: Axis, y: Axis, places: Floats, values: Floats, colour: str) -> Ite
         yield Stroke(start, end, colour, 1.6)
 
 
-def _marker(kind: str, at: XY) -> Shape:
+def marker(kind: str, at: XY) -> Shape:
     """A full diamond where the path crosses, an open circle where it touches, a full square at its ends."""
     (u, v), d = at, 4.5
     if kind == "touches":
@@ -187,8 +211,11 @@ def _numbers(zeros: Sequence[float], x: Axis, height: float) -> Iterator[Shape]:
 
 def _legend(p: _Plot, height: float) -> Iterator[Shape]:
     """What the marks mean that occur."""
-    dashes = partial(_dashes, height)
-    entries: list[tuple[Callable[[float], Shape], str]] = [(dashes, f"threshold {p.threshold.text}")]
+    entries: list[tuple[Callable[[float], Shape], str]]
+    entries = [(partial(_dashes, "muted", height), f"threshold {p.threshold.text}")]
+    assert p.threshold.angle is not None
+    if _asked(p, margin_of(p.threshold.angle)):
+        entries.append((partial(_dashes, _ASKED, height), f"margin asked for, {p.asked:.4g}"))
     meaning = {"crosses": "crosses", "touches": "touches", "starts": "starts or ends", "ends": "starts or ends"}
     occurring = {kind for _, kind in p.zeros}
     shown = {words: kind for kind, words in meaning.items() if kind in occurring}
@@ -198,18 +225,18 @@ def _legend(p: _Plot, height: float) -> Iterator[Shape]:
         entries.append((partial(_block, height), p.meaning))
     u = LEFT + 8
     for draw, words in entries:
-        text = _words((u + 14, height), words)
+        text = words_at((u + 14, height), words)
         yield draw(u)
         yield text
         u += 36 + text_width(text) * 0.9
 
 
-def _dashes(height: float, u: float) -> Shape:
-    return Stroke((u - 8, height - 4), (u + 8, height - 4), "muted", 1.0, dash=(5, 3))
+def _dashes(colour: str, height: float, u: float) -> Shape:
+    return Stroke((u - 8, height - 4), (u + 8, height - 4), colour, 1.2, dash=(5, 3))
 
 
 def _sign(kind: str, height: float, u: float) -> Shape:
-    return _marker(kind, (u, height - 4))
+    return marker(kind, (u, height - 4))
 
 
 def _block(height: float, u: float) -> Shape:
@@ -225,3 +252,8 @@ def svg(r: PathReport) -> str:
 def svg_of_robot(r: RobotPath) -> str:
     """The plot as SVG."""
     return plot_of_robot(r).svg()
+
+
+def svg_of_plan(p: Plan) -> str | None:
+    """The plot of its way as SVG; nothing where there is no way."""
+    return None if p.path is None else plot_of_plan(p).svg()

@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from gcrules.algebra.expr import ONE
 from gcrules.algebra.language.text import text
-from gcrules.conditions.dimensions.facts import Dimensions, OwnCondition
+from gcrules.conditions.dimensions.facts import Dimensions, Fact, OwnCondition
 from gcrules.core.english import listed
 from gcrules.views.detail import first
 from gcrules.views.report.items import Formula, Item, KeyValue
 
-__all__ = ["DIMENSIONS", "DIMENSIONS_OF_ROBOT", "dimension_items", "dimension_lines"]
+__all__ = ["DIMENSIONS", "DIMENSIONS_OF_ROBOT", "dimension_items", "dimension_lines", "main_facts"]
 
 DIMENSIONS_OF_ROBOT = "What home says of the bodies beyond the relations of the family; it holds in every pose."
 DIMENSIONS = "What the coordinates say beyond the names of the joints; it holds in every pose."
@@ -30,6 +30,12 @@ def dimension_lines(d: Dimensions, what: str = DIMENSIONS_OF_ROBOT) -> list[str]
     return [what, *words]
 
 
+def main_facts(d: Dimensions) -> tuple[Sequence[Fact], int]:
+    """The facts that are shown, of several mirrors one, and how many mirrors there are."""
+    mirrors = [fact for fact in d.facts if fact.kind == "mirror"]
+    return first([*(fact for fact in d.facts if fact.kind != "mirror"), *mirrors[:1]], _MANY), len(mirrors)
+
+
 def _items(d: Dimensions) -> Iterator[Item]:
     if d.architecture.sentence:
         yield d.architecture.sentence
@@ -37,17 +43,14 @@ def _items(d: Dimensions) -> Iterator[Item]:
         forces = ", ".join(f"{leg} {share}" for leg, share in d.architecture.stress)
         yield KeyValue("forces", f"{forces} (for each unit of length of the leg, in every pose)")
     yield KeyValue("certificate", f"{d.architecture.sure}.")
-    facts = [fact.sentence for fact in d.facts if fact.kind != "mirror"]
-    mirrors = [fact.sentence for fact in d.facts if fact.kind == "mirror"]
-    if len(mirrors) > 1:
-        mirrors = [f"{len(mirrors)} mirrors take the base to itself and the platform too; one of them: {mirrors[0]}"]
-    facts += mirrors
-    shown = first(facts, _MANY)
-    for said in shown:
-        yield KeyValue("fact", said)
-    if len(facts) > len(shown):
-        yield f"and {len(facts) - len(shown)} more"
-    if not facts:
+    shown, mirrors = main_facts(d)
+    several = f"{mirrors} mirrors take the base to itself and the platform too; one of them: " * (mirrors > 1)
+    for fact in shown:
+        yield KeyValue("fact", f"{several * (fact.kind == 'mirror')}{fact.sentence}")
+    left_out = len(d.facts) - max(mirrors - 1, 0) - len(shown)
+    if left_out:
+        yield f"and {left_out} more"
+    if not shown:
         yield "No fact of the bodies was found."
     if any(not fact.exact for fact in d.facts):
         yield KeyValue("tolerance", f"{d.tolerance:g} of the size; no proof rests on what holds nearly")

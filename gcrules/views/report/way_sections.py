@@ -23,7 +23,10 @@ _DRAWN = 24  # poses of one section
 def aspects_html(r: Aspects, m: SixLegs | Limbs, *, live: bool) -> str:
     """In how many aspects the poses lie, a picture of a pose of each set, the table of the sets, and how sure it is."""
     cards = "".join(_set_card(r, one, m) for one in r.sets[:_DRAWN])
-    return account_section(r, "Aspects", f'<div class="cards">{cards}</div>' if cards else "")
+    words = "All poses over two of their coordinates, with the proved ways between them."
+    drawn = shown(r, "svg")
+    plot = f'<figure class="plot">{drawn}<figcaption>{words}</figcaption></figure>' if drawn else ""
+    return account_section(r, "Aspects", plot, f'<div class="cards">{cards}</div>' if cards else "")
 
 
 def _set_card(r: Aspects, one: AspectSet, m: SixLegs | Limbs) -> str:
@@ -45,7 +48,7 @@ def plan_html(r: Plan, m: SixLegs | Limbs, *, live: bool) -> str:
     plot = view = ""
     if r.path is not None:
         words = "The margin along the way; whole numbers mark its poses."
-        plot = f'<figure class="plot">{shown(r.path, "svg")}<figcaption>{words}</figcaption></figure>'
+        plot = f'<figure class="plot">{shown(r, "svg")}<figcaption>{words}</figcaption></figure>'
         view = path_lead(r.path, m) if live else ""
     title = "A way out" if r.end_margin is not None or r.goal is None else "A way from pose to pose"
     return section_html(title, told.verdict, pictures, plot, view, blocks_html(told.blocks), latex_html(r))
@@ -64,4 +67,6 @@ def _pose_cards(r: Plan, m: SixLegs | Limbs) -> list[str]:
 
 def free_region_html(r: FreeRegion, m: SixLegs | Limbs, *, live: bool) -> str:
     """The sentence that says what is proved, the ranges of the coordinates, and where the proof ended."""
-    return account_section(r, f"A {r.shape} free of singular poses")
+    words = "The range of each coordinate, and the pose at which the proof ended."
+    picture = f'<figure class="plot">{shown(r, "svg")}<figcaption>{words}</figcaption></figure>'
+    return account_section(r, f"A {r.shape} free of singular poses", picture)

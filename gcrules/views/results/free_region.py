@@ -10,7 +10,7 @@ from gcrules.views.formulas.latex_text import latex_table, latex_words
 from gcrules.views.results.result_account import Facts, Grid, ResultAccount
 from gcrules.views.text_tables import ASCII, table, wrapped
 
-__all__ = ["account", "as_latex", "as_text", "ranges"]
+__all__ = ["account", "as_latex", "as_text", "facts", "ranges"]
 
 
 def as_text(r: FreeRegion, *, unicode: bool = False) -> str:
@@ -22,7 +22,7 @@ def as_text(r: FreeRegion, *, unicode: bool = False) -> str:
 def account(r: FreeRegion) -> ResultAccount:
     """What there is to say of it."""
     grid = Grid(("coordinate", "from", "to", "unit"), tuple(ranges(r)))
-    return ResultAccount(_verdict(r), (grid, Facts(tuple(_facts(r)))))
+    return ResultAccount(_verdict(r), (grid, Facts(tuple(facts(r)))))
 
 
 def ranges(r: FreeRegion) -> Iterator[tuple[str, str, str, str]]:
@@ -37,7 +37,7 @@ def _lines(r: FreeRegion) -> Iterator[str]:
     for name, low, high, unit in ranges(r):
         yield f"  {low} ≤ {name} ≤ {high} {unit}".rstrip()
     yield ""
-    yield from table([*_facts(r)])
+    yield from table([*facts(r)])
 
 
 def _verdict(r: FreeRegion) -> str:
@@ -51,7 +51,8 @@ def _verdict(r: FreeRegion) -> str:
     return f"{words}."
 
 
-def _facts(r: FreeRegion) -> Iterator[tuple[str, str]]:
+def facts(r: FreeRegion) -> Iterator[tuple[str, str]]:
+    """What is fixed, where the proof ended, and how it was made."""
     others = [n for n, w in zip(r.names, r.weights, strict=True) if not w]
     if others:
         fixed = zip(r.names, r.angles, r.centre, strict=True)
