@@ -323,6 +323,35 @@ def test_an_arrow_points_to_what_is_out_of_the_picture_and_says_how_far(desk: De
     assert "mm away" not in desk.one("viewer").inner_text()
 
 
+TOUCHING = """() => { const pane = document.querySelector("[data-testid=viewer]");
+    const words = [...pane.querySelectorAll("[aria-hidden] > span:not([hidden])")];
+    const arrows = [...pane.querySelectorAll("svg[data-marks] polygon")];
+    const told = words.filter(e => e.textContent.includes(" away"));
+    const touch = (a, b) => { const [p, q] = [a, b].map(e => e.getBoundingClientRect());
+        return p.left < q.right - 1 && q.left < p.right - 1 && p.top < q.bottom - 1 && q.top < p.bottom - 1; };
+    return [told.length, [...told, ...arrows].flatMap(a =>
+        words.filter(b => b !== a && touch(a, b)).map(b => `${a.textContent} ${b.textContent}`))]; }"""
+"""How many labels say how far a point is, and what touches them or their arrows."""
+
+
+def test_labels_keep_clear_of_arrows_and_their_words(desk: Desk) -> None:
+    told = 0
+    for pose in desk.run(NEAREST):
+        desk.run("pose => gcrules.edit({pose})", pose)
+        desk.answered()
+        desk.run("view => gcrules.space.viewer.value.setView('fit')")
+        for view in ("iso", "front", "side", "top"):
+            desk.one(f"view-{view}").click()
+            desk.one("viewer").hover()
+            for _ in range(3):
+                desk.page.mouse.wheel(0, -300)
+                desk.painted()
+                there, touching = desk.run(TOUCHING)
+                assert touching == []
+                told += there
+    assert told > 0
+
+
 def test_planes_swing_with_the_platform(desk: Desk) -> None:
     desk.run("pose => gcrules.edit({pose})", desk.run(NEAREST)[1])
     desk.answered()

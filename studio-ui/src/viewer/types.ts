@@ -88,6 +88,8 @@ export interface Viewer {
   toScreen(name: string): [number, number] | null;
   /** The same of what can be dragged. */
   gripAt(id: string): [number, number] | null;
+  /** The text of an SVG picture. */
+  svg(): string;
   /** A data URL of a PNG picture, or the text of an SVG one. */
   snapshot(kind: "png" | "svg"): Promise<string>;
   /** Paints the view into a canvas, twice as fine as on the screen; with the gained motion swung so far, from −1 to 1. False where there are no pixels. */

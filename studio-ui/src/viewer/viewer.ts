@@ -1,4 +1,5 @@
 // The viewer: puts scene, camera, handles and painter together. It draws only when something has changed.
+import { compassBox } from "./compass";
 import type { Model } from "./drawing";
 import { newEasel, type Easel } from "./easel";
 import { Gizmo } from "./gizmo";
@@ -6,7 +7,7 @@ import { Grasp } from "./grasp";
 import { gripAt, placeOf, poseOf } from "./grips";
 import { Hand, type Pointed, type Reach } from "./hand";
 import { poseInWords } from "./keys";
-import { boxesOf, pointersOf } from "./marks";
+import { boxesOf, pointersOf, takenBy, type Pointer } from "./marks";
 import { modelOf } from "./model";
 import { placeTags } from "./overlay";
 import { entityAt, pointAt } from "./picking";
@@ -172,9 +173,13 @@ class Stage implements Viewer, Reach {
     return depth > this.rig.camera.near ? [x, y] : null;
   }
 
+  svg(): string {
+    return svgPicture(this.shot());
+  }
+
   async snapshot(kind: "png" | "svg"): Promise<string> {
+    if (kind === "svg") return this.svg();
     const shot = this.shot();
-    if (kind === "svg") return svgPicture(shot);
     this.paintAlone();
     return pngPicture(shot, this.easel.canvas);
   }
@@ -196,8 +201,13 @@ class Stage implements Viewer, Reach {
     const model = this.fresh();
     const { sight } = this.rig;
     const pointers = pointersOf(model, sight);
-    const labels = [...placeTags(model, sight), ...pointers.map(({ label }) => label)];
+    const labels = [...placeTags(model, sight, this.taken(pointers)), ...pointers.map(({ label }) => label)];
     return { model, split: this.split, sight, labels, pointers, theme: this.theme, title: titleOf(this.scene) };
+  }
+
+  /** Where no label of a point may be. */
+  private taken(pointers: readonly Pointer[]) {
+    return [...takenBy(pointers), ...(this.hidden.has("grid") ? [] : [compassBox(this.sight.height)])];
   }
 
   /** Paints the drawing without the handles of the platform. */
@@ -244,7 +254,8 @@ class Stage implements Viewer, Reach {
     this.gizmo?.place(this.held ? poseOf(this.held, about) : this.platform, about);
     const { sight, camera } = this.rig;
     this.easel.paint(camera, sight);
-    const [labels, pointers] = [placeTags(model, sight), pointersOf(model, sight)];
+    const pointers = pointersOf(model, sight);
+    const labels = placeTags(model, sight, this.taken(pointers));
     this.surface.show(model, labels, pointers, camera, this.theme);
     this.options.onMarks?.(boxesOf(model, sight, labels, pointers));
   }

@@ -11,8 +11,14 @@ import { Warning } from "./warning";
 export function ViewerPane() {
   const store = useStore();
   const box = useRef<HTMLDivElement>(null);
+  const paper = useRef<HTMLDivElement>(null);
   useEffect(() => (box.current ? connect(box.current, store) : undefined), [store]);
   const { large, viewer } = store.space;
+  useEffect(() => {
+    const draw = () => void (paper.current && (paper.current.innerHTML = viewer.peek()?.svg() ?? "")); // in the colours of paper by now
+    addEventListener("beforeprint", draw);
+    return () => removeEventListener("beforeprint", draw);
+  }, [viewer]);
   const before = useRef(large.value);
   useEffect(() => {
     if (before.current === large.value) return;
@@ -25,6 +31,7 @@ export function ViewerPane() {
         <div class="viewer" ref={box} data-testid="viewer" />
         <Warning pane={box} />
       </div>
+      <div class="paper" ref={paper} data-testid="paper" />
       <Toolbar />
       <CrossingAlert />
       <Legend />
