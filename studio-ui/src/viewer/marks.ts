@@ -51,15 +51,16 @@ interface PointerWish extends Omit<Pointer, "label"> {
 
 function wishOf(mark: Mark, sight: Sight): PointerWish | null {
   const { width, height } = sight;
+  const letter = SIZE * sight.letter;
   const [x, y, depth] = sight.place(mark.at);
   const inside = depth > sight.near && x >= 0 && y >= 0 && x <= width && y <= height;
   if (inside && mark.drawn) return null;
   const tag = { text: mark.words, at: mark.at, clear: 0, colour: mark.colour, look: "construction", strong: true, upright: true } as const;
-  const half = widthOf(tag, SIZE) / 2;
-  const labelled = ([x, y]: XY): Placed => ({ tag, size: SIZE, x: within(x, half + 6, width - half - 6), y: within(y, SIZE, height - SIZE) });
+  const half = widthOf(tag, letter) / 2;
+  const labelled = ([x, y]: XY): Placed => ({ tag, size: letter, x: within(x, half + 6, width - half - 6), y: within(y, letter, height - letter) });
   const { colour } = mark;
   if (inside) {
-    const away = RING + SIZE;
+    const away = RING + letter;
     const down = y < height / 2 ? 1 : -1;
     const others: XY[] = [[x, y - down * away], [x + half + away, y], [x - half - away, y], [x, y + down * 2 * away]];
     return { colour, shape: [[x, y]], labels: [labelled([x, y + down * away]), ...others.map(labelled)] };
@@ -77,10 +78,10 @@ function wishOf(mark: Mark, sight: Sight): PointerWish | null {
   const outwards = (cx < width / 2 ? -1 : 1) * (half + 14);
   const aside = cx + outwards - half > 0 && cx + outwards + half < width ? outwards : -outwards;
   const steep = Math.abs(uy) > Math.abs(ux);
-  const beside: XY = steep ? [cx + aside, cy] : [cx, cy + down * (SIZE + CLEAR)];
+  const beside: XY = steep ? [cx + aside, cy] : [cx, cy + down * (letter + CLEAR)];
   // where that is taken: its other side, then line after line further inside
-  const opposite: XY = steep ? [cx - aside, cy] : [cx, cy - down * (SIZE + CLEAR)];
-  const lines = [1, 2, 3, 4].flatMap((k): XY[] => [beside, opposite].map(([x, y]) => [x, y + down * k * (SIZE + 2 * CLEAR)]));
+  const opposite: XY = steep ? [cx - aside, cy] : [cx, cy - down * (letter + CLEAR)];
+  const lines = [1, 2, 3, 4].flatMap((k): XY[] => [beside, opposite].map(([x, y]) => [x, y + down * k * (letter + 2 * CLEAR)]));
   return { colour, shape, labels: [labelled(beside), ...[opposite, ...lines].map(labelled)] };
 }
 

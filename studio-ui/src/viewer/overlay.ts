@@ -24,7 +24,7 @@ export function placeTags(model: Model, sight: Sight, taken: readonly Box[]): Pl
   for (const tag of model.tags) {
     const [x, y, depth] = sight.place(tag.at);
     if (depth < sight.near || x < -20 || y < -20 || x > sight.width + 20 || y > sight.height + 20) continue;
-    const size = SIZES[tag.look] * (tag.strong ? 1.12 : 1);
+    const size = SIZES[tag.look] * sight.letter * (tag.strong ? 1.12 : 1);
     const radius = tag.clear * sight.scale(depth) + 1;
     const wish = { x, y, radius, width: widthOf(tag, size), height: size * 1.05, toward: [x - cx, y - cy + (y < cy ? -30 : 30)] as [number, number] };
     shown.push({ tag, size, wish: { ...wish, rank: RANKS[tag.look] + (tag.strong ? 5 : 0) } });
