@@ -83,7 +83,13 @@ def parse_threshold(text: str, unit: str = "") -> Threshold:
     if number <= 0:
         raise InputError(f"the threshold {text.strip()[:40]} is not positive")
     if word in _ANGLES:
-        return Threshold(angle=float(number) * _ANGLES[word], text=text.strip())
+        angle = float(number) * _ANGLES[word]
+        if angle > math.pi / 2:
+            raise InputError(
+                f"the threshold {text.strip()[:40]} is more than a right angle, which no margin guarantees",
+                hint="every pose would be close; write an angle up to 90deg",
+            )
+        return Threshold(angle=angle, text=text.strip())
     if not word:
         raise InputError("a threshold without a unit", hint=f"write 2deg, 0.03rad or 5{unit or 'mm'}")
     check_unit(word, unit)

@@ -55,7 +55,9 @@ class EntityView(TypedDict):
     kind: EntityKind
     points: list[str]
     label: str
-    """With stars: A*bd."""
+    """As conditions and sentences have it: Abd."""
+    starred: str
+    """As the steps that find it have it, stars telling repeated points apart: A*bd."""
     colour: int
     """Number of its colour, counted from 0; six colours repeat."""
 

@@ -26,8 +26,10 @@ export interface Entity {
   id: string;
   kind: EntityKind;
   points: string[];
-  /** With stars: A*bd. */
+  /** As conditions and sentences have it: Abd. */
   label: string;
+  /** As the steps that find it have it, stars telling repeated points apart: A*bd. */
+  starred: string;
   /** Number of its colour, counted from 0; six colours repeat. */
   colour: number;
 }

@@ -43,7 +43,8 @@ const plane = (id: string, points: string, colour: number): Entity => ({
   id,
   kind: "plane",
   points: [...points.replaceAll("*", "")],
-  label: points,
+  label: points.replaceAll("*", ""),
+  starred: points,
   colour,
 });
 
@@ -362,7 +363,7 @@ test("words in the colours of entities can be read, and keep a colour that can b
 test("long names are found in sentences, and stand apart", () => {
   assert.equal(sideBySide(["A1", "b*", "c'"]), "A1b*c'");
   const points = ["base_left", "base_right", "top"];
-  const entity: Entity = { id: "e0", kind: "plane", points, label: "base_left* base_right top", colour: 0 };
+  const entity: Entity = { id: "e0", kind: "plane", points, label: "base_left base_right top", starred: "base_left* base_right top", colour: 0 };
   const words = wordsOf("the planes base_left base_right top and x meet", [entity]);
   assert.deepEqual(words.map(({ entity }) => entity?.id), [undefined, "e0", undefined]);
 });

@@ -339,7 +339,8 @@ def test_manual_accepts_and_refuses(page: Page) -> None:
     assert [r["answer"] for r in found["history"]] == ["confirmed", "refused", "confirmed"]
     assert found["history"][1]["monomial"] == 1
     assert found["counterexample"] is None
-    assert [e["label"] for e in found["entities"]] == ["abc", "b*df"]
+    assert [e["label"] for e in found["entities"]] == ["abc", "bdf"]
+    assert [e["starred"] for e in found["entities"]] == ["abc", "b*df"]
     assert found["hint"]["command"]
     assert found["fault"] is None
     done = page.ask("manual", source=legs, commands=["plane abc", "auto"])

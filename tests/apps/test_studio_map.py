@@ -74,15 +74,23 @@ def test_a_map_comes_coarse_and_is_refined(desk: Desk, kind: str, name: str, nod
 def test_the_map_shows_where_the_robot_is(desk: Desk) -> None:
     opened(desk, "example", "octahedral", 11).one("map-go").click()
     refined(desk, 11)
-    for at, words in (([80, -60, 0], "The robot"), ([900, 0, 0], "The robot is outside of this map")):
+    outside = "The robot is outside of this map"
+    for at, words, turn in (
+        ([80, -60, 0], "The robot", "0deg"),
+        ([900, 0, 0], outside, "0deg"),
+        ([-900, 0, 0], outside, "180deg"),
+        ([0, 900, 0], outside, "-90deg"),
+        ([900, -900, 0], outside, "45deg"),
+    ):
         desk.run("at => gcrules.edit({pose: {translation: at, quaternion: [1, 0, 0, 0]}})", at)
-        desk.page.wait_for_function("x => gcrules.touring.here.value?.at[0] === x", arg=at[0])
+        desk.page.wait_for_function("at => gcrules.touring.here.value?.at.every((c, i) => c === at[i])", arg=at)
         mark = desk.one("map-robot")
-        assert mark.get_attribute("title") == words
+        assert mark.get_attribute("aria-label") == words
+        assert mark.evaluate("mark => mark.style.getPropertyValue('--turn')") == turn
         field, dot = desk.one("map-picture").locator("canvas").bounding_box(), mark.bounding_box()
         part = (dot["x"] + dot["width"] / 2 - field["x"]) / field["width"]
         low, high = (desk.run("gcrules.touring.map.shown.value.result.axes[0]")[end] for end in ("low", "high"))
-        assert part == pytest.approx(min((at[0] - low) / (high - low), 1), abs=0.01)
+        assert part == pytest.approx(min(max((at[0] - low) / (high - low), 0), 1), abs=0.01)
     assert desk.one("map-elsewhere").count() == 0
     desk.run("gcrules.edit({pose: {translation: [80, 0, 30], quaternion: [1, 0, 0, 0]}})")
     assert desk.text("map-elsewhere").startswith("The robot is not in this map: z = 30 mm, no rotation.")

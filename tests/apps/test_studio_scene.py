@@ -153,6 +153,19 @@ def test_waypoints_of_a_robot_of_joints_go_as_far_as_its_freedoms(sit_down: Call
     desk.page.wait_for_function(f"() => {STOPS}[1].coordinates[0] > 0.35 && gcrules.timeline.proof.value")
     assert grip(desk, "stop 1")[1] == pytest.approx(y - 20, abs=4)
     assert grip(desk, "stop 1")[0] == pytest.approx(x, abs=4)
+    assert desk.text("waypoint-note") == "goes in z, roll and pitch only"
+
+
+def test_a_waypoint_that_cannot_follow_says_why(sit_down: Callable[..., Desk]) -> None:
+    desk = sit_down().visit().open("robot", "delta")
+    home = {**shift(0, 0, 0), "coordinates": [0, 0, 0]}
+    give(desk, [home, {**home, "coordinates": [10, 10, 10]}])
+    drag(desk, grip(desk, "stop 1"), 0, 400)
+    desk.page.wait_for_function("() => gcrules.timeline.fault.value")
+    assert desk.text("waypoint-note").startswith("It stays: ")
+    drag(desk, grip(desk, "stop 1"), 0, 8)
+    desk.page.wait_for_function("() => !gcrules.timeline.fault.value")
+    assert desk.text("waypoint-note") == "goes in x, y and z only"
 
 
 def test_a_way_is_kept_in_the_link(desk: Desk, sit_down: Callable[..., Desk]) -> None:
@@ -185,6 +198,26 @@ def test_a_way_that_was_driven_outlives_a_reload(desk: Desk) -> None:
     desk.page.wait_for_selector(PROVED)
     assert stops(desk) == [[0, 0, 0], [0, 0, -200]]
     assert not desk.run("gcrules.timeline.given.value")
+
+
+def test_where_one_looks_from_outlives_a_reload(desk: Desk) -> None:
+    desk.one("view-top").click()
+    desk.one("viewer").hover()
+    desk.page.mouse.wheel(0, -300)
+    desk.painted()
+    seen = desk.place("a"), desk.place("d")
+    desk.page.reload()
+    desk.page.wait_for_function("() => window.gcrules?.space.viewer.value && gcrules.study.value")
+    desk.answered()
+    desk.painted()
+    assert desk.place("a") == pytest.approx(seen[0], abs=0.5)
+    assert desk.place("d") == pytest.approx(seen[1], abs=0.5)
+    desk.open("robot", "3-rps")
+    desk.painted()
+    fitted = desk.place("S1")
+    desk.run("gcrules.space.viewer.value.setView('iso')")
+    desk.painted()
+    assert desk.place("S1") == pytest.approx(fitted, abs=0.5), "another robot is seen as ever"
 
 
 # --- joints --------------------------------------------------------------------------------------------------------
@@ -321,6 +354,35 @@ def test_an_arrow_points_to_what_is_out_of_the_picture_and_says_how_far(desk: De
         desk.painted()
     assert arrows.count() == 0, "now it is seen"
     assert "mm away" not in desk.one("viewer").inner_text()
+
+
+TOUCHING = """() => { const pane = document.querySelector("[data-testid=viewer]");
+    const words = [...pane.querySelectorAll("[aria-hidden] > span:not([hidden])")];
+    const arrows = [...pane.querySelectorAll("svg[data-marks] polygon")];
+    const told = words.filter(e => e.textContent.includes(" away"));
+    const touch = (a, b) => { const [p, q] = [a, b].map(e => e.getBoundingClientRect());
+        return p.left < q.right - 1 && q.left < p.right - 1 && p.top < q.bottom - 1 && q.top < p.bottom - 1; };
+    return [told.length, [...told, ...arrows].flatMap(a =>
+        words.filter(b => b !== a && touch(a, b)).map(b => `${a.textContent} ${b.textContent}`))]; }"""
+"""How many labels say how far a point is, and what touches them or their arrows."""
+
+
+def test_labels_keep_clear_of_arrows_and_their_words(desk: Desk) -> None:
+    told = 0
+    for pose in desk.run(NEAREST):
+        desk.run("pose => gcrules.edit({pose})", pose)
+        desk.answered()
+        desk.run("view => gcrules.space.viewer.value.setView('fit')")
+        for view in ("iso", "front", "side", "top"):
+            desk.one(f"view-{view}").click()
+            desk.one("viewer").hover()
+            for _ in range(3):
+                desk.page.mouse.wheel(0, -300)
+                desk.painted()
+                there, touching = desk.run(TOUCHING)
+                assert touching == []
+                told += there
+    assert told > 0
 
 
 def test_planes_swing_with_the_platform(desk: Desk) -> None:

@@ -101,3 +101,17 @@ def test_the_page_of_the_guide_is_a_link_where_the_guide_is_there(desk: Desk, to
         assert opened.value.url.endswith("/guide/course/superbracket.html")
     finally:
         context.close()
+
+
+def test_an_entity_is_named_as_in_its_condition(sit_down: Callable[..., Desk]) -> None:
+    """Stars stand in the steps that find it, where one point stands in several brackets."""
+    desk = sit_down().visit().open("example", "octahedral", "condition")
+    desk.painted()
+    page, names = desk.page, ["abc", "bdf", "cde", "aef"]
+    assert page.locator("#content .chip .math").all_inner_texts() == names
+    assert page.locator(".legend .chip .math").all_inner_texts() == names
+    assert "*" not in desk.text("viewer")
+    assert "*" in "".join(desk.step("planes").locator(".chip .math").all_inner_texts())
+    desk.painted()
+    assert page.locator(".legend .chip .math").all_inner_texts() == names[:3]
+    assert "*" not in desk.text("viewer")

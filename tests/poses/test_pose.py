@@ -60,7 +60,9 @@ def test_verdicts(robots: dict[str, Analysis], name: str, threshold: str, accura
     assert found.reason.endswith(".")
 
 
-@pytest.mark.parametrize("text", ["", "5", "0 deg", "-1 deg", "nan deg", "inf mm", "5 cm", "5 bananas", "deg"])
+@pytest.mark.parametrize(
+    "text", ["", "5", "0 deg", "-1 deg", "nan deg", "inf mm", "5 cm", "5 bananas", "deg", "90.1 deg", "1.6 rad"]
+)
 def test_thresholds_at_fault(text: str) -> None:
     with pytest.raises(InputError):
         parse_threshold(text, "mm")

@@ -123,7 +123,7 @@ def test_the_decision(sigma: float, floor: float, spread: float, close: float, w
     assert np.array(VERDICTS)[rank(np.array([sigma, sigma]), floor, spread, close)].tolist() == [word, word]
 
 
-@pytest.mark.parametrize("degrees", [0.1, 1.0, 23.5, 23.9, 24.1, 60.0, 90.0, 120.0])
+@pytest.mark.parametrize("degrees", [0.1, 1.0, 23.5, 23.9, 24.1, 60.0, 90.0])
 def test_a_threshold_means_the_same_for_legs_and_limbs(degrees: float) -> None:
     """The octahedral platform at home has σ = 0.4064 and asin σ = 23.98°: as limbs, and as six legs."""
     threshold = f"{degrees} deg"

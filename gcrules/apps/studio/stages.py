@@ -150,7 +150,7 @@ def _shown(a: Analysis, entities: Sequence[Entity], none: str) -> list[Item]:
     known = [ids[k] for e in entities if (k := (e.kind, frozenset(e.points))) in ids]
     named = [e for e in entities if (e.kind, frozenset(e.points)) not in ids]
     items: list[Item] = [{"kind": "entities", "entities": list(dict.fromkeys(known))}] if known else []
-    items += [sentence(f"The {e.kind} {entity_label(e)}.") for e in named]
+    items += [sentence(f"The {e.kind} {entity_label(e.starred)}.") for e in named]
     return items or ([sentence(none)] if none else [])
 
 

@@ -24,10 +24,10 @@ class DrawnIncidence:
     entities: tuple[str, ...]
 
 
-def entity_label(e: Entity) -> str:
-    """The points side by side, words set apart."""
-    gap = "" if all(len(n.rstrip("*'")) <= 2 for n in e.starred) else " "
-    return gap.join(e.starred)
+def entity_label(names: Sequence[str]) -> str:
+    """The points of an entity side by side, words set apart."""
+    gap = "" if all(len(n.rstrip("*'")) <= 2 for n in names) else " "
+    return gap.join(names)
 
 
 def entity_data(e: Entity, colour: int) -> EntityView:
@@ -36,7 +36,8 @@ def entity_data(e: Entity, colour: int) -> EntityView:
         "id": f"e{colour}",
         "kind": e.kind,
         "points": list(e.points),
-        "label": entity_label(e),
+        "label": entity_label(e.points),
+        "starred": entity_label(e.starred),
         "colour": colour,
     }
 

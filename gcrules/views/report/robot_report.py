@@ -118,6 +118,7 @@ def robot_scene(a: RobotAnalysis) -> SceneData:
                 "kind": e.kind,
                 "points": list(e.points),
                 "label": "".join(e.points),
+                "starred": "".join(e.points),
                 "colour": _colour(a, e, i),
             }
             for i, e in enumerate(found)

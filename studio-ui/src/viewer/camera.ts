@@ -2,7 +2,7 @@
 import { PerspectiveCamera, Vector3 } from "three";
 import { planeOf } from "./bsp";
 import type { Model } from "./drawing";
-import type { Vec3, View } from "./types";
+import type { Stand, Vec3, View } from "./types";
 import { centre, cross, dot, length, mix, scale, sub, unit } from "./vectors";
 
 const ELEVATION = 20;
@@ -11,11 +11,6 @@ export function newCamera(): PerspectiveCamera {
   const camera = new PerspectiveCamera(26, 1, 0.01, 100);
   camera.up.set(0, 0, 1);
   return camera;
-}
-
-export interface Stand {
-  eye: Vec3;
-  target: Vec3;
 }
 
 /** Where to stand so that the whole robot is seen from a direction, within a share of the height around its middle. */

@@ -1,5 +1,6 @@
 // The directions of the axes in a corner of the view.
 import { Vector3, type PerspectiveCamera } from "three";
+import type { Box } from "./labels";
 import { UPRIGHT } from "./overlay";
 import { colourOf } from "./palette";
 import { element } from "./svg";
@@ -7,6 +8,10 @@ import type { Theme } from "./types";
 
 const HALF = 34;
 const REACH = 22;
+const GAUGE = 80; // pixels that the width of a square takes beside it
+
+/** The corner of the view that it takes, with the words beside it. */
+export const compassBox = (height: number): Box => [0, height - 2 * HALF, 2 * HALF + GAUGE, height];
 
 export class Compass {
   readonly node = element("svg", { viewBox: `${-HALF} ${-HALF} ${2 * HALF} ${2 * HALF}`, width: 2 * HALF, height: 2 * HALF });

@@ -22,7 +22,8 @@ export interface Place {
   covered: number;
 }
 
-type Box = [number, number, number, number];
+/** Left, top, right, bottom, in CSS pixels from the upper left corner. */
+export type Box = readonly [number, number, number, number];
 
 const DIRECTIONS = Array.from({ length: 16 }, (_, k): [number, number] => [
   Math.cos((Math.PI * k) / 8),
@@ -30,15 +31,16 @@ const DIRECTIONS = Array.from({ length: 16 }, (_, k): [number, number] => [
 ]);
 const GAPS = [2, 8, 16];
 
-/** One place for each wish, in order; discs are (x, y, radius), strokes pairs of ends. */
+/** One place for each wish, in order; discs are (x, y, radius), strokes pairs of ends; boxes are taken already. */
 export function placed(
   wishes: readonly Wish[],
   discs: readonly [number, number, number][],
   strokes: readonly [number, number, number, number][],
+  boxes: readonly Box[],
   width: number,
   height: number,
 ): Place[] {
-  const taken: Box[] = [];
+  const taken = [...boxes];
   const found = new Array<Place>(wishes.length);
   const order = wishes.map((_, i) => i).sort((i, j) => wishes[j]!.rank - wishes[i]!.rank || i - j);
   for (const i of order) {
@@ -66,7 +68,8 @@ export function placed(
   return found;
 }
 
-function overlap(a: Box, b: Box, margin: number): number {
+/** The area that two boxes share, the second widened by a margin. */
+export function overlap(a: Box, b: Box, margin: number): number {
   const w = Math.min(a[2], b[2] + margin) - Math.max(a[0], b[0] - margin);
   const h = Math.min(a[3], b[3] + margin) - Math.max(a[1], b[1] - margin);
   return Math.max(w, 0) * Math.max(h, 0);

@@ -1,6 +1,6 @@
 // Labels over the drawing: HTML while it lives, text in pictures.
 import type { Model, Tag } from "./drawing";
-import { placed, type Wish } from "./labels";
+import { placed, type Box, type Wish } from "./labels";
 import { runs } from "./names";
 import type { Sight } from "./sight";
 import { element } from "./svg";
@@ -17,14 +17,14 @@ const RANKS = { joint: 3, construction: 4, entity: 1 } as const;
 const ITALIC = '"KaTeX_Math", "STIX Two Text", "Latin Modern Roman", Cambria, "Liberation Serif", Georgia, serif';
 export const UPRIGHT = 'system-ui, "Segoe UI", "Liberation Sans", sans-serif';
 
-/** The labels of what is in front of the eye and on the screen. */
-export function placeTags(model: Model, sight: Sight): Placed[] {
+/** The labels of what is in front of the eye and on the screen, clear of the boxes that are taken. */
+export function placeTags(model: Model, sight: Sight, taken: readonly Box[]): Placed[] {
   const shown: { tag: Tag; wish: Wish; size: number }[] = [];
   const [cx, cy] = sight.place(model.middle);
   for (const tag of model.tags) {
     const [x, y, depth] = sight.place(tag.at);
     if (depth < sight.near || x < -20 || y < -20 || x > sight.width + 20 || y > sight.height + 20) continue;
-    const size = SIZES[tag.look] * (tag.strong ? 1.12 : 1);
+    const size = SIZES[tag.look] * sight.letter * (tag.strong ? 1.12 : 1);
     const radius = tag.clear * sight.scale(depth) + 1;
     const wish = { x, y, radius, width: widthOf(tag, size), height: size * 1.05, toward: [x - cx, y - cy + (y < cy ? -30 : 30)] as [number, number] };
     shown.push({ tag, size, wish: { ...wish, rank: RANKS[tag.look] + (tag.strong ? 5 : 0) } });
@@ -39,7 +39,7 @@ export function placeTags(model: Model, sight: Sight): Placed[] {
       const [a, b] = [sight.place(r.a), sight.place(r.b)];
       return [a[0], a[1], b[0], b[1]];
     });
-  const places = placed(shown.map((s) => s.wish), discs, strokes, sight.width, sight.height);
+  const places = placed(shown.map((s) => s.wish), discs, strokes, taken, sight.width, sight.height);
   // a label that would cover another gives way if it is less important
   return shown.flatMap(({ tag, size }, i) => (places[i]!.covered > 30 && !tag.strong && tag.look !== "joint" ? [] : [{ tag, size, x: places[i]!.x, y: places[i]!.y }]));
 }

@@ -1,10 +1,10 @@
 // The camera in the user's hands: orbit and zoom by pointer or keys, standard views, and the flight from one to another.
 import { MathUtils, Spherical, Vector3 } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
-import { between, clip, directionOf, fitted, newCamera, stand, type Stand } from "./camera";
+import { between, clip, directionOf, fitted, newCamera, stand } from "./camera";
 import type { Model } from "./drawing";
 import { sightOf, type Sight } from "./sight";
-import type { Vec3, View } from "./types";
+import type { Stand, Vec3, View } from "./types";
 import { sub } from "./vectors";
 
 const FLIGHT = 280; // milliseconds from one view to another
@@ -42,7 +42,7 @@ export class Rig {
   get sight(): Sight {
     return sightOf(this.camera, this.width, this.height);
   }
-  private get stand(): Stand {
+  get stand(): Stand {
     return { eye: this.camera.position.toArray() as Vec3, target: this.orbit.target.toArray() as Vec3 };
   }
 
@@ -62,6 +62,13 @@ export class Rig {
     this.flight = null;
     this.size = model.radius;
     this.go(fitted(this.camera, model, directionOf("iso", model), this.free));
+  }
+
+  /** At once to where one stood before. */
+  take(to: Stand, model: Model): void {
+    this.flight = null;
+    this.size = model.radius;
+    this.go(to);
   }
 
   view(name: View, model: Model): void {

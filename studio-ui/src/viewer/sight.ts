@@ -15,7 +15,12 @@ export interface Sight {
   shift(right: number, down: number, depth: number): Vec3;
   /** Pixels for a unit of length at a depth. */
   scale(depth: number): number;
+  /** How much larger labels are than in a picture of the usual size: large ones are looked at from farther away. */
+  letter: number;
 }
+
+const USUAL = 560; // pixels
+const LARGEST = 1.5;
 
 export function sightOf(camera: PerspectiveCamera, width: number, height: number): Sight {
   camera.updateMatrixWorld();
@@ -26,6 +31,7 @@ export function sightOf(camera: PerspectiveCamera, width: number, height: number
     width,
     height,
     near: camera.near,
+    letter: Math.min(Math.max(Math.min(width, height) / USUAL, 1), LARGEST),
     shift: (right, down, depth) => {
       const k = Math.max(depth, 1e-9) / focus;
       return [0, 4, 8].map((i) => k * (right * view[i]! - down * view[i + 1]!)) as Vec3;

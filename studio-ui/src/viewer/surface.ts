@@ -61,7 +61,7 @@ export class Surface {
     this.gauge.textContent = model.gauge ? `grid ${model.gauge}` : "";
     this.compass.turn(camera, theme);
     if (pointers.length > 0 || this.pointers.firstChild) this.pointers.replaceChildren(...svgPointers(pointers));
-    this.labels.show([...labels, ...pointers.map(({ label }) => label)], colourOf("paper", theme));
+    this.labels.show(labels, colourOf("paper", theme));
   }
 
   /** The place of a pointer, in pixels from the upper left corner. */

@@ -58,6 +58,11 @@ export interface Scene extends SceneData {
 
 export type Mode = "orbit" | "translate" | "rotate" | "pick";
 export type View = "iso" | "front" | "side" | "top" | "fit";
+/** Where the camera is, and what it looks at. */
+export interface Stand {
+  eye: Vec3;
+  target: Vec3;
+}
 export type Theme = "light" | "dark";
 export type Layer = "entities" | "labels" | "legs" | "wrenches" | "grid" | "motion" | "surface" | "way";
 
@@ -80,6 +85,8 @@ export interface Viewer {
   setMode(mode: Mode): void;
   highlight(what: Highlight | null): void;
   setView(name: View): void;
+  readonly stand: Stand;
+  setStand(to: Stand): void;
   setTheme(theme: Theme): void;
   setVisible(layer: Layer, on: boolean): void;
   /** Swings a pale platform to and fro along the gained motion. */
@@ -88,6 +95,8 @@ export interface Viewer {
   toScreen(name: string): [number, number] | null;
   /** The same of what can be dragged. */
   gripAt(id: string): [number, number] | null;
+  /** The text of an SVG picture. */
+  svg(): string;
   /** A data URL of a PNG picture, or the text of an SVG one. */
   snapshot(kind: "png" | "svg"): Promise<string>;
   /** Paints the view into a canvas, twice as fine as on the screen; with the gained motion swung so far, from −1 to 1. False where there are no pixels. */

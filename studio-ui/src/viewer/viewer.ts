@@ -1,4 +1,5 @@
 // The viewer: puts scene, camera, handles and painter together. It draws only when something has changed.
+import { compassBox } from "./compass";
 import type { Model } from "./drawing";
 import { newEasel, type Easel } from "./easel";
 import { Gizmo } from "./gizmo";
@@ -6,7 +7,7 @@ import { Grasp } from "./grasp";
 import { gripAt, placeOf, poseOf } from "./grips";
 import { Hand, type Pointed, type Reach } from "./hand";
 import { poseInWords } from "./keys";
-import { boxesOf, pointersOf } from "./marks";
+import { boxesOf, pointersOf, takenBy } from "./marks";
 import { modelOf } from "./model";
 import { placeTags } from "./overlay";
 import { entityAt, pointAt } from "./picking";
@@ -16,7 +17,7 @@ import { calm, Rig } from "./rig";
 import type { Sight } from "./sight";
 import { Surface, titleOf } from "./surface";
 import { splitDrawing } from "./svg";
-import type { Grip, Highlight, Layer, Mode, Options, Place, Pose, Scene, Theme, Vec3, View, Viewer } from "./types";
+import type { Grip, Highlight, Layer, Mode, Options, Place, Pose, Scene, Stand, Theme, Vec3, View, Viewer } from "./types";
 import { add } from "./vectors";
 
 const SWING = 2400; // milliseconds for a swing to and fro
@@ -139,6 +140,14 @@ class Stage implements Viewer, Reach {
     this.rig.view(name, this.fresh());
   }
 
+  get stand(): Stand {
+    return this.rig.stand;
+  }
+  setStand(to: Stand): void {
+    this.fitting = false;
+    this.rig.take(to, this.fresh());
+  }
+
   setTheme(theme: Theme): void {
     this.theme = theme;
     this.surface.paint(theme);
@@ -172,9 +181,13 @@ class Stage implements Viewer, Reach {
     return depth > this.rig.camera.near ? [x, y] : null;
   }
 
+  svg(): string {
+    return svgPicture(this.shot());
+  }
+
   async snapshot(kind: "png" | "svg"): Promise<string> {
+    if (kind === "svg") return this.svg();
     const shot = this.shot();
-    if (kind === "svg") return svgPicture(shot);
     this.paintAlone();
     return pngPicture(shot, this.easel.canvas);
   }
@@ -196,7 +209,8 @@ class Stage implements Viewer, Reach {
     const model = this.fresh();
     const { sight } = this.rig;
     const pointers = pointersOf(model, sight);
-    const labels = [...placeTags(model, sight), ...pointers.map(({ label }) => label)];
+    const corner = this.hidden.has("grid") ? [] : [compassBox(sight.height)];
+    const labels = [...placeTags(model, sight, [...takenBy(pointers), ...corner]), ...pointers.map(({ label }) => label)];
     return { model, split: this.split, sight, labels, pointers, theme: this.theme, title: titleOf(this.scene) };
   }
 
@@ -242,10 +256,9 @@ class Stage implements Viewer, Reach {
     if (this.rig.advance(now, model.radius)) this.request();
     const { about } = this.scene;
     this.gizmo?.place(this.held ? poseOf(this.held, about) : this.platform, about);
-    const { sight, camera } = this.rig;
-    this.easel.paint(camera, sight);
-    const [labels, pointers] = [placeTags(model, sight), pointersOf(model, sight)];
-    this.surface.show(model, labels, pointers, camera, this.theme);
+    const { sight, labels, pointers } = this.shot();
+    this.easel.paint(this.rig.camera, sight);
+    this.surface.show(model, labels, pointers, this.rig.camera, this.theme);
     this.options.onMarks?.(boxesOf(model, sight, labels, pointers));
   }
 

@@ -1,6 +1,5 @@
 // Sentences in which names of entities stand ("the planes abc and a*ef meet") and sources, told apart from plain words.
 import type { Entity } from "../../protocol";
-import { sideBySide } from "../../viewer/names";
 
 export type Word = { text: string; entity?: Entity; source?: true };
 
@@ -11,7 +10,7 @@ export function wordsOf(sentence: string, entities: readonly Entity[]): Word[] {
   const names = new Map<string, Entity>();
   for (const entity of entities) {
     if (entity.kind === "point") continue;
-    [entity.label, sideBySide(entity.points)].forEach((name) => names.has(name) || names.set(name, entity));
+    [entity.starred, entity.label].forEach((name) => names.has(name) || names.set(name, entity));
   }
   const longest = [...names.keys()].sort((a, b) => b.length - a.length).map(escaped);
   const named = longest.length ? new RegExp(`(?<![\\w*])(${longest.join("|")})(?![\\w*])`) : /(?!)/;

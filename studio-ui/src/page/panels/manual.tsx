@@ -53,7 +53,7 @@ export function ManualPanel({ store }: PanelProps) {
           <dd class="chips">
             {entities.length === 0 && <span class="none">nothing yet</span>}
             {entities.map((entity) => (
-              <EntityChip key={entity.id} entity={entity} />
+              <EntityChip key={entity.id} entity={entity} starred />
             ))}
           </dd>
           <dt>Left over</dt>

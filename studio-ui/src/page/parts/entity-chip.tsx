@@ -5,9 +5,18 @@ import { tone } from "../lib/tint";
 import { useStore } from "./context";
 import { PointNames } from "./point-name";
 
-export function EntityChip({ entity, named = true }: { entity: Entity; named?: boolean }) {
+interface Props {
+  entity: Entity;
+  /** With its kind in words. */
+  named?: boolean;
+  /** With the stars of the steps that find entities. */
+  starred?: boolean;
+}
+
+export function EntityChip({ entity, named = true, starred = false }: Props) {
   const { lit, study, posing } = useStore();
-  const { kind, id, label } = entity;
+  const { kind, id } = entity;
+  const label = starred ? entity.starred : entity.label;
   const known = study.value?.entities.some((own) => own.id === id); // others are those of a panel
   const directions = posing.numbers.value?.directions;
   const far = known && posing.numbers.value !== null && !isDrawn({ points: study.value!.points, directions }, entity);

@@ -128,9 +128,12 @@ function placesKnown({ study, timeline }: Store): PlatformOf {
     if (!shown) return null;
     if (shown.kind !== "robot") return pose;
     if (known?.of !== shown) known = { of: shown, places: [] };
-    const found = timeline.proof.value?.samples.flatMap(({ pose, platform, parameter }) =>
-      pose && platform && Number.isInteger(parameter) ? [{ pose, platform }] : [],
-    );
+    // a proof is that of the stops as they are; its own poses, which were solved for, are those up to rounding
+    const list = timeline.stops.value;
+    const found = timeline.proof.value?.samples.flatMap(({ platform, parameter }) => {
+      const pose = list[parameter];
+      return pose && platform ? [{ pose, platform }] : [];
+    });
     if (found) known.places = [...known.places.filter((one) => !found.some((other) => samePose(one.pose, other.pose))), ...found].slice(-1000);
     return known.places.find((one) => samePose(one.pose, pose))?.platform ?? null;
   };

@@ -10,6 +10,7 @@ import { isStale, meshOf } from "../state/surfacing";
 import { IDENTITY } from "../../viewer/pose";
 import { ghostNow, gripHandlers, showGrips } from "./grips";
 import { createPace } from "./pace";
+import { viewMemory } from "./view-memory";
 
 export function connect(element: HTMLElement, store: Store): () => void {
   const { pose$, study, lit, space, taste, moving } = store;
@@ -34,8 +35,10 @@ export function connect(element: HTMLElement, store: Store): () => void {
     onHover: (what) => lit.hover(hovered(store, what)),
   });
   space.viewer.value = viewer;
+  const view = viewMemory(viewer, () => store.source$.peek());
 
   const stops = [
+    view.stop,
     effect(() => {
       const shown = study.value;
       if (!shown) return;
@@ -44,6 +47,7 @@ export function connect(element: HTMLElement, store: Store): () => void {
         if (store.resizing.made.peek() === shown) viewer.update({ ...scene, pose: IDENTITY, constructed: [], motion: null }); // the view stays
         else viewer.show(scene);
         viewer.setPose(pose$.peek());
+        view.restore();
       });
     }),
     effect(() => viewer.update({ entities: entitiesNow(store), ...extrasNow(store) })),

@@ -11,8 +11,14 @@ import { Warning } from "./warning";
 export function ViewerPane() {
   const store = useStore();
   const box = useRef<HTMLDivElement>(null);
+  const paper = useRef<HTMLDivElement>(null);
   useEffect(() => (box.current ? connect(box.current, store) : undefined), [store]);
   const { large, viewer } = store.space;
+  useEffect(() => {
+    const draw = () => void (paper.current && (paper.current.innerHTML = viewer.peek()?.svg() ?? "")); // in the colours of paper by now
+    addEventListener("beforeprint", draw);
+    return () => removeEventListener("beforeprint", draw);
+  }, [viewer]);
   const before = useRef(large.value);
   useEffect(() => {
     if (before.current === large.value) return;
@@ -25,6 +31,7 @@ export function ViewerPane() {
         <div class="viewer" ref={box} data-testid="viewer" />
         <Warning pane={box} />
       </div>
+      <div class="paper" ref={paper} data-testid="paper" />
       <Toolbar />
       <CrossingAlert />
       <Legend />
@@ -34,15 +41,24 @@ export function ViewerPane() {
 
 /** The waypoint that is held in the picture, and what can be done with it. */
 function ChosenWaypoint() {
-  const { timeline, space } = useStore();
+  const { timeline, space, study } = useStore();
   const [index, count] = [timeline.chosen.value, timeline.stops.value.length];
   if (index === null || !timeline.given.value || !space.layers.value.way) return null;
   const last = index + 1 === count;
+  const freedoms = study.value?.kind === "robot" ? study.value.freedoms.map(({ name }) => name) : [];
+  const fault = timeline.fault.value;
   return (
     <span class="waypoint" role="group" aria-label={`Waypoint ${index + 1}`} data-testid="waypoint">
       <b>
         Waypoint {index + 1} of {count}
       </b>
+      {fault ? (
+        <span class="stays" role="status" title={fault.message} data-testid="waypoint-note">
+          It stays: {fault.message}
+        </span>
+      ) : (
+        freedoms.length > 0 && freedoms.length < 6 && <span data-testid="waypoint-note">goes in {listed(freedoms)} only</span>
+      )}
       <button type="button" class="small" disabled={!timeline.proof.value} data-testid="waypoint-go" onClick={() => timeline.lead(index)}>
         Go there
       </button>
@@ -68,6 +84,8 @@ function ChosenWaypoint() {
     </span>
   );
 }
+
+const listed = (names: readonly string[]): string => [names.slice(0, -1).join(", "), ...names.slice(-1)].filter(Boolean).join(" and ");
 
 function Legend() {
   const store = useStore();

@@ -44,7 +44,7 @@ function Chips({ ids }: { ids: readonly string[] }) {
   return (
     <div class="chips">
       {entities.map((entity) => (
-        <EntityChip key={entity.id} entity={entity} />
+        <EntityChip key={entity.id} entity={entity} starred />
       ))}
     </div>
   );

@@ -76,7 +76,7 @@ export function StageView({ study, stage, number }: { study: Study; stage: Stage
       {stage.id === "left-over" && found.length > 0 && !stage.items.some(({ kind }) => kind === "entities") && (
         <div class="chips">
           {found.map((entity) => (
-            <EntityChip key={entity.id} entity={entity} />
+            <EntityChip key={entity.id} entity={entity} starred />
           ))}
         </div>
       )}

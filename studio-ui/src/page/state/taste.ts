@@ -8,6 +8,7 @@ export type Led = "actuators" | "platform";
 export interface Taste {
   /** null: as the system says. */
   chosen: Signal<Theme | null>;
+  /** Light on paper. */
   theme: ReadonlySignal<Theme>;
   /** How the three angles of a turn are given. */
   angles: Signal<Angles>;
@@ -36,7 +37,10 @@ export function createTaste(): Taste {
   const led = signal<Led>(kept.led === "platform" ? "platform" : "actuators");
   const across = signal(share(kept.across, Math.max(0.2, Math.min(0.5, WIDEST / innerWidth))));
   const down = signal(share(kept.down, innerWidth > 2 * WIDEST ? 0.62 : 0.47));
-  const theme = computed<Theme>(() => chosen.value ?? system.value);
+  const printed = signal(false);
+  addEventListener("beforeprint", () => (printed.value = true));
+  addEventListener("afterprint", () => (printed.value = false));
+  const theme = computed<Theme>(() => (printed.value ? "light" : (chosen.value ?? system.value)));
 
   effect(() => void (document.documentElement.dataset.theme = theme.value));
   effect(() => write({ chosen: chosen.value, angles: angles.value, led: led.value, single: single.value, across: across.value, down: down.value }));

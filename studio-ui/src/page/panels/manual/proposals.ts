@@ -85,7 +85,7 @@ export function draftOf(kind: Kind, picks: readonly string[]): Entity[] {
   const wanted = kind === "lines" ? 2 : size;
   return parts
     .filter((part) => part.length === wanted)
-    .map((points, i) => ({ id: `draft-${i}`, kind: drawn, points: [...points], label: sideBySide(points), colour: 3 + i }));
+    .map((points, i) => ({ id: `draft-${i}`, kind: drawn, points: [...points], label: sideBySide(points), starred: sideBySide(points), colour: 3 + i }));
 }
 
 /** Ids of their own, so that they are not taken for entities of the automatic analysis. */

@@ -102,13 +102,24 @@ export function MapResult({ asked, result, measures, again }: Props) {
   );
 }
 
-/** The robot's place, at the edge where it is outside; hollow where the map is of other poses. */
+const [DIAMOND, ARROW] = ["M6 0L0 6L-6 0L0 -6Z", "M-1.5 0L-13.5 7L-10.5 0L-13.5 -7Z"]; // the arrow's tip lies at the edge
+
+/** The robot's place, an arrow at the edge towards it where it is outside; hollow where the map is of other poses. */
 function Robot({ axes, at, elsewhere }: { axes: MapAnswer["axes"]; at: readonly number[]; elsewhere: boolean }) {
   const parts = axes.map((axis, i) => partOf(axis, at[i] ?? 0));
-  const [left, bottom] = parts.map((part) => `${100 * Math.min(Math.max(part, 0), 1)}%`);
-  const outside = parts.some((part) => part < 0 || part > 1);
+  const inside = parts.map((part) => Math.min(Math.max(part, 0), 1));
+  const [left, bottom] = inside.map((part) => `${100 * part}%`);
+  const [right = 0, up = 0] = parts.map((part, i) => Math.sign(part - (inside[i] ?? part)));
+  const outside = right !== 0 || up !== 0;
   const words = outside ? "The robot is outside of this map" : elsewhere ? "The robot, which is not in this map" : "The robot";
-  return <span class={`robot${outside ? " outside" : ""}${elsewhere ? " elsewhere" : ""}`} role="img" aria-label={words} title={words} style={{ left, bottom }} data-testid="map-robot" />;
+  const turn = outside ? `${(Math.atan2(0 - up, right) * 180) / Math.PI}deg` : "0deg";
+  const shape = outside ? ARROW : DIAMOND;
+  return (
+    <svg viewBox="-15 -15 30 30" class={elsewhere ? "robot elsewhere" : "robot"} role="img" aria-label={words} style={{ left, bottom, "--turn": turn }} data-testid="map-robot">
+      <path class="rim" d={shape} />
+      <path d={shape} />
+    </svg>
+  );
 }
 
 interface SpokenProps {
