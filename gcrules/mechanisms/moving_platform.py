@@ -17,15 +17,13 @@ from gcrules.core.errors import InputError
 from gcrules.core.floats import decimal
 from gcrules.core.frozen import FrozenMap
 from gcrules.core.linear_algebra import kernel
-from gcrules.screws.pose import Pose
+from gcrules.screws.pose import FAR, Pose, too_far
 from gcrules.screws.pose_text import read_centre
 from gcrules.screws.rotations import Vector
 
-__all__ = ["FAR", "MovingPlatform", "rig"]
+__all__ = ["MovingPlatform", "rig"]
 
 Floats = NDArray[np.float64]
-FAR = 1e12
-"""Poses farther away than this many times the robot's size are refused: floats no longer tell them apart."""
 
 ORIGIN: Vector = (Fraction(0), Fraction(0), Fraction(0))
 
@@ -104,7 +102,7 @@ class MovingPlatform:
         found: Floats = np.einsum("nij,kj->nki", rotations, self.arms)
         found += (self.centre_of_turns + translations)[:, None, :]
         if np.abs(found - self.base).max() > FAR * self.size:
-            raise InputError(f"a pose is more than {FAR:g} times the robot's size away", hint="check the unit")
+            raise too_far("a pose is")
         short = np.linalg.norm(found - self.base, axis=2) <= 1e-12 * self.size
         if short.any():
             n, k = map(int, np.argwhere(short)[0])

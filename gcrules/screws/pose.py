@@ -19,6 +19,7 @@ from gcrules.screws.rotations import IDENTITY, Matrix, Quaternion, Vector, is_ro
 
 __all__ = [
     "AT_ROUNDED",
+    "FAR",
     "METRES",
     "NOT_FINITE",
     "NUMBER",
@@ -31,8 +32,12 @@ __all__ = [
     "exact",
     "exact_float",
     "read_number",
+    "too_far",
     "unit_note",
 ]
+
+FAR = 1e4
+"""What is farther away than this many times the robot's size is refused: margins there are smaller than rounding."""
 
 METRES = {
     "m": 1.0, "dm": 0.1, "cm": 0.01, "mm": 0.001, "um": 1e-6, "in": 0.0254, "ft": 0.3048,
@@ -133,6 +138,11 @@ def unit_note(quaternion: Sequence[Fraction]) -> str | None:
             hint="divide by the length; the order is w x y z, w the cosine of half the angle",
         )
     return None if abs(size - 1) <= SILENT else f"the quaternion has length {size:.9g}; it was normalised"
+
+
+def too_far(what: str) -> InputError:
+    """What to raise where `what` (with its verb) is farther away than `FAR`."""
+    return InputError(f"{what} more than {FAR:,.0f} times the robot's size away", hint="check the unit")
 
 
 def check_unit(word: str, unit: str) -> None:

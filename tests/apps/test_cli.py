@@ -249,6 +249,12 @@ def test_completion_script(run: Run, kind: str) -> None:
         ("gcrules robot docs --only agile", {"plain,agile-eye"}),
         ("gcrules rules show four-p", {"plain,four-planes"}),
         ("gcrules analyze --without planes,four-p", {"plain,planes,four-planes"}),
+        ("gcrules pose delta --about o", {"plain,origin"}),
+        ("gcrules locus 3-rpr --rotation r", {"plain,rodrigues"}),
+        ("gcrules locus octahedral --over x,tr", {"plain,x,translation"}),
+        ("gcrules locus 3-rpr --export ma", {"plain,maple"}),
+        ("gcrules map boxes delta --over ro", {"plain,roll"}),
+        ("gcrules free delta --over x,act", {"plain,x,actuators"}),
         ("gcrules analyze my-plat", {"file,my-plat"}),
     ],
 )

@@ -59,6 +59,42 @@ def test_brief_of_scripts_counts_them() -> None:
     assert "proved" in done.stdout
 
 
+BRIEF = {  # what answers: numbers, and how sure they are
+    ("modes", "3-rps"): "8 regular, σ from 0.5739 to 0.6086, 8 certified; complete: 40 of 40 paths ended",
+    ("modes", "3-rrr", "--working"): "8 regular, σ from 0.01935 to 0.3628. That there are no others is not proved.",
+    ("modes", "3-upu", "--operation"): "Mode 1, of dimension 3: pure translations.",
+    ("certify", "3-rpr", "--over", "x -0.1..0.1"): "(proved; smallest margin σ ≥ ",
+    ("map", "boxes", "3-rpr", "--over", "x -0.1:0.1", "--tiles", "1"): "the least margin seen, in the middles of boxes",
+    ("plan", "3-rpr", "--from", "home", "--to", "x=0.1, y=0, yaw=0deg"): "the margin σ is at least",
+    ("shorten", LONG): "2 terms of 3, proved minimal",
+    ("factor", "[[Aa,Ab,Bc,Bd,Ce,Df]]"): "none exists in the family (exhaustive-search of 12 expressions",
+    ("factor", "[[Aa,Ab,Ba,Bb,Cc,Dd]]", "--cofactor"): "with a cofactor: ACc ∧ ADd ∧ ab · input = [",
+    ("catalog", "show", "6-3.2"): "when the four planes ABC, Aab, Bcd and Cef meet in a point",
+    ("catalog", "enumerate"): "39 classes, 39 of them in the catalog",
+    ("rules", "show", "four-planes"): "Three planes X, Y, Z and a left-over plane W",
+    ("rules", "check", "four-planes"): "1 rule: 1 hold, 0 wrong",
+}
+
+
+@pytest.mark.parametrize("arguments", BRIEF, ids=" ".join)
+def test_brief_has_the_numbers_that_answer(arguments: tuple[str, ...]) -> None:
+    said = invoke(*arguments, "--brief", "--unicode").stdout
+    assert BRIEF[arguments] in " ".join(said.split())
+    assert len(said.splitlines()) <= 3
+
+
+@pytest.mark.parametrize("what", ["catalog", "rules", "robot"])
+def test_lists_are_ids_or_all_there_is(what: str) -> None:
+    brief, normal, full = (invoke(what, "list", *flag) for flag in (("--brief",), (), ("--full",)))
+    ids = brief.stdout.splitlines()
+    assert len(ids) == len(set(ids)) > 20
+    assert all(" " not in one for one in ids)
+    assert all(one in normal.stdout for one in ids)
+    shown = invoke(what, "show", ids[1]).stdout
+    assert shown in full.stdout
+    assert len(full.stdout) > len(normal.stdout) > len(brief.stdout)
+
+
 @pytest.mark.parametrize("other", ["--json", "--latex", "--full"])
 def test_brief_is_text(other: str) -> None:
     assert_refused(invoke("pose", "3-rpr", "--brief", other), 2, "--brief is for text")

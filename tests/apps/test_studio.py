@@ -224,11 +224,11 @@ def test_every_class_opens_and_has_numbers() -> None:
 
 
 @pytest.mark.parametrize("entry", ["6-2", "5-2", "3-3.3", "6-6"])
-@pytest.mark.parametrize("away", [1e3, 1e8, 1e11, 1e13])
+@pytest.mark.parametrize("away", [1e2, 1e3, 1e6, 1e13])
 def test_far_away_there_are_numbers_or_a_reason(entry: str, away: float) -> None:
     subject = read_subject({"kind": "class", "id": entry})
     pose = {"translation": [away, -away, 0.3 * away], "quaternion": [1.0, 0.3, -0.2, 0.1]}
-    if away > 1e12:
+    if away > 1e4:
         with pytest.raises(InputError, match="times the robot's size away"):
             numbers(subject, pose)
     else:

@@ -73,7 +73,7 @@ def test_the_platform_is_where_it_says(robot: str) -> None:
 
 def test_where_a_platform_cannot_be_led() -> None:
     subject, _ = opened("delta")
-    with pytest.raises(InputError, match="does not assemble"):
+    with pytest.raises(InputError, match="was not followed"):
         moved_view(subject, HOME, [9.0, 0.0, 0.0], None)
     with pytest.raises(InputError, match="3 freedoms: x, y, z"):
         moved_view(subject, HOME, [1.0], None)
@@ -168,7 +168,7 @@ def test_a_platform_that_cannot_be_led_stays(desk: Any) -> None:
     desk.one("slider-x-number").fill("9")
     desk.one("slider-x-number").press("Enter")
     desk.one("fault").wait_for()
-    assert "does not assemble" in desk.text("fault")
+    assert "was not followed" in desk.text("fault")
     assert desk.numbers["freedoms"] == pytest.approx([0, 0.1, 0], abs=1e-6)
     desk.slide("y", 0.05)
     wait_for(desk, 1, 0.05)

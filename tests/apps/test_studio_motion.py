@@ -357,7 +357,7 @@ NO_PATH: dict[str, tuple[dict[str, str], dict[str, Any], str, str]] = {
     "NaN": (DELTA, {"goal": HOME, "to": "x=nan, y=0, z=0"}, "finite number", ""),
     "NaN of a platform": (OCTAHEDRAL, {"goal": HOME, "to": "x=nan"}, "finite number", ""),
     "no pose": (OCTAHEDRAL, {"goal": HOME, "to": "up a bit"}, "no part of a pose", ""),
-    "out of reach": (DELTA, {"goal": HOME, "to": "x=9, y=0, z=0"}, "does not assemble", "ask for less"),
+    "out of reach": (DELTA, {"goal": HOME, "to": "x=9, y=0, z=0"}, "was not followed", "ask for less"),
     "unit": (DELTA, {"goal": HOME, "to": "x=1deg, y=0, z=0"}, "x", ""),
     "another number of actuators": (DELTA, {"goal": HOME | {"coordinates": [1.0]}}, "3 actuators", ""),
     "empty": (DELTA, {"goal": HOME, "to": ""}, "empty", ""),

@@ -104,6 +104,7 @@ def test_an_architecture_is_told_everywhere() -> None:
     said = a.dimensions.architecture.sentence
     assert said.startswith("Architecturally singular: this robot is singular in every pose")
     assert "similar, with the joints of the base on a circle" in said
+    assert "Whatever its dimensions, the robot is singular exactly when" in " ".join(a.text().split())
     assert said in " ".join(a.text().split())
     assert said.split(":", 1)[0] in gc.report(a, interactive=False)
     assert "Dimensions" in a.latex()

@@ -409,7 +409,8 @@ FAULTS = {
     "flipped out of the plane": (["3-rpr", "--at", "0 0 0; euler zyx 0 0 180 deg"], "plane z = 0"),
     "pitch": (["3-rps", "--at", "z=0, roll=0deg, pitch=90deg"], "between -90deg and 90deg"),
     "rotation vector": (["3-rps", "--at", "z=0, rx=0deg, ry=200deg"], "shorter than half a turn"),
-    "far out of reach": (["6-rus", "--at", "0 0 1e6"], "of the way"),
+    "far out of reach": (["6-rus", "--at", "0 0 1e3"], "of the way"),
+    "absurdly far": (["3-rps", "--actuators", "q1=1e9"], "more than 10,000 times the robot's size"),
     "threshold": (["3-rps", "--threshold", "5mm"], "the threshold is an angle, not 5mm"),
     "unknown robot": (["3-rp"], "did you mean 3-rps"),
 }

@@ -270,7 +270,7 @@ def test_data_sets() -> None:
         ("delta", ["x -1:1:3", "y -1:1:3"], "x=0.1", {}, "an axis of the map, and given as well"),
         ("delta", ["x -1:1:3", "y -1:1:3"], "z=0.1, yaw=0.2deg", {}, "4 coordinates are named"),
         ("delta", ["x -1:1:3", "y -1:1:3"], "0 0 1", {}, "gives no value to a name"),
-        ("delta", ["x 50:60:3", "y 0:1:3"], None, {}, "does not assemble|cannot move"),
+        ("delta", ["x 50:60:3", "y 0:1:3"], None, {}, "was not followed|cannot move"),
         ("3-rpr", ["x -1:1:3", "yaw 0:400:3 deg"], None, {}, "more than once around"),
         ("delta", ["x -1:1:3", "y -1:1:3"], None, {"measure": "value"}, "no superbracket of its legs"),
         ("delta", ["x -1:1:3", "y -1:1:3"], None, {"limits": "q1 -1..1"}, "angle without a unit"),

@@ -124,7 +124,7 @@ def test_faults(poses: list[str], words: str) -> None:
 
 
 def test_out_of_reach() -> None:
-    with pytest.raises(InputError, match="between pose 0 and pose 1: delta does not assemble"):
+    with pytest.raises(InputError, match="between pose 0 and pose 1: delta was not followed from home to"):
         gc.path("delta", ["home", "x=0.1, y=0, z=0", "x=9, y=0, z=0"][::2])
 
 

@@ -17,19 +17,29 @@ from gcrules.apps.cli.sources import mode_option, read_source
 from gcrules.conditions.analysis import Analysis
 from gcrules.core.dataclass import dataclass
 from gcrules.core.deferred import deferred
-from gcrules.mechanisms.analyze import analyze
+from gcrules.mechanisms.analyze import analyze, analyze_robot
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.mechanisms.description.platform_file import Platform
 from gcrules.mechanisms.load import Loaded
 from gcrules.mechanisms.robot import Robot
 from gcrules.rules.factorization import SECONDS
 
-__all__ = ["AnalysisOptions", "analysis_options"]
+__all__ = ["AnalysisOptions", "analysis_options", "robot_analysis"]
 
 _home_remark = deferred("gcrules.poses.limbs.remark:home_remark")  # numpy
 
 _Command = Callable[..., Any]
 _SPACE = SpaceOptions(4, (), ())  # where no option says otherwise
+
+
+def robot_analysis(robot: Robot, search: float, facts: bool, tolerance: float) -> RobotAnalysis:
+    """The analysis of a robot of joints; what is to be noticed of its home goes to standard error."""
+    with working("analysing"):
+        found = analyze_robot(robot, search=search, facts=facts, tolerance=tolerance)
+        remark = _home_remark(found)
+    if remark:
+        click.echo(f"warning: {remark}", err=True)
+    return found
 
 
 @dataclass(frozen=True)
@@ -73,19 +83,14 @@ class AnalysisOptions:
         loaded = self.loaded(words)
         return self._of_joints(loaded) if isinstance(loaded, Robot) else self._of_lines(loaded)
 
-    def _of_joints(self, robot: Robot) -> Analysis | RobotAnalysis:
+    def _of_joints(self, robot: Robot) -> RobotAnalysis:
         of_lines = self.order or self.recheck or self.assumptions or self.catalogs or self.space != _SPACE
         if of_lines or self.choice.words or self.choice.without:
             raise click.UsageError(
                 "A robot of joints takes --mode, --search, --plugins, --no-facts, --tolerance and options of output"
                 " only."
             )
-        with working("analysing"):
-            found = analyze(robot, search=self.search, facts=self.facts, tolerance=self.tolerance)
-            remark = _home_remark(found)
-        if remark:
-            click.echo(f"warning: {remark}", err=True)
-        return found
+        return robot_analysis(robot, self.search, self.facts, self.tolerance)
 
     def _of_lines(self, loaded: Loaded) -> Analysis | RobotAnalysis:
         space = self.space

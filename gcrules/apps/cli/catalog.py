@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 import click
@@ -13,7 +14,7 @@ from gcrules.apps.cli.files import working
 from gcrules.apps.cli.limits import time_limit
 from gcrules.apps.cli.naming import completing
 from gcrules.apps.cli.options import catalog_option
-from gcrules.apps.cli.output import Output, output_options
+from gcrules.apps.cli.output import IDS, Output, output_options
 from gcrules.apps.cli.rule_options import plugins_option
 from gcrules.conditions.analysis import analyze
 from gcrules.core.budget import report
@@ -62,7 +63,7 @@ def catalog() -> None:
 @catalog_option
 @plugins_option
 @time_limit()
-@output_options(latex=False)
+@output_options(latex=False, brief=IDS, full="Show each class as `catalog show` does.")
 def list_(catalogs: tuple[str, ...], folders: tuple[str, ...], out: Output) -> None:
     """List the classes: legs, fewest terms of the 24- and 16-term forms, group of entities, condition.
 
@@ -70,7 +71,9 @@ def list_(catalogs: tuple[str, ...], folders: tuple[str, ...], out: Output) -> N
     gcrules catalog list
     gcrules catalog list --json
     """
-    out.show(_List(tuple(map(_Class, _loaded(catalogs, folders).entries))))
+    classes = tuple(map(_Class, _loaded(catalogs, folders).entries))
+    whole = "\n\n".join(c.text(unicode=out.unicode) for c in classes) if out.full and not out.json else None
+    out.show(_List(classes), whole, brief="\n".join(c.entry.id for c in classes))
 
 
 def _loaded(catalogs: tuple[str, ...], folders: tuple[str, ...]) -> Catalog:
@@ -91,7 +94,8 @@ def show(class_id: str, catalogs: tuple[str, ...], folders: tuple[str, ...], out
     \b
     gcrules catalog show 6-3.2
     """
-    out.show(_Class(_entry(_loaded(catalogs, folders), class_id)))
+    found = _Class(_entry(_loaded(catalogs, folders), class_id))
+    out.show(found, brief=found.brief(unicode=out.unicode) if out.brief else None)
 
 
 @click.command()
@@ -120,7 +124,7 @@ def check(ctx: click.Context, catalogs: tuple[str, ...], folders: tuple[str, ...
         write_digests(load())
     checked += check_digests(load())
     answer = _Checked(tuple(checked))
-    out.show(answer)
+    out.show(answer, brief="\n".join([*answer.lines(faulty=True), answer.total]))
     ctx.exit(1 if answer.faults else 0)
 
 
@@ -146,7 +150,8 @@ def enumerate_(catalogs: tuple[str, ...], folders: tuple[str, ...], as_yaml: boo
             ]
             out.write("\n".join(["classes:", *entries]))
             return
-    out.show(_Enumeration(found))
+    answer = _Enumeration(found)
+    out.show(answer, brief=answer.total)
 
 
 def _entry(loaded: Catalog, class_id: str) -> Entry:
@@ -207,9 +212,19 @@ class _Class:
             lines.append(f"{'reading' if i else 'condition':<11}{shown}")
         if e.note:
             lines.append(f"note       {e.note}")
-        if e.owner != SHIPPED:
-            lines.append(f"proof      none: this is what {e.owner} says; `gcrules catalog check` proves or refutes it")
+        lines += [f"proof      {words}" for words in self.unproved()]
         return "\n".join(lines)
+
+    def unproved(self) -> Iterator[str]:
+        """That what others say is not proved here."""
+        if self.entry.owner != SHIPPED:
+            yield f"none: this is what {self.entry.owner} says; `gcrules catalog check` proves or refutes it"
+
+    def brief(self, *, unicode: bool = False) -> str:
+        """The condition alone."""
+        return "\n".join(
+            [self.conditions()[0].text(unicode=unicode).rstrip(), *(f"proof: {words}" for words in self.unproved())]
+        )
 
 
 def _meaning(entry: Entry, reading: CatalogIdentity) -> Statement:
@@ -251,16 +266,24 @@ class _Checked:
     def to_json(self) -> dict[str, Any]:
         return {"verdict": "refuted" if self.faults else "proved", "classes": [c.to_json() for c in self.classes]}
 
+    @property
+    def total(self) -> str:
+        """How many, in words."""
+        proved = sum(c.proved for c in self.classes)
+        return f"{len(self.classes)} classes, {proved} identities proved, {self.faults} with faults"
+
     def text(self, *, unicode: bool = False) -> str:
-        lines = []
+        return "\n".join([*self.lines(), self.total])
+
+    def lines(self, *, faulty: bool = False) -> Iterator[str]:
+        """What was found of each class, or of those that are `faulty` alone."""
         for c in self.classes:
+            if faulty and c.ok:
+                continue
             verdict = click.style("ok", fg="green") if c.ok else click.style("wrong", fg="red", bold=True)
             done = f"{c.proved} {'identity' if c.proved == 1 else 'identities'} proved" if c.ok or c.proved else ""
-            lines.append(f"{c.id:<6}  {verdict}  {done}".rstrip())
-            lines += [f"        {c.place}: {fault}" for fault in c.faults]
-        proved = sum(c.proved for c in self.classes)
-        total = f"{len(self.classes)} classes, {proved} identities proved, {self.faults} with faults"
-        return "\n".join([*lines, total])
+            yield f"{c.id:<6}  {verdict}  {done}".rstrip()
+            yield from (f"        {c.place}: {fault}" for fault in c.faults)
 
 
 @dataclass(frozen=True)
@@ -275,4 +298,10 @@ class _Enumeration:
 
     def text(self, *, unicode: bool = False) -> str:
         lines = [f"{m.entry.id if m else 'not in the catalog':<6}  {legs_text(legs)}" for legs, m in self.found]
-        return "\n".join([*lines, f"{len(self.found)} classes"])
+        return "\n".join([*lines, self.total])
+
+    @property
+    def total(self) -> str:
+        """How many, in words."""
+        known = sum(m is not None for _, m in self.found)
+        return f"{len(self.found)} classes, {known} of them in the catalog"

@@ -8,7 +8,7 @@ from gcrules.apps.cli.base import ExpressionCommand
 from gcrules.apps.cli.files import files_option, working
 from gcrules.apps.cli.limits import Seconds
 from gcrules.apps.cli.map_options import at_option, limits_option
-from gcrules.apps.cli.naming import mechanism_argument
+from gcrules.apps.cli.naming import COORDINATES, mechanism_argument, offering
 from gcrules.apps.cli.options import about_option
 from gcrules.apps.cli.output import Output, output_options
 from gcrules.apps.cli.question_options import cone_option, tilt_option
@@ -30,6 +30,7 @@ _CODES = {True: 0, False: 1, None: 3}
     multiple=True,
     required=True,
     metavar="RANGE",
+    shell_complete=offering(*COORDINATES),
     help='A coordinate and its range, "x -20..20" or "roll -40..40 deg"; one to six times.',
 )
 @at_option

@@ -7,7 +7,7 @@ import click
 from gcrules.apps.cli.base import ExpressionCommand
 from gcrules.apps.cli.files import OutputFile, working
 from gcrules.apps.cli.limits import time_limit
-from gcrules.apps.cli.naming import mechanism_argument
+from gcrules.apps.cli.naming import COORDINATES, mechanism_argument, offering
 from gcrules.apps.cli.options import about_option
 from gcrules.apps.cli.output import Output, output_options
 from gcrules.apps.cli.sources import mode_option, read_source, warn
@@ -21,7 +21,12 @@ __all__ = ["free"]
 @mechanism_argument
 @mode_option
 @click.option("--at", metavar="POSE", help="The pose in the middle, as in gcrules pose; home without it.")
-@click.option("--over", metavar="NAMES", help='Coordinates with proportions: "x, y, z", "x 2, rz 9 deg"; "actuators".')
+@click.option(
+    "--over",
+    metavar="NAMES",
+    shell_complete=offering(*COORDINATES, "actuators", several=True),
+    help='Coordinates with proportions: "x, y, z", "x 2, rz 9 deg"; "actuators".',
+)
 @click.option("--ball", is_flag=True, help="A ball instead of a box.")
 @about_option
 @click.option("--boxes", type=int, metavar="N", help="Give up a size that so many boxes do not prove.")

@@ -7,22 +7,37 @@ import click
 from gcrules.apps.cli.base import ExpressionCommand
 from gcrules.apps.cli.files import OutputFile, working
 from gcrules.apps.cli.limits import time_limit
-from gcrules.apps.cli.naming import mechanism_argument
+from gcrules.apps.cli.naming import mechanism_argument, offering
 from gcrules.apps.cli.options import about_option, limit_option
 from gcrules.apps.cli.output import Output, output_options
 from gcrules.apps.cli.sources import mode_option, read_source, warn
 from gcrules.poses.loci.factors import MAX_TERMS
 from gcrules.poses.loci.form import FORMATS
 from gcrules.poses.loci.locus import locus as computed
+from gcrules.poses.loci.variables import ROTATIONS, TANGENTS, TRANSLATION
 from gcrules.views.drawing.drawing_files import save
 
 __all__ = ["locus"]
+
+_VARIABLES = (
+    "translation",
+    "rotation",
+    "all",
+    *TRANSLATION,
+    *(n for names in ROTATIONS.values() for n in names),
+    *TANGENTS,
+)
 
 
 @click.command(cls=ExpressionCommand)
 @mechanism_argument
 @mode_option
-@click.option("--over", metavar="VARIABLES", help="The free variables: x,y,e3, or translation, rotation, all.")
+@click.option(
+    "--over",
+    metavar="VARIABLES",
+    shell_complete=offering(*_VARIABLES, several=True),
+    help="The free variables: x,y,e3, or translation, rotation, all.",
+)
 @click.option("--fix", metavar="VALUES", help='Values of variables, "x=0, e1=1/2"; without --over the others are free.')
 @click.option("--at", metavar="POSE", help="Where the variables that are neither free nor fixed come from.")
 @click.option(
@@ -30,6 +45,7 @@ __all__ = ["locus"]
     default="quaternion",
     show_default=True,
     metavar="KIND",
+    shell_complete=offering(*ROTATIONS, "zyx", "xyz"),
     help="quaternion (e0 to e3), rodrigues (c1 to c3), or a sequence zyx: tangents of half the angles (t1 to t3).",
 )
 @click.option(
@@ -39,7 +55,12 @@ __all__ = ["locus"]
     " products are left out that may be long.",
 )
 @about_option
-@click.option("--export", metavar="|".join(FORMATS), help="Print the polynomial alone, for that program.")
+@click.option(
+    "--export",
+    metavar="|".join(FORMATS),
+    shell_complete=offering(*FORMATS),
+    help="Print the polynomial alone, for that program.",
+)
 @click.option(
     "--digits",
     type=click.IntRange(1, 15),

@@ -11,7 +11,7 @@ from gcrules.apps.cli.files import working
 from gcrules.apps.cli.limits import time_limit
 from gcrules.apps.cli.map_options import at_option, limits_option, show, telling_what_is_kept, tile_options
 from gcrules.apps.cli.map_tiles import MapCommand
-from gcrules.apps.cli.naming import mechanism_argument
+from gcrules.apps.cli.naming import COORDINATES, mechanism_argument, offering
 from gcrules.apps.cli.options import about_option
 from gcrules.apps.cli.output import Output
 from gcrules.apps.cli.sources import mode_option, read_source, warn
@@ -36,6 +36,7 @@ __all__ = ["map_"]
     "--over",
     multiple=True,
     metavar="RANGE",
+    shell_complete=offering(*COORDINATES),
     help='A coordinate with start:stop:number, "x -200:200:201" or "rz -90:90:181 deg"; give two or three.',
 )
 @at_option

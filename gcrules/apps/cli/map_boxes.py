@@ -16,7 +16,7 @@ from gcrules.apps.cli.map_options import (
     tile_options,
     workers_option,
 )
-from gcrules.apps.cli.naming import mechanism_argument
+from gcrules.apps.cli.naming import COORDINATES, mechanism_argument, offering
 from gcrules.apps.cli.options import about_option
 from gcrules.apps.cli.output import Output, output_options
 from gcrules.apps.cli.sources import mode_option, read_source, warn
@@ -40,6 +40,7 @@ __all__ = ["boxes_", "refine"]
     multiple=True,
     required=True,
     metavar="RANGE",
+    shell_complete=offering(*COORDINATES),
     help='A coordinate with start:stop, "x -200:200" or "roll -20:20 deg"; give one to six.',
 )
 @at_option

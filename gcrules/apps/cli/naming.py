@@ -10,8 +10,9 @@ from click.shell_completion import CompletionItem
 
 from gcrules.core.deferred import deferred
 from gcrules.core.errors import GcrulesError
+from gcrules.screws.pose_text import SHIFTS, TURNS, VECTOR
 
-__all__ = ["complete_source", "completing", "mechanism_argument"]
+__all__ = ["COORDINATES", "complete_source", "completing", "mechanism_argument", "offering"]
 
 _known_ids = deferred("gcrules.mechanisms.load:known_ids")
 _load_rules = deferred("gcrules.rules.plugins:load_rules")
@@ -39,6 +40,20 @@ def completing(*kinds: str, several: bool = False) -> _Completes:
 
 complete_source = completing("robot", "class", "example")
 """What `gcrules.load` reads."""
+
+
+COORDINATES = (*SHIFTS, *TURNS, *VECTOR)
+"""Coordinates of a pose that every command with --over takes."""
+
+
+def offering(*words: str, several: bool = False) -> _Completes:
+    """How a shell completes one of these words; with `several` the last one of a list with commas."""
+
+    def completed(_: click.Context, __: click.Parameter, incomplete: str) -> list[CompletionItem]:
+        before, comma, last = incomplete.rpartition(",") if several else ("", "", incomplete)
+        return [CompletionItem(before + comma + word) for word in words if word.startswith(last)]
+
+    return completed
 
 
 def _ids(kind: str, folders: tuple[str, ...]) -> Iterable[str]:

@@ -10,6 +10,7 @@ from typing import Any
 import click
 
 from gcrules.apps.cli.limits import Seconds
+from gcrules.apps.cli.naming import offering
 from gcrules.apps.cli.output import decorated
 from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import InputError
@@ -120,5 +121,6 @@ about_option = click.option(
     default="centroid",
     show_default=True,
     metavar="CENTRE",
+    shell_complete=offering("centroid", "origin"),
     help="What the platform turns about: centroid (of its joints), origin (of the file), or x,y,z.",
 )

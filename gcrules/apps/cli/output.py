@@ -18,7 +18,7 @@ from gcrules.core.dataclass import dataclass
 from gcrules.core.files import write_file
 from gcrules.views.detail import everything, opening
 
-__all__ = ["Output", "decorated", "json_option", "latex_option", "mathematics_option", "output_options"]
+__all__ = ["IDS", "Output", "decorated", "json_option", "latex_option", "mathematics_option", "output_options"]
 
 _Command = Callable[..., Any]
 
@@ -68,9 +68,9 @@ class Output:
         """Whether someone reads it at once, and not a program or from a file."""
         return not (self.json or self.latex or self.path) and sys.stdout.isatty()
 
-    def show(self, answer: Any, text: str | None = None) -> None:
+    def show(self, answer: Any, text: str | None = None, *, brief: str | None = None) -> None:
         """Print an answer that has `to_json()`, `text(unicode=…)` and `latex()`; `text` replaces the plain text. With
-        --brief only how the text opens.
+        --brief only `brief`, or else how the text opens.
         """
         if self.json:
             self.write(json.dumps(answer.to_json(), indent=2))
@@ -78,7 +78,10 @@ class Output:
             self.write(answer.latex())
         else:
             whole = answer.text(unicode=self.unicode) if text is None else text
-            self.write(opening(whole) if self.brief else whole)
+            if self.brief:
+                self.write(opening(whole) if brief is None else brief)
+            else:
+                self.write(whole)
 
     def write(self, text: str) -> None:
         """Print, or write to the file of --output once the command has ended."""
@@ -101,12 +104,18 @@ class Output:
                 click.echo(f"note: {self.path} is not written, for nothing is decided", err=True)
 
 
+_BRIEF = "Print the answer alone, without what it rests on."
+IDS = "Print the ids alone, one in a line."
+"""What --brief leaves of a list."""
+
 _FULL = "Leave nothing out, however long it gets."
 
 
-def output_options(*, latex: bool = True, full: str = _FULL, file: bool = True) -> Callable[[_Command], _Command]:
+def output_options(
+    *, latex: bool = True, brief: str = _BRIEF, full: str = _FULL, file: bool = True
+) -> Callable[[_Command], _Command]:
     """--brief, --full, --json, --unicode/--ascii; with `latex` --latex; with `file` --output. The command receives them
-    as `out`; `full` says in the help what --full adds.
+    as `out`; `brief` and `full` say in the help what --brief leaves and what --full adds.
     """
 
     def decorate(command: _Command) -> _Command:
@@ -130,7 +139,7 @@ def output_options(*, latex: bool = True, full: str = _FULL, file: bool = True) 
             return result
 
         decorators = [
-            click.option("--brief", is_flag=True, help="Print the answer alone, without what it rests on."),
+            click.option("--brief", is_flag=True, help=brief),
             click.option("--full", is_flag=True, help=full),
             json_option,
             *([latex_option] if latex else []),

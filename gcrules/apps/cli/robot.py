@@ -9,13 +9,14 @@ from pathlib import Path
 
 import click
 
+from gcrules.apps.cli.analysis_options import robot_analysis
 from gcrules.apps.cli.base import SEEDED, ExpressionCommand, seeded
 from gcrules.apps.cli.facts_options import facts_options
 from gcrules.apps.cli.files import OutputCommand, OutputFile, figure_option, working
 from gcrules.apps.cli.limits import time_limit
 from gcrules.apps.cli.naming import completing
 from gcrules.apps.cli.options import length_option, nearest_option, search_option
-from gcrules.apps.cli.output import Output, json_option, output_options
+from gcrules.apps.cli.output import IDS, Output, output_options
 from gcrules.apps.cli.robot_docs import docs
 from gcrules.apps.cli.robot_export import export
 from gcrules.apps.cli.robot_import import import_
@@ -70,21 +71,28 @@ def robot() -> None:
 
 @robot.command("list", short_help="List all robots that are known.")
 @_plugins
-@json_option
-def list_command(folders: tuple[str, ...], as_json: bool) -> None:
+@output_options(latex=False, brief=IDS, full="Show each robot as `robot show` does.")
+def list_command(folders: tuple[str, ...], out: Output) -> None:
     """List all robots that are known: id, mobility of the platform, title."""
-    found = [(one, read_robot(one.path)) for one in robots(folders)]
-    if as_json:
+    known = robots(folders)
+    if out.brief:
+        out.write("\n".join(one.id for one in known))
+        return
+    found = [(one, read_robot(one.path)) for one in known]
+    if out.json:
         rows = [
             {"id": one.id, "title": r.title, "limbs": r.chain, "mobility": r.mobility, "owner": one.owner}
             for one, r in found
         ]
-        click.echo(json.dumps({"robots": rows}, indent=2))
+        out.write(json.dumps({"robots": rows}, indent=2))
+        return
+    if out.full:
+        out.write("\n\n".join("\n".join(_shown(r)) for _, r in found))
         return
     width = max((len(one.id) for one, _ in found), default=0)
-    for one, r in found:
-        owner = "" if one.owner == "gcrules" else f" ({one.owner})"
-        click.echo(f"{one.id:<{width}}  {r.mobility}  {r.title}{owner}")
+    owners = ("" if one.owner == "gcrules" else f" ({one.owner})" for one, _ in found)
+    lines = [f"{one.id:<{width}}  {r.mobility}  {r.title}{o}" for (one, r), o in zip(found, owners, strict=True)]
+    out.write("\n".join(lines))
 
 
 @robot.command("show", short_help="Show what a robot's file says.")
@@ -197,11 +205,7 @@ def analyze_command(
     gcrules robot analyze my-robot/robot.yaml --json
     gcrules robot analyze delta --figure delta.svg
     """
-    with working("analysing"):
-        found = analyze_robot(_read(name, folders, mode), search=search, facts=facts, tolerance=tolerance)
-        remark = _home_remark(found)
-    if remark:
-        click.echo(f"warning: {remark}", err=True)
+    found = robot_analysis(_read(name, folders, mode), search, facts, tolerance)
     if figure:
         _save(_figure(found), figure)
     out.show(found)

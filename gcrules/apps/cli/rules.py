@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Iterator
 from typing import Any
 
 import click
@@ -11,7 +12,7 @@ from gcrules.apps.cli.base import LazyGroup
 from gcrules.apps.cli.files import working
 from gcrules.apps.cli.limits import time_limit
 from gcrules.apps.cli.naming import completing
-from gcrules.apps.cli.output import Output, output_options
+from gcrules.apps.cli.output import IDS, Output, output_options
 from gcrules.apps.cli.rule_options import Choice, plugins_option
 from gcrules.rules.check import check_rules
 from gcrules.rules.rule import Rule
@@ -44,7 +45,7 @@ _files = click.option("--rules", "words", multiple=True, metavar="FILE", help="A
 @_files
 @plugins_option
 @time_limit()
-@output_options(latex=False)
+@output_options(latex=False, brief=IDS, full="Show each rule as `rules show` does.")
 def list_rules(words: tuple[str, ...], folders: tuple[str, ...], out: Output) -> None:
     """List the rules in the order in which a strategy runs them.
 
@@ -55,6 +56,12 @@ def list_rules(words: tuple[str, ...], folders: tuple[str, ...], out: Output) ->
     library = Choice(words, folders=folders).library
     if out.json:
         out.write(json.dumps([_json(r) for r in library], indent=2))
+        return
+    if out.brief:
+        out.write("\n".join(r.id for r in library))
+        return
+    if out.full:
+        out.write("\n\n".join("\n".join(_shown(r)) for r in library))
         return
     width = max(len(r.id) for r in library)
     lines: list[str] = []
@@ -83,12 +90,14 @@ def show(rule_id: str, words: tuple[str, ...], folders: tuple[str, ...], out: Ou
     if out.json:
         out.write(json.dumps(_json(rule), indent=2))
         return
-    facts = {key: value for key, value in _json(rule).items() if value not in (None, [], "")}
-    lines = []
-    for key, value in facts.items():
-        values = value if isinstance(value, list) else [value]
-        lines += [f"{key if i == 0 else '':<10} {v}" for i, v in enumerate(values)]
-    out.write("\n".join(lines))
+    out.write(rule.sentence if out.brief else "\n".join(_shown(rule)))
+
+
+def _shown(rule: Rule) -> Iterator[str]:
+    """What is known of a rule, name by name."""
+    for key, value in _json(rule).items():
+        values = value if isinstance(value, list) else [value] * (value not in (None, ""))
+        yield from (f"{'' if i else key:<10} {v}" for i, v in enumerate(values))
 
 
 @click.command()
@@ -119,7 +128,8 @@ def check(ctx: click.Context, words: tuple[str, ...], folders: tuple[str, ...], 
                 click.echo(f.fault.render(), err=True)
         width = max((len(f.rule.id) for f in found), default=0)
         wrong = sum(not f.ok for f in found)
-        lines = [f"{'ok   ' if f.ok else 'wrong'} {f.rule.id:<{width}}  {f.reason}" for f in found]
+        shown = [f for f in found if not (out.brief and f.ok)]
+        lines = [f"{'ok   ' if f.ok else 'wrong'} {f.rule.id:<{width}}  {f.reason}" for f in shown]
         count = "1 rule" if len(found) == 1 else f"{len(found)} rules"
         out.write("\n".join([*lines, f"{count}: {len(found) - wrong} hold, {wrong} wrong"]))
     if any(f.verdict == "undecided" for f in found):

@@ -114,7 +114,7 @@ def _note(found: list[SingularPoseView], every: tuple[Heading, ...], stops: list
     words = f"{said} by a search along {all_ways}, up to 60° or 0.75 times the robot's size, and in all directions at"
     words += " once: this is no proof that nothing singular lies nearer."
     if stops:
-        words += f" Along {listed(stops)} the robot does not assemble so far."
+        words += f" Along {listed(stops)} the robot was not followed so far."
     if lost:
         words += f" There is a singular pose {listed(lost)}, to which the sliders do not lead from home."
     return words

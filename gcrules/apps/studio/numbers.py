@@ -22,7 +22,6 @@ from gcrules.conditions.analysis import Analysis
 from gcrules.conditions.pose_value import judged, line_measure
 from gcrules.core.errors import InputError
 from gcrules.mechanisms.limbs import Limbs
-from gcrules.mechanisms.moving_platform import FAR
 from gcrules.mechanisms.six_legs import SixLegs
 from gcrules.poses.methods import Methods, method
 from gcrules.poses.numbers.arrays import matrices
@@ -33,7 +32,7 @@ from gcrules.poses.pose_report import readings_at, report_of_legs
 from gcrules.poses.signs.of_legs import signs_of_legs
 from gcrules.screws.guarantees import ROUNDING
 from gcrules.screws.margin import jacobian
-from gcrules.screws.pose import Pose
+from gcrules.screws.pose import FAR, Pose, too_far
 from gcrules.screws.threshold import DEFAULT, Threshold
 from gcrules.screws.verdict import CLOSE
 from gcrules.views.results.amplification import actuator_notes
@@ -116,7 +115,7 @@ def _by_lines(subject: Subject, pose: PoseJson, limit: Threshold) -> Numbers:
     if a is None or scenery is None:
         raise InputError(subject.why_not or "this structure cannot be drawn in space")
     if max(map(abs, pose["translation"])) > FAR * subject.size:
-        raise InputError(f"a pose is more than {FAR:g} times the robot's size away", hint="check the unit")
+        raise too_far("a pose is")
     places = scenery.points(_plain(pose))
     close = close_margin(limit)
     size, said = judged(a.structure, places, CLOSE if close is None else close)

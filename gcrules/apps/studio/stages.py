@@ -21,7 +21,7 @@ from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.rules.condition import Entity
 from gcrules.views.drawing.figures import distinct_entities
 from gcrules.views.drawing.scene_parts import entity_label
-from gcrules.views.report.dimension_items import dimension_items
+from gcrules.views.report.dimension_items import condition_beside, dimension_items
 from gcrules.views.report.items import Formula, KeyValue
 from gcrules.views.report.stage_ids import TITLES
 from gcrules.views.report.stages import Recognised, in_every_pose, recognised, structure_items
@@ -68,10 +68,10 @@ def _stages(a: Analysis, robot: RobotAnalysis | None) -> Iterator[tuple[str, lis
     found_of = a.dimensions if robot is None else robot.dimensions
     dimensions = map(_plain, dimension_items(found_of) if found_of else ())
     if robot is None:
-        stated = [*in_every_pose(a), _in_lines(c.sentence)]
+        stated = [*in_every_pose(a), _in_lines(condition_beside(a.dimensions, c.sentence))]
         yield "statement", [*map(sentence, stated), *(sentence(f"Also: {words}") for words in others), *dimensions]
     else:
-        stated = [*robot_in_every_pose(robot), _in_lines(robot.statement)]
+        stated = [*robot_in_every_pose(robot), _in_lines(condition_beside(robot.dimensions, robot.statement))]
         yield "statement", [*map(sentence, stated), sentence(f"Of its lines: {c.sentence}"), *dimensions]
     certified = [fact(c.certificate.method, c.certificate.detail)]
     if robot is not None:

@@ -111,6 +111,16 @@ class Architecture:
     def singular(self) -> bool:
         return self.verdict == "singular"
 
+    def beside(self, condition: str) -> str:
+        """The condition of the structure, as it stands beside a verdict of these dimensions.
+
+        >>> Architecture("singular", "proved").beside("The robot is singular exactly when A, B and C are in line.")
+        'Whatever its dimensions, the robot is singular exactly when A, B and C are in line.'
+        """
+        if not (self.singular or self.verdict == "seems singular"):
+            return condition
+        return f"Whatever its dimensions, {condition[:1].lower()}{condition[1:]}"
+
     @property
     def sentence(self) -> str:
         """The verdict as a sentence; "" for a regular architecture, and where it is open."""

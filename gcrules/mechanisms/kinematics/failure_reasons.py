@@ -1,4 +1,4 @@
-"""Why a robot does not assemble where it is wanted: how far it came, and what is wrong there."""
+"""Why a robot was not followed to where it is wanted: how far it came, and what is wrong there."""
 
 from __future__ import annotations
 
@@ -66,8 +66,8 @@ def stopped(m: Linkage, here: Configuration, wanted: Target, part: float, told: 
         message = f"{m.robot.id} cannot move from home towards {wanted.text}: {reason}"
     else:
         message = (
-            f"{m.robot.id} does not assemble at {wanted.text} on home's assembly mode: it comes {100 * part:.3g}% of"
-            f" the way ({place}), where {reason}"
+            f"{m.robot.id} was not followed from home to {wanted.text}: it comes {100 * part:.3g}% of the way"
+            f" ({place}), where {reason}"
         )
     return InputError(message, hint=_HINT if small else fault.hint)
 

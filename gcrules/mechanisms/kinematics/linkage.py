@@ -21,13 +21,13 @@ from gcrules.mechanisms.kinematics.rigid_motions import Floats
 from gcrules.mechanisms.lines.ranks import Ranks, ranks
 from gcrules.mechanisms.robot import Robot
 from gcrules.screws import JOINTS, RESIDUES, Limb
+from gcrules.screws.pose import FAR, too_far
 from gcrules.screws.pose_text import read_centre
 from gcrules.screws.rotations import Vector
 
 __all__ = ["Actuator", "Configuration", "Linkage", "Span", "begun_at", "linkage"]
 
 
-_FAR = 1e12
 _ORIGIN: Vector = (Fraction(0), Fraction(0), Fraction(0))
 _NEAR = 1000  # sizes of the robot: nearer to the origin coordinates are taken as they are
 
@@ -196,8 +196,8 @@ def linkage(robot: Robot, about: str | Sequence[Any] = "centroid") -> Linkage:
     if size <= 1e-9 * float(np.abs(ends).max(initial=0.0)) or not size:
         points = np.array([values[d.name] for d in robot.family.definitions if d.sort == "point"])
         size = float(np.sqrt(((points - points.mean(axis=0)) ** 2).sum(axis=1).mean())) or 1.0
-    if np.abs(turning - centre).max() > _FAR * size:
-        raise InputError(f"the centre is more than {_FAR:g} times the robot's size away", hint="check the unit")
+    if np.abs(turning - centre).max() > FAR * size:
+        raise too_far("the centre is")
     ball = "R" if robot.family.plane else "S"
     firm = tuple(not one.subchains and one.joints[-1].symbol == ball for one in robot.limbs)
     generic = robot.family.member("kinematics")

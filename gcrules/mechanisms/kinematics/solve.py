@@ -24,6 +24,7 @@ from gcrules.mechanisms.kinematics.loops import Course, Joints, close_loops, loo
 from gcrules.mechanisms.kinematics.rigid_motions import Floats
 from gcrules.mechanisms.kinematics.soundness import sound
 from gcrules.mechanisms.kinematics.targets import Target, check_count, written
+from gcrules.screws.pose import FAR
 from gcrules.screws.pose_text import SHIFTS, TURNS, VECTOR
 
 __all__ = ["Solution", "beside", "check_target", "closed_near", "free_coordinates", "goal", "solve"]
@@ -34,7 +35,6 @@ _SHORTEST_PROOF = 1.0 / 16384
 _SLOWER = 1.2  # how fast steps grow again after one was too long to be proved
 _DEPENDENT = 1e-7
 _PREFERRED = 0.01  # of the largest rate: a coordinate that moves less is not proposed
-_FAR = 1e12
 _MOST_STEPS = 1000
 
 
@@ -150,9 +150,9 @@ def check_target(m: Linkage, wanted: Target) -> None:
     """Raises InputError where the wanted coordinates are too few or too many or do not determine the pose near home, or
     where home itself is singular for the actuators, or where it is too far to get there step by step.
     """
-    if not Course(m, wanted).length <= _FAR:
+    if not Course(m, wanted).length <= FAR:
         raise InputError(
-            f"a configuration is more than {_FAR:g} times the robot's size, or as many radians, from home",
+            f"a configuration is more than {FAR:,.0f} times the robot's size, or as many radians, from home",
             hint="check the unit",
         )
     if wanted.whole is not None:

@@ -17,7 +17,6 @@ from gcrules.mechanisms.kinematics.solve import check_target
 from gcrules.mechanisms.kinematics.targets import Target
 from gcrules.mechanisms.limbs import Limbs
 from gcrules.mechanisms.mechanism import Mechanism, limits_of
-from gcrules.mechanisms.moving_platform import FAR
 from gcrules.mechanisms.six_legs import SixLegs
 from gcrules.poses.everywhere import check_architecture
 from gcrules.poses.maps.axes import ACTUATOR, TRANSLATION, TURNS, GridAxis, check_turns, read_ranges
@@ -25,6 +24,7 @@ from gcrules.poses.maps.limb_grid import coordinates_of
 from gcrules.poses.maps.nodes import in_words, others
 from gcrules.poses.methods import Methods, method
 from gcrules.poses.numbers.pose_arguments import one_pose
+from gcrules.screws.pose import FAR, too_far
 
 __all__ = ["Question", "question"]
 
@@ -83,7 +83,7 @@ def question(m: Mechanism, over: Sequence[str | GridAxis], at: Any, limits: str 
     found = method(_QUESTION, m, "a map of whole boxes")(axes, at, limits)
     far = next((a for a in axes if a.name in TRANSLATION and max(-a.start, a.stop) > FAR * found.size), None)
     if far is not None:
-        raise InputError(f"{far.name} goes more than {FAR:g} times the robot's size away", hint="check the unit")
+        raise too_far(f"{far.name} goes")
     return found
 
 
@@ -96,7 +96,7 @@ def _of_legs(m: SixLegs, axes: tuple[GridAxis, ...], at: Any, limits: str | None
     turns = (np.arctan2(r[2, 1], r[2, 2]), -np.arcsin(np.clip(r[2, 0], -1, 1)), np.arctan2(r[1, 0], r[0, 0]))
     values = tuple(float(c) + 0.0 for c in (*pose.translation, *turns))
     if max(map(abs, values)) > FAR * m.rig.size:
-        raise InputError(f"a pose is more than {FAR:g} times the robot's size away", hint="check the unit")
+        raise too_far("a pose is")
     reach = limits_of(m, limits)
     return Question(
         axes, (*TRANSLATION, *reversed(TURNS)), values, reach, m.rig.size, m.unit, False, m.analysis.condition.sentence

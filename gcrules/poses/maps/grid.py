@@ -13,12 +13,12 @@ from numpy.typing import NDArray
 
 from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import GcrulesError, InputError, LimitReached
-from gcrules.mechanisms.moving_platform import FAR, MovingPlatform
+from gcrules.mechanisms.moving_platform import MovingPlatform
 from gcrules.poses.maps.axes import TILT, TRANSLATION, TURNS, VECTOR, GridAxis
 from gcrules.poses.maps.nodes import Nodes, in_words, others
 from gcrules.poses.numbers.arrays import from_poses, read_arrays
 from gcrules.poses.numbers.pose_arguments import one_pose
-from gcrules.screws.pose import Pose
+from gcrules.screws.pose import FAR, Pose, too_far
 from gcrules.screws.rotations import Vector, from_euler, from_vector
 
 __all__ = ["MAX_FLAT", "MAX_POSES", "Grid", "grid"]
@@ -188,7 +188,7 @@ def grid(rig: MovingPlatform, axes: tuple[GridAxis, ...], at: Any = None) -> Gri
     found = Grid(axes, rig, pose, (rest[0], rest[1], rest[2]), notes)
     corners = np.array(np.meshgrid(*[[float(a.start), float(a.stop)] for a in axes])).reshape(len(axes), -1).T
     if np.abs(found.ends(corners) - rig.base).max() > FAR * rig.size:
-        raise InputError(f"a pose is more than {FAR:g} times the robot's size away", hint="check the unit")
+        raise too_far("a pose is")
     if not _SMALL < rig.size < 1 / _SMALL:
         raise InputError(
             f"the robot is too {'small' if rig.size < 1 else 'large'} for the 32-bit floats of a map: its size is"

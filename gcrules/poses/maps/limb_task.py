@@ -192,7 +192,7 @@ class LimbsTask(InLayers, HoldsArrays):
 
     def spare(self, coordinates: Floats) -> Floats:
         """By how much poses keep to the limits of the actuators, as the nearest node does; below 0: not, or not
-        reached.
+        followed to.
         """
         shape = self.grid.shape
         index = np.clip(np.rint(self.grid.places(coordinates)), 0, np.array(shape) - 1).astype(int)
@@ -204,6 +204,11 @@ class LimbsTask(InLayers, HoldsArrays):
             kept = self.limits.margin(np.nan_to_num(self._driven(amounts)))
             found = np.where(np.isnan(amounts[:, 0]), -1.0, kept)
         return np.asarray(found[which])
+
+    @property
+    def beyond(self) -> str:
+        """What is said of poses that are not allowed."""
+        return "not followed from home" + (", or beyond the limits" if self.limits else "")
 
     @property
     def accuracy(self) -> str:
@@ -258,7 +263,7 @@ class LimbsTask(InLayers, HoldsArrays):
         )
         if not others:
             return proved
-        left = f"{crossed:,} crossed, {undecided:,} undecided, {summary.outside:,} with a corner that is not reached"
+        left = f"{crossed:,} crossed, {undecided:,} undecided, {summary.outside:,} not followed to a corner"
         return f"{proved}; singular poses that are connected with home lie in the {others:,} other cells ({left})"
 
     @property

@@ -85,8 +85,9 @@ class MapTask(Protocol):
 
     `measure` is margin, value, or an index of the actuators; `limits` are those of legs or actuators; `factors` are the
     exact ones of the condition on the slice, None where it is no polynomial; `everywhere` says that every pose is
-    singular; `names` are the arrays of each chunk; zeros are brought nearer by so many `halvings`; `accuracy` says how
-    curves are found, `guard` what a margin guarantees; `stage` is what comes before all chunks, None for nothing.
+    singular; `names` are the arrays of each chunk; zeros are brought nearer by so many `halvings`; `beyond` says what
+    poses that are not allowed are, `accuracy` how curves are found, `guard` what a margin guarantees; `stage` is what
+    comes before all chunks, None for nothing.
     """
 
     @property
@@ -107,6 +108,8 @@ class MapTask(Protocol):
     def number(self) -> int: ...
     @property
     def halvings(self) -> int: ...
+    @property
+    def beyond(self) -> str: ...
     @property
     def accuracy(self) -> str: ...
     @property
@@ -133,7 +136,7 @@ class MapTask(Protocol):
         ...
 
     def spare(self, coordinates: Floats) -> Floats:
-        """By how much poses (N, axes) keep to the limits; below 0: not, or not reached."""
+        """By how much poses (N, axes) keep to the limits; below 0: not, or not followed to."""
         ...
 
     def about(self, sentence: str) -> dict[str, str]:

@@ -100,6 +100,11 @@ class LegsTask(InLayers, HoldsArrays):
         return np.concatenate(parts)
 
     @property
+    def beyond(self) -> str:
+        """What is said of poses that are not allowed."""
+        return "beyond the limits"
+
+    @property
     def accuracy(self) -> str:
         """How curves are found that are no zeros of a polynomial."""
         return (

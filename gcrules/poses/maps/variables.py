@@ -89,7 +89,7 @@ def variables(task: MapTask) -> dict[str, Variable]:
         "leg_length": {"long_name": "lengths of the legs", **unit_of(unit)},
         "actuator": {"long_name": "amounts of the actuators from home, angles in radians"},
         "allowed": {
-            "long_name": "whether the pose is reached within the limits of legs or actuators",
+            "long_name": f"whether the pose was reached: 0 where it is {task.beyond}",
             "flag_values": np.array([0, 1], dtype=np.uint8),
             "flag_meanings": "outside within",
             "limits": task.limits.text if task.limits else "none",

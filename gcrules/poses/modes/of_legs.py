@@ -14,7 +14,6 @@ from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import InputError
 from gcrules.mechanisms.kinematics.coordinates import coordinates, without_rounding
 from gcrules.mechanisms.kinematics.rigid_motions import Floats, change_about
-from gcrules.mechanisms.moving_platform import FAR
 from gcrules.mechanisms.six_legs import SixLegs
 from gcrules.poses.modes.conditions import forms_of_pairs, motions
 from gcrules.poses.modes.report import (
@@ -32,7 +31,7 @@ from gcrules.poses.numbers.report import PoseReport
 from gcrules.poses.pose_report import report_of_legs
 from gcrules.poses.signs.of_legs import signs_of_legs
 from gcrules.poses.signs.sign import FactorSign
-from gcrules.screws.pose import Pose, exact_float
+from gcrules.screws.pose import FAR, Pose, exact_float, too_far
 from gcrules.screws.pose_text import COORDINATES, Amount, read_named
 from gcrules.screws.study import study
 from gcrules.screws.threshold import Threshold
@@ -103,7 +102,7 @@ class _Legs:
         middle = body.mean(axis=0)
         away = (moving.centre_of_turns - middle) / moving.size
         if not np.abs(away).max() <= FAR:
-            raise InputError(f"the centre is more than {FAR:g} times the robot's size away", hint="check the unit")
+            raise too_far("the centre is")
         ends = moving.ends(shift, turn)[0] if actuators is None else body
         lengths = np.linalg.norm(ends - moving.base, axis=1)
         given, asked = pose if actuators is None else None, "the lengths at the pose of the file"

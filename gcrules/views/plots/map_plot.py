@@ -250,7 +250,7 @@ def _grown(cells: NDArray[np.bool_]) -> NDArray[np.bool_]:
 
 
 def _limits(m: SingularMap, axes: Any, handles: list[Any]) -> None:
-    """What is not reached, hatched."""
+    """What is beyond the limits, or was not followed to, hatched."""
     x, y = (np.linspace(float(a.start), float(a.stop), min(300, 2 * a.number)) for a in m.grid.axes)
     places = np.stack(np.meshgrid(x, y, indexing="ij"), axis=-1).reshape(-1, 2)
     margin = m.task.spare(places).reshape(len(x), len(y)).T
@@ -263,4 +263,4 @@ def _limits(m: SingularMap, axes: Any, handles: list[Any]) -> None:
     hatch.set_linewidth(0)
     if margin.max() > 0:
         axes.contour(x, y, margin, levels=[0], colors=[_INK], linewidths=1.1, zorder=6)
-    handles.append(Patch(facecolor="white", edgecolor="#8A929B", hatch="////", lw=0.4, label="not reached"))
+    handles.append(Patch(facecolor="white", edgecolor="#8A929B", hatch="////", lw=0.4, label=m.task.beyond))

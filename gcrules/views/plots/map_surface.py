@@ -187,5 +187,5 @@ def _legend(m: SingularMap, mesh: Mesh) -> list[Any]:
         for k, f in enumerate(m.factors):
             found.append(Patch(color=LIGHT[SHEETS[k % len(SHEETS)]], label=f"factor {k + 1}, degree {f.degree}"))
     if not mesh.allowed.all():
-        found.append(Patch(color="#DDDDDD", label="pale: not reached by the legs"))
+        found.append(Patch(color="#DDDDDD", label=f"pale: {m.task.beyond}"))
     return found

@@ -11,12 +11,17 @@ from gcrules.core.english import listed
 from gcrules.views.detail import first
 from gcrules.views.report.items import Formula, Item, KeyValue
 
-__all__ = ["DIMENSIONS", "DIMENSIONS_OF_ROBOT", "dimension_items", "dimension_lines", "main_facts"]
+__all__ = ["DIMENSIONS", "DIMENSIONS_OF_ROBOT", "condition_beside", "dimension_items", "dimension_lines", "main_facts"]
 
 DIMENSIONS_OF_ROBOT = "What home says of the bodies beyond the relations of the family; it holds in every pose."
 DIMENSIONS = "What the coordinates say beyond the names of the joints; it holds in every pose."
 
 _MANY = 12  # facts that are shown, of a body with many joints on planes
+
+
+def condition_beside(found: Dimensions | None, condition: str) -> str:
+    """The condition of the structure, as it stands beside what the dimensions say."""
+    return found.architecture.beside(condition) if found else condition
 
 
 def dimension_items(d: Dimensions) -> list[Item]:

@@ -17,7 +17,7 @@ from gcrules.core.floats import decimal
 from gcrules.rules.condition import Condition, Entity
 from gcrules.screws.verdict import CLOSE
 from gcrules.views.formulas.suppositions import supposed
-from gcrules.views.report.dimension_items import DIMENSIONS, dimension_items
+from gcrules.views.report.dimension_items import DIMENSIONS, condition_beside, dimension_items
 from gcrules.views.report.items import Formula, Item, KeyValue
 from gcrules.views.report.stage_ids import TITLES
 from gcrules.views.results.at_infinity import at_infinity
@@ -74,7 +74,7 @@ def leading_sentences(a: Analysis) -> tuple[str, ...]:
     """What stands first: what is assumed; that the robot is singular in every pose, if it is or nearly so; then the
     condition, in parts where it is long.
     """
-    first, *rest = (*in_every_pose(a), *in_parts(a.condition.sentence))
+    first, *rest = (*in_every_pose(a), *in_parts(condition_beside(a.dimensions, a.condition.sentence)))
     return (f"{supposed(a.structure)} {first}".lstrip(), *rest)
 
 

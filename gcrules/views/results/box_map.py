@@ -74,12 +74,22 @@ def verdict(m: BoxMap) -> str:
         case "outside":
             return f"Proved: no pose of this range is {reached}."
         case "free":
-            return f"Proved: no {pose} is singular{least}.{apart}"
+            return f"Proved: no {pose} is singular{least}{_seen(m)}.{apart}"
         case "undecided":
             return f"No singular pose was found, but {percent(undecided)} of the range is undecided.{apart}"
     if not crossed:
         return f"This range is not free: there is a singular pose in what is undecided.{apart}"
     return f"This range is not free: boxes of {percent(crossed)} of it hold {_bad(m)}.{apart}"
+
+
+def _seen(m: BoxMap) -> str:
+    """The least margin that was seen, where none was asked for and none is proved."""
+    least = m.summary.margin
+    return (
+        ""
+        if m.task.margin or least is None
+        else f"; the least margin seen, in the middles of boxes, is σ = {least:.4g}"
+    )
 
 
 def _asked(m: BoxMap) -> Iterator[tuple[str, str]]:

@@ -73,7 +73,8 @@ def verdict(c: Certificate) -> str:
             return f"There is a singular pose in range{inside} (proved by the sign of the determinant): {at}."
         case "below":
             assert c.bad is not None
-            return f"There is a pose in range{inside} whose margin is below {asked:g}: {place_text(c, c.bad.place)}."
+            at = place_text(c, c.bad.place)
+            return f"There is a pose in range{inside} whose margin is below {asked:g}, σ = {c.bad.margin:.3g}: {at}."
     proved, left = percent(c.decided), percent(c.shares[4])
     if c.holds:
         return f"No singular pose in {proved} of the range (proved); the rest, {left}, is undecided."

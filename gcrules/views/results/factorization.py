@@ -19,8 +19,10 @@ def as_text(f: Factorization, *, unicode: bool = False) -> str:
     def shown(e: Expr) -> str:
         return expression_text(e, unicode=unicode, names=f.points)
 
+    times = " · " if unicode else " * "
     lines = [
         _headline(f, unicode),
+        *(f"with a cofactor: {shown(r.cofactor)}{times}input = {shown(short(r.product()))}" for r in f.rational),
         f"  family       {f.family.name}",
         f"  searched     {f.family.searched()}",
         f"  certificate  {f.certificate.method}: {f.certificate.detail}",
@@ -29,9 +31,6 @@ def as_text(f: Factorization, *, unicode: bool = False) -> str:
     lines += [f"  also         {shown(short(form.product()))}" for form in f.alternatives]
     if f.more:
         lines.append(f"  also         {f.more} other expression{'s' * (f.more != 1)} (shown with --full)")
-    times = " · " if unicode else " * "
-    for form in f.rational:
-        lines.append(f"  cofactor     {shown(form.cofactor)}{times}input = {shown(short(form.product()))}")
     if (f.excluded or f.undecided) and not f.rational:
         lines.append("  cofactor     none found")
     lines += [f"  excluded     {e}" for e in f.excluded]
@@ -45,7 +44,9 @@ def _headline(f: Factorization, unicode: bool) -> str:
     equal = Counter(f.factors).items()
     factors = (factor if n < MANY else ex.Power(factor, n) for factor, n in equal)
     left = " · ".join(expression_text(e, unicode=unicode, names=f.points) for e in factors)
-    return "none exists in the family" + (f" for what is left after the brackets {left}" if left else "")
+    searched = f" of {f.family.searched()}" if f.family.extensors else ""
+    brackets = f" for what is left after the brackets {left}" if left else ""
+    return f"none exists in the family{brackets} ({f.certificate.method}{searched})"
 
 
 def _part(f: Factorization, part: FactoredPart, unicode: bool) -> str:

@@ -47,7 +47,9 @@ def account(m: SingularMap) -> list[tuple[str, str]]:
     if m.limits:
         rows.append(("limits", m.limits.text))
     if m.limits or m.summary.outside:
-        rows.append(("reached", f"{_share(m.summary.allowed, m.summary.poses)} of the poses"))
+        reached = f"{_share(m.summary.allowed, m.summary.poses)} of the poses"
+        others = f"; the others are {m.task.beyond}" if m.summary.allowed < m.summary.poses else ""
+        rows.append(("reached", f"{reached}{others}"))
     if m.summary.margin is not None and m.summary.place is not None:
         at = ", ".join(f"{a.name} = {c:.6g}" for a, c in zip(g.axes, m.summary.place, strict=True))
         rows.append(("close", f"{_share(m.summary.close, m.summary.allowed)} of them (threshold {m.threshold.text})"))

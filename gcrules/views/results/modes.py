@@ -11,6 +11,7 @@ from gcrules.poses.modes.report import AssemblyMode, AssemblyModes
 from gcrules.screws.pose_text import ANGLES
 from gcrules.views.drawing.drawing import Drawing, below, beside
 from gcrules.views.formulas.latex_text import latex_quantity, latex_table
+from gcrules.views.results.path_account import verdicts_and_margins
 from gcrules.views.results.result_account import Block, Facts, Grid, ResultAccount, Sentences
 from gcrules.views.robots.pose_picture import pose_picture
 from gcrules.views.text_tables import ASCII, table, wrapped
@@ -48,7 +49,16 @@ def _lines(r: AssemblyModes) -> Iterator[str]:
 
 def _verdict(r: AssemblyModes) -> str:
     isolated = "of isolated solutions " * bool(r.curves and r.completeness.complete)
-    return f"{r.verdict}; {isolated}{r.completeness.text}"
+    return "; ".join(filter(None, (r.verdict, _numbers(r), f"{isolated}{r.completeness.text}")))
+
+
+def _numbers(r: AssemblyModes) -> str:
+    """ "8 regular, σ from 0.57 to 0.61, 8 certified"; empty where there are no modes."""
+    if not r.modes:
+        return ""
+    certified = sum(m.certificate.proved for m in r.modes)
+    numbers = verdicts_and_margins([m.verdict for m in r.modes], [m.margin for m in r.modes])
+    return f"{numbers}, {certified or 'none'} certified"
 
 
 def _facts(r: AssemblyModes) -> Iterator[tuple[str, str]]:

@@ -5,14 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
 
-from gcrules.core.english import listed
+from gcrules.core.english import counted, listed
 from gcrules.core.linear_algebra import content
 from gcrules.poses.operation_modes.limb_constraints import DEGREE, FRESH, Equation
 from gcrules.poses.operation_modes.report import OperationMode, OperationModes, terms_of
 from gcrules.views.detail import first, is_everything
 from gcrules.views.formulas.latex_text import latex_table, latex_words
 from gcrules.views.results.result_account import Facts, ResultAccount
-from gcrules.views.text_tables import table
+from gcrules.views.text_tables import table, wrapped
 
 __all__ = ["account", "as_latex", "as_text"]
 
@@ -23,7 +23,7 @@ _LONG = 6  # terms
 
 def as_text(found: OperationModes, *, unicode: bool = False) -> str:
     """A table for each mode, where they meet, and how sure all this is."""
-    lines = [_verdict(found)]
+    lines = wrapped(_verdict(found))
     for block in _blocks(found, unicode):
         lines += ["", *table(block.rows)]
     return "\n".join(lines if unicode else [line.translate(_ASCII) for line in lines])
@@ -35,8 +35,20 @@ def account(found: OperationModes) -> ResultAccount:
 
 
 def _verdict(found: OperationModes) -> str:
-    count = len(found.modes)
-    return f"{found.robot.title} ({found.robot.id}): {count} operation mode{'s' * (count != 1)}"
+    alike: dict[str, list[str]] = {}
+    for m in found.modes:
+        alike.setdefault(f"of dimension {m.dimension}: {m.motion}", []).append(str(m.number))
+    modes = [f"Mode{'s' * (len(n) > 1)} {listed(n)}, {words}." for words, n in alike.items()]
+    count = counted(len(found.modes), "operation mode")
+    return " ".join([f"{found.robot.title} ({found.robot.id}): {count}.", *modes, _others(found)])
+
+
+def _others(found: OperationModes) -> str:
+    """Whether these are all, as far as it is known."""
+    if found.complete:
+        parts = "" if found.proved else " Open: whether each is one mode by itself."
+        return f"There is no other of dimension {found.least} or more.{parts}"
+    return "There may be others." if found.complete is None else "There are others, for random assemblies show them."
 
 
 def _blocks(found: OperationModes, unicode: bool) -> Iterator[Facts]:

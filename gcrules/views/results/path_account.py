@@ -8,7 +8,16 @@ from collections.abc import Iterator, Sequence
 from gcrules.core.dataclass import dataclass
 from gcrules.views.detail import first
 
-__all__ = ["PathAccount", "PathPlace", "PathStretch", "account_lines", "in_ascii", "listed_verdicts", "wrapped"]
+__all__ = [
+    "PathAccount",
+    "PathPlace",
+    "PathStretch",
+    "account_lines",
+    "in_ascii",
+    "listed_verdicts",
+    "verdicts_and_margins",
+    "wrapped",
+]
 
 WIDTH = 100
 _MOST = 40  # places that are explained; the JSON object holds all
@@ -90,6 +99,16 @@ def in_ascii(text: str) -> str:
 def listed_verdicts(verdicts: Sequence[str]) -> str:
     """ "180 regular, 20 close"."""
     return ", ".join(f"{verdicts.count(v)} {v}" for v in ("regular", "close", "singular") if v in verdicts)
+
+
+def verdicts_and_margins(verdicts: Sequence[str], margins: Sequence[float]) -> str:
+    """ "7 regular, 1 close, σ from 0.003 to 0.6".
+
+    >>> verdicts_and_margins(["regular", "regular"], [0.5, 0.25])
+    '2 regular, σ from 0.25 to 0.5'
+    """
+    ends = tuple(dict.fromkeys(f"{m:.4g}" for m in (min(margins), max(margins))))
+    return f"{listed_verdicts(verdicts)}, σ {'= ' if len(ends) == 1 else 'from '}{' to '.join(ends)}"
 
 
 def wrapped(text: str, first: str = "", rest: str | None = None) -> list[str]:

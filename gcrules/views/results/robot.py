@@ -15,7 +15,7 @@ from gcrules.mechanisms.description.relations import AXES
 from gcrules.mechanisms.lines.serial import LimbCondition, LimbSingularity
 from gcrules.mechanisms.lines.wrenches import LimbWrenches, WrenchLine
 from gcrules.views.detail import first, is_everything
-from gcrules.views.report.dimension_items import dimension_lines
+from gcrules.views.report.dimension_items import condition_beside, dimension_lines
 from gcrules.views.report.parts import in_shell
 from gcrules.views.report.stage_ids import TITLES
 from gcrules.views.results.at_infinity import at_infinity
@@ -58,7 +58,7 @@ def leading_sentences(a: RobotAnalysis) -> tuple[str, ...]:
     """What stands first: that the robot is singular in every pose, if it is or nearly so, then the condition, in parts
     where it is long.
     """
-    return (*in_every_pose(a), *in_parts(a.statement))
+    return (*in_every_pose(a), *in_parts(condition_beside(a.dimensions, a.statement)))
 
 
 def in_every_pose(a: RobotAnalysis) -> tuple[str, ...]:

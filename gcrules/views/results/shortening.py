@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from gcrules.algebra.shortening.result import Shortening
+from gcrules.core.english import counted
 from gcrules.views.results import polynomial
 
 __all__ = ["as_latex", "as_text"]
@@ -12,10 +13,10 @@ def as_text(s: Shortening, *, unicode: bool = False, short: bool = False) -> str
     """The polynomial (`short`: with powers), its number of terms, whether fewer are possible and why, and the
     certificate.
     """
-    sure = "proved minimal" if s.minimal else f"best found; at least {s.lower} are needed"
+    sure = "proved minimal" if s.minimal else f"the fewest that were found; at least {s.lower} are needed"
     lines = [
         polynomial.as_text(s.polynomial, unicode=unicode, short=short),
-        f"  terms        {s.terms} of {s.given}: {sure}",
+        f"{counted(s.terms, 'term')} of {s.given}, {sure}",
         f"  lower bound  {s.bound.method}: {s.bound.detail}",
         f"  certificate  {s.certificate.method}: {s.certificate.detail}",
     ]

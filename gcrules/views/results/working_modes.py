@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from gcrules.core.english import listed
 from gcrules.poses.modes.working import WorkingMode, WorkingModes
 from gcrules.views.formulas.latex_text import latex_table, latex_words
+from gcrules.views.results.path_account import verdicts_and_margins
 from gcrules.views.results.result_account import Grid, ResultAccount, Sentences
 from gcrules.views.text_tables import ASCII, wrapped
 
@@ -36,9 +37,13 @@ def account(w: WorkingModes) -> ResultAccount:
 
 
 def _verdict(w: WorkingModes) -> str:
-    return f"{w.title} ({w.robot}): {_counted(w)}, at {w.target}."
+    met = [mode.pose for mode in w.modes if mode.pose is not None]
+    numbers = verdicts_and_margins([p.verdict for p in met], [p.margin for p in met])
+    some = "of those listed " * (len(w) + w.missing < w.number)
+    return f"{w.title} ({w.robot}): {_counted(w)}, at {w.target}; {some}{numbers}. {_UNPROVED}"
 
 
+_UNPROVED = "That there are no others is not proved."
 _WAYS = "Ways of each limb to hold the platform where it is at home"
 
 
@@ -64,7 +69,7 @@ def _lines(w: WorkingModes) -> Iterator[str]:
 def _sure(w: WorkingModes) -> Iterator[str]:
     yield (
         f"Drives are from the home of the file. The ways were found from {w.starts} random places of the joints of each"
-        " limb: that there are no others is not proved."
+        " limb."
     )
     if len(w) + w.missing < w.number:
         yield "Listed are home's mode and those that differ from it in one limb."
@@ -103,7 +108,7 @@ def _table(w: WorkingModes) -> list[list[str]]:
 
 def _row(w: WorkingModes, mode: WorkingMode) -> list[str]:
     if mode.pose is None:
-        return [mode.name, "does not assemble", "", "", *("" for _ in w.actuators)]
+        return [mode.name, "not followed", "", "", *("" for _ in w.actuators)]
     return [mode.name, mode.pose.verdict, f"{mode.pose.margin:.4g}", mode.signs.replace("-", "−"), *amounts(w, mode)]
 
 
@@ -120,6 +125,6 @@ def as_latex(w: WorkingModes) -> str:
     """A tabular: verdict and margin of each mode; needs no package."""
     rows = [("robot", latex_words(f"{w.title}, {_counted(w)}"))]
     for mode in w.modes:
-        numbers = "does not assemble" if mode.pose is None else f"{mode.pose.verdict}, margin {mode.pose.margin:.4g}"
+        numbers = "not followed" if mode.pose is None else f"{mode.pose.verdict}, margin {mode.pose.margin:.4g}"
         rows.append((latex_words(mode.name), numbers))
     return latex_table(rows)

@@ -13,7 +13,7 @@ export const CELLS: Readonly<Record<CellStatus, string>> = {
   free: "proved free of singular poses",
   crossed: "crossed by singular poses",
   undecided: "not decided",
-  outside: "not reached at a corner",
+  outside: "not followed to a corner",
 };
 
 const PALE = 0.16; // how deep the colour of the least measure is
