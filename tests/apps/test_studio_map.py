@@ -74,7 +74,7 @@ def test_a_map_comes_coarse_and_is_refined(desk: Desk, kind: str, name: str, nod
 def test_the_map_shows_where_the_robot_is(desk: Desk) -> None:
     opened(desk, "example", "octahedral", 11).one("map-go").click()
     refined(desk, 11)
-    for at, words in (([80, -60, 0], "The robot"), ([900, 0, 0], "The robot is outside of this map")):
+    for at, words in (([80, -60, 0], "The robot"), ([900, 0, 0], "The robot is outside this map")):
         desk.run("at => gcrules.edit({pose: {translation: at, quaternion: [1, 0, 0, 0]}})", at)
         desk.page.wait_for_function("x => gcrules.touring.here.value?.at[0] === x", arg=at[0])
         mark = desk.one("map-robot")

@@ -139,7 +139,7 @@ export function Bench({ store }: PanelProps) {
   );
 }
 
-const STOPPED = "Stopped. Evaluate begins anew.";
+const STOPPED = "Stopped. Evaluate starts over.";
 
 const NONE: readonly BenchResult[] = [];
 

@@ -107,7 +107,7 @@ function Robot({ axes, at, elsewhere }: { axes: MapAnswer["axes"]; at: readonly 
   const parts = axes.map((axis, i) => partOf(axis, at[i] ?? 0));
   const [left, bottom] = parts.map((part) => `${100 * Math.min(Math.max(part, 0), 1)}%`);
   const outside = parts.some((part) => part < 0 || part > 1);
-  const words = outside ? "The robot is outside of this map" : elsewhere ? "The robot, which is not in this map" : "The robot";
+  const words = outside ? "The robot is outside this map" : elsewhere ? "The robot, which is not in this map" : "The robot";
   return <span class={`robot${outside ? " outside" : ""}${elsewhere ? " elsewhere" : ""}`} role="img" aria-label={words} title={words} style={{ left, bottom }} data-testid="map-robot" />;
 }
 
