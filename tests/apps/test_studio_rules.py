@@ -64,7 +64,7 @@ def test_each_rule_is_proved_or_told_with_its_place(page: Page) -> None:
         ("turn", 5, "proved"),
     ]
     assert [r["fault"] and r["fault"]["place"]["line"] for r in found["rules"]] == [None, 3, 4, None]
-    assert "is no identity: at a = (" in found["rules"][1]["reason"]
+    assert "is not an identity: at a = (" in found["rules"][1]["reason"]
     assert "proved in rank 4" in found["rules"][0]["reason"]
 
 
@@ -185,7 +185,7 @@ BAD: dict[str, Any] = {
     "a path": {"files": ["/etc/passwd"]},
     "a path in the place of text": {"files": [{"name": "x", "path": "/etc/passwd", "off": []}]},
     "no name": {"files": [opened(PIERCE, name=" ")]},
-    "off is no list": {"files": [{"name": "x", "text": PIERCE, "off": "pierce"}]},
+    "off is not a list": {"files": [{"name": "x", "text": PIERCE, "off": "pierce"}]},
     "a null character": {"files": [opened("rule a\0b")]},
     "a lone surrogate": {"files": [opened("\ud800")]},
 }
@@ -387,7 +387,7 @@ def test_a_long_question_says_how_far_it_is_and_is_stopped(desk: Desk) -> None:
     )
     desk.one("bench-stop").click()
     desk.one("bench-stop").wait_for(state="detached")
-    assert desk.text("bench-note") == "Stopped. Evaluate begins anew."
+    assert desk.text("bench-note") == "Stopped. Evaluate starts over."
     assert desk.one("bench-result").count() == 1  # what has not changed is still true
     assert desk.page.get_by_test_id("fault").count() == 0
     desk.run("text => gcrules.edit({bench: text})", "[abcd] == -[bacd]\n[abcd]")

@@ -19,11 +19,11 @@ __all__ = ["free"]
 @click.command(cls=ExpressionCommand)
 @mechanism_argument
 @mode_option
-@click.option("--at", metavar="POSE", help="The pose in the middle, as in gcrules pose; home without it.")
+@click.option("--at", metavar="POSE", help="The pose in the middle, as in gcrules pose; by default home.")
 @click.option("--over", metavar="NAMES", help='Coordinates with proportions: "x, y, z", "x 2, rz 9 deg"; "actuators".')
 @click.option("--ball", is_flag=True, help="A ball instead of a box.")
 @about_option
-@click.option("--boxes", type=int, metavar="N", help="Give up a size that so many boxes do not prove.")
+@click.option("--boxes", type=int, metavar="N", help="Give up a size that this many boxes do not prove.")
 @time_limit()
 @output_options()
 def free(
