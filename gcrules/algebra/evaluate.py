@@ -77,7 +77,7 @@ def evaluate(e: Expr, points: Mapping[str, Any], *, modulus: int | None = None) 
         raise InputError(f"no coordinates given for {', '.join(missing)}")
     ranks = {_length(points[n]) for n in points_of(e)}
     if len(ranks) > 1:
-        raise InputError(f"points with unlike numbers of coordinates: {sorted(ranks)}")
+        raise InputError(f"points with different numbers of coordinates: {sorted(ranks)}")
     written = rank_of(e)
     rank = ranks.pop() if ranks else written or 4
     if written is not None and written != rank:

@@ -93,10 +93,10 @@ class Structure:
             for name in points_of(*assumption.args):
                 if name not in (*self.names, *self.points):
                     hint = "declare a point that only helps to say what is assumed with --points"
-                    raise fault(assumption, f"{name} is no end of a leg", hint)
+                    raise fault(assumption, f"{name} is not an end of a leg", hint)
         for name in self.ideal:
             if name not in (*self.names, *self.points) and not any(name in points_of(*a.args) for a in self.given):
-                raise InputError(f"the point at infinity {name} is no end of a leg")
+                raise InputError(f"the point at infinity {name} is not an end of a leg")
 
     @cached_property
     def lines(self) -> tuple[Expr, ...]:
@@ -270,7 +270,7 @@ class NoLine(InputError):
 
     def __init__(self, number: int, word: str, line: Expr) -> None:
         why = "is zero" if isinstance(line, Meet) else "has coinciding ends"
-        super().__init__(f"the leg {word} is no line: it {why} wherever the points may be")
+        super().__init__(f"the leg {word} is not a line: it {why} wherever the points may be")
         self.number = number
 
 

@@ -226,7 +226,7 @@ def prove(
         at = parse_assumption(written, at)
     if right is None:
         if isinstance(claim, Expr):
-            raise InputError("one expression is no claim", hint='gc.prove(left, right), or "LHS == RHS" as text')
+            raise InputError("one expression is not a claim", hint='gc.prove(left, right), or "LHS == RHS" as text')
         sides = parse_equation(claim, context=at)
     else:
         left, other = (e if isinstance(e, Expr) else _parse(e, context=at) for e in (claim, right))

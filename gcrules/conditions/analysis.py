@@ -205,7 +205,7 @@ def analyze(
     if not derivation.check():
         for rule, _ in found.claim.state.trail if found.claim is not None else ():
             if rule.foreign:
-                raise PluginFault(f"{rule.blame}a step of the rule {rule.id} is no identity", filename=rule.owner)
+                raise PluginFault(f"{rule.blame}a step of the rule {rule.id} is not an identity", filename=rule.owner)
         raise EngineFault(f"the derivation of {structure.superbracket} does not replay")
     claim = found.claim
     if claim is not None:  # what the rules did stands in the derivation

@@ -96,7 +96,10 @@ def check_digests(shipped: Catalog) -> tuple[CheckResult, ...]:
         return ()
     lines = sorted(set(digests(shipped.statements, shipped.entries).splitlines()) ^ set(known.splitlines()))
     what = ", ".join(dict.fromkeys(line.partition("  ")[2] for line in lines[:_SHOWN])) or "in another sequence"
-    why = f"the digests are not those of {SHIPPED} ({what}); once all is proved, `gcrules catalog check --write`"
+    why = (
+        f"the digests are not those of {SHIPPED} ({what}); once everything is proved, run `gcrules catalog"
+        " check --write`"
+    )
     return (CheckResult("digests", f"gcrules/{DIGESTS}", 0, (why,)),)
 
 
@@ -169,7 +172,7 @@ def _line(a: Sequence[int], b: Sequence[int]) -> list[int]:
 
 def _proved(reading: CatalogIdentity, structure: Structure) -> list[str]:
     if vanishes(reading.cofactor):
-        return [f"the cofactor {reading.cofactor_text} is zero identically, so the identity says nothing"]
+        return [f"the cofactor {reading.cofactor_text} is identically zero, so the identity says nothing"]
     r = reading
     condition = Condition(r.kind, r.expression, r.meaning, _CLAIM, r.cofactor, r.coefficient)
     answer = prove(condition.identity(structure.superbracket), ZERO)

@@ -111,7 +111,7 @@ def _other_names(structure: Structure, oracle: RandomWitness) -> list[str]:
         ]
         if on and not any(n in pair for pair in one):
             notes.append(
-                f"{n} lies on {listed(on)}: a leg may be written by any two of its points, so by {n} and an end"
+                f"{n} lies on {listed(on)}: a leg may be written as any two of its points, and so as {n} and an end"
             )
     return notes
 
@@ -309,7 +309,7 @@ def _of_one_leg(structure: Structure) -> Statement:
     *_, last = structure.lines
     return say(
         "Without {last} the platform can make the instantaneous screw motions that are reciprocal to the other five "
-        "legs, as a rule one only; the robot is singular exactly when one of them is reciprocal to {last} too: when "
+        "legs, as a rule only one; the robot is singular exactly when one of them is reciprocal to {last} too: when "
         "{reciprocal}, where {h} is its pitch, {r} the distance from its axis to {last} and {w} the angle between them,"
         " right-handed about their common perpendicular (a translation: when {w} is a right angle).",
         last=last,

@@ -109,10 +109,10 @@ def _reason(structure: Structure, oracle: RandomWitness) -> tuple[str, bool]:
     if oracle.zero(structure.superbracket):
         return f"the robot is singular in every pose: {explain(structure).reason}", True
     if structure.rank != 4:
-        return "the two lines that meet four others are of space, rank 4", True
+        return "lines that meet four others are sought in space only, rank 4", True
     shared = [n for n in structure.names if sum(n in leg for leg in structure.legs) > 1]
     if not shared:
         if structure.special or structure.stand_ins:
             return "no two legs share a joint, and legs that meet elsewhere are not looked at", False
-        return "no two legs share a joint, and the two lines that meet four such legs take a square root", True
+        return "no two legs share a joint, and the two lines that meet four such legs require a square root", True
     return f"no lines constructed from the legs with the common joints {listed(shared)} give a condition", False

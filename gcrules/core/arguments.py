@@ -302,7 +302,7 @@ NAMES = either("names of points as text or as a sequence of texts", TEXT, listed
 FILE = ArgumentKind("the name of a file", _file)
 FLAG = ArgumentKind("True or False", _flag)
 WHOLE = ArgumentKind("a whole number", _whole)
-COUNT = ArgumentKind("a whole number from 1 on", _positive)
+COUNT = ArgumentKind("a whole number, 1 or more", _positive)
 NUMBER = ArgumentKind("a number", _number)
 DURATION = ArgumentKind("a number of seconds, 0 or more", _duration)
 

@@ -133,7 +133,7 @@ def within(
     limits: tuple[tuple[Any, str], ...] = ((seconds, "seconds"), (memory, "bytes of memory"))
     for given, what in limits:
         if given is not None and (not isinstance(given, Real) or isnan(as_float(given))):
-            raise InputError(f"{given!r} is no number of {what}", hint="None is no limit")
+            raise InputError(f"{given!r} is not a number of {what}", hint="None means no limit")
     budget = Budget(
         None if seconds is None else as_float(seconds), memory, progress, monotonic(), _current.get(), grace
     )

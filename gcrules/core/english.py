@@ -5,7 +5,17 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
-__all__ = ["agreeing", "as_sentence", "counted", "in_parts", "lettered", "listed", "of_kind", "together"]
+__all__ = [
+    "agreeing",
+    "as_sentence",
+    "counted",
+    "in_parts",
+    "lettered",
+    "listed",
+    "of_kind",
+    "together",
+    "with_article",
+]
 
 
 def listed(names: Sequence[str]) -> str:
@@ -67,3 +77,8 @@ def together(items: Sequence[str]) -> str:
         else:
             others.append(item)
     return listed([*(of_kind(kind, names) for kind, names in kinds.items()), *others])
+
+
+def with_article(noun: str) -> str:
+    """ "a leg", "an actuator"."""
+    return f"{'an' if noun[:1] in 'aeio' else 'a'} {noun}"

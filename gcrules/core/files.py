@@ -56,7 +56,7 @@ def check_name(path: str) -> None:
     """Raises FileError for what cannot be the name of any file."""
     what = None
     if not path:
-        what = "an empty text is no name of a file"
+        what = "an empty text is not the name of a file"
     elif "\0" in path:
         what = "a name cannot hold the character NUL"
     else:
@@ -101,7 +101,7 @@ def _special(target: str) -> bool:
     return os.path.exists(target) and not os.path.isfile(target)
 
 
-def unwritable(fault: OSError, path: str, full: str = "make room, and run the same command again") -> FileError:
+def unwritable(fault: OSError, path: str, full: str = "free some space, and run the same command again") -> FileError:
     """The fault of a file that cannot be written, with advice where the disk is `full`."""
     hint = full if fault.errno in (errno.ENOSPC, errno.EDQUOT) else None
     return FileError(f"cannot be written: {fault.strerror or fault}", filename=path, hint=hint)

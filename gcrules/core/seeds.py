@@ -19,7 +19,7 @@ wrote it down. There are three kinds of draws:
     ...     first = seed("a claim")
     >>> with repeated(7):
     ...     first == seed("a claim"), remark()
-    (True, ' (points chosen with the seed 7: who knows it can foresee them)')
+    (True, ' (points chosen with the seed 7: anyone who knows it can predict them)')
     >>> PRIME.bit_length(), PRIME % 4
     (61, 3)
 """
@@ -125,7 +125,7 @@ def repeated(chosen: int | None) -> Iterator[None]:
 def remark() -> str:
     """What a certificate has to add where the user chose the seed; "" otherwise."""
     chosen = _chosen.get()
-    return "" if chosen is None else f" (points chosen with the seed {chosen}: who knows it can foresee them)"
+    return "" if chosen is None else f" (points chosen with the seed {chosen}: anyone who knows it can predict them)"
 
 
 class _Remembered(Generic[P, T]):

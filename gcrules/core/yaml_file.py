@@ -217,7 +217,7 @@ class Node:
             return None
         return int(text)
 
-    def rational(self, units: str = "numbers stand without a unit") -> Fraction | None:
+    def rational(self, units: str = "numbers are written without a unit") -> Fraction | None:
         """A finite number, exact as written: `3`, `-0.25`, `1e-3` or `1/3` (quoted or not); `units` is the advice for
         one with a unit behind it.
         """

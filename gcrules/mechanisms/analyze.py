@@ -81,7 +81,7 @@ def analyze(
         chosen = {name: value for name, value in chosen.items() if name not in ("points", "ideal", "given", "rank")}
     if isinstance(loaded, (Robot, Analysis, RobotAnalysis)) and chosen:
         what = f"the robot {loaded.id}" if isinstance(loaded, Robot) else "what was analysed before"
-        hint = "they are for legs and platforms" if isinstance(loaded, Robot) else "analyze its structure anew"
+        hint = "they are for legs and platforms" if isinstance(loaded, Robot) else "analyze its structure again"
         raise InputError(f"{what} takes no options {', '.join(chosen)}", hint=hint)
     if isinstance(loaded, (Analysis, RobotAnalysis)):
         return loaded

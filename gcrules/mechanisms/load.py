@@ -118,7 +118,7 @@ def load(
         source, kind = legs_text(read_class(str(source), plugins).legs), "legs"
     if kind == "legs":
         if not isinstance(source, Iterable):
-            raise InputError(f"{described(source)} is no source", hint="give legs, a file, an id, or data")
+            raise InputError(f"{described(source)} is not a source", hint="give legs, a file, an id, or data")
         return read_legs(source, points=points, ideal=ideal, given=given, rank=rank, built=True)
     assert isinstance(source, str)
     if kind == "text":
@@ -143,7 +143,7 @@ def kind_of(word: str, plugins: Folders = ()) -> str:
     if _LEG.fullmatch(word):
         return "legs"
     raise InputError(
-        f"{word[:60]!r} is no file, no id of a robot, a class or an example, and no legs",
+        f"{word[:60]!r} is neither a file, nor the id of a robot, a class or an example, nor legs",
         hint=near(word, [known for ids in _IDS.values() for known in ids(plugins)])
         or '`gcrules robot list` and `gcrules catalog list` name ids; legs are written "ab af cb cd ed ef"',
     )
@@ -255,4 +255,6 @@ def _as_text(data: Mapping[str, Any]) -> str:
     try:
         return json.dumps(plain(data), indent=1, ensure_ascii=False, default=plain)
     except (TypeError, ValueError) as fault:
-        raise InputError(f"these are no data of a file: {fault}", hint="texts, numbers, sequences, mappings") from None
+        raise InputError(
+            f"these are not the data of a file: {fault}", hint="texts, numbers, sequences, mappings"
+        ) from None

@@ -101,7 +101,7 @@ def _of_limbs(
 
 
 def _no_path(given: Any) -> InputError:
-    return InputError(f"{str(given)[:40]} is no path", hint="give two poses or more, or the name of a table")
+    return InputError(f"{str(given)[:40]} is not a path", hint="give two poses or more, or the name of a table")
 
 
 def path_of_legs(
@@ -166,7 +166,7 @@ def _pose(number: int, given: Any, unit: str) -> Pose:
             fault.message = f"pose {number}: {fault.message}"
         raise
     if found is None:
-        raise InputError(f"pose {number} is no pose", hint='write text such as "0 0 5; euler zyx 10 0 0 deg"')
+        raise InputError(f"pose {number} is not a pose", hint='write text such as "0 0 5; euler zyx 10 0 0 deg"')
     return found
 
 

@@ -131,8 +131,8 @@ def _at_legs(
     known = known_accuracy(accuracy, m.rig)
     if limit.length is not None and accuracy is not None and known:
         raise InputError(
-            f"the threshold {limit.text} is a length: it takes the joints' places as exact, and cannot be had with an "
-            "accuracy",
+            f"the threshold {limit.text} is a length: it takes the joints' places as exact, and cannot be combined"
+            " with an accuracy",
             hint="give the threshold as an angle, for example 0.5deg, or leave the accuracy out",
         )
     one = one_pose(at, turns, degrees, m.unit)
@@ -181,7 +181,7 @@ def _of_joints(
         found: RobotPose = report_of_limbs(m, asked, actuators, degrees=degrees, threshold=threshold, nearest=nearest)
         return found
     if beside:
-        raise InputError("many poses, and a turn beside them", hint="give poses that hold their turns")
+        raise InputError("many poses, and a turn as well", hint="give poses that contain their turns")
     if actuators is not None:
         raise InputError("many poses and actuators at once", hint="give one of them; the other one follows")
     every = at.tolist() if isinstance(at, np.ndarray) else at

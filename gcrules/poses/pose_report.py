@@ -47,7 +47,7 @@ def numbers_of_legs(
     """Arrays for many poses: a sequence of poses, or translations (N, 3) with turns beside them, N or one of each."""
     if isinstance(at, (list, tuple)) and at and isinstance(at[0], (Pose, str, Mapping)):
         if any(t is not None for t in turns.values()):
-            raise InputError("poses that hold their turns, and a turn beside them")
+            raise InputError("poses that contain their turns, and a turn as well")
         poses = [read_one(p, m.unit, degrees) for p in at]
         arrays, notes = from_poses(poses), tuple(dict.fromkeys(n for p in poses for n in p.notes))
     else:

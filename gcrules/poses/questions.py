@@ -114,7 +114,7 @@ class Questions:
                 f"a plan of {len(self.plan)} poses", hint="name its start and its goal, or the start alone"
             )
         if self.free is not None and self.free not in SHAPES:
-            raise InputError(f"{self.free!r} is no shape of a free region", hint=" or ".join(SHAPES))
+            raise InputError(f"{self.free!r} is not a shape of a free region", hint=" or ".join(SHAPES))
 
     def answers(self, a: Analysis | RobotAnalysis) -> tuple[Any, ...]:
         """The answers for a robot, in the sequence of the sections of its report. Raises InputError for questions that

@@ -169,7 +169,7 @@ ELEMENTARY = (
     ),
     Elementary(
         id="van-der-waerden",
-        sentence="A van der Waerden syzygy replaces the largest product of brackets that is no standard tableau.",
+        sentence="A van der Waerden syzygy replaces the largest product of brackets that is not a standard tableau.",
         fires=("[abch][defg]", "[abcd][abef] + [abch][defg]"),
         silent=("[abcd][abef]", "[bach][defg]", r"ab /\ cd"),
         apply=syzygy,

@@ -114,7 +114,7 @@ def _words(fault: BaseException) -> str:
     try:
         said = fault.message if isinstance(fault, GcrulesError) else str(fault)
     except BaseException:  # the error is the plugin's own class
-        said = "(an error without words)"
+        said = "(an error without a message)"
     kind = type(fault).__name__
     return f"{kind}: {said[:_NAMED]}" if said else kind
 

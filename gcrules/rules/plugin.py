@@ -204,7 +204,7 @@ def _of_entry(entry: EntryPoint) -> Plugin:
     with foreign(f"{owner} cannot be loaded", f"{owner} (entry point {entry.name} = {entry.value})"):
         plugin = entry.load()
     if not isinstance(plugin, Plugin):
-        raise FileError(f"{entry.value} is no gcrules.Plugin but {type(plugin).__name__}", filename=owner)
+        raise FileError(f"{entry.value} is not a gcrules.Plugin but {type(plugin).__name__}", filename=owner)
     return _owned(plugin, owner, owner, outside=True)
 
 
@@ -212,7 +212,7 @@ def _owned(plugin: Plugin, owner: str, place: str, *, outside: bool) -> Plugin:
     """A plugin with its owner's name. Raises FileError where its rules are something else."""
     for rule in plugin.rules:
         if not isinstance(rule, Rule):
-            raise FileError(f"{owner}: rules holds {rule!r:.100}, which is no rule", filename=place)
+            raise FileError(f"{owner}: rules holds {rule!r:.100}, which is not a rule", filename=place)
     with foreign(f"{owner} cannot be loaded", place):
         return replace(plugin, rules=tuple(_of(owner, r, outside) for r in plugin.rules), owner=owner)
 

@@ -144,7 +144,9 @@ def check_rule(rule: RuleText, script: Script, *, limit: int = MAX_TERMS, rechec
             continue
         proof = _proof(instance, limit)
         if proof.verdict == "refuted":
-            return wrong(InputError(f"the rule {rule.id} is no identity{_where(proof, instance, rule)}"), proof=proof)
+            return wrong(
+                InputError(f"the rule {rule.id} is not an identity{_where(proof, instance, rule)}"), proof=proof
+            )
         if proof.verdict != "proved":
             return wrong(LimitReached(f"the rule {rule.id} is not decided: {proof.reason}"), "undecided", proof)
         remember(digest)

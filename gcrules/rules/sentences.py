@@ -50,7 +50,7 @@ def sentence(
     clauses = [c for c in words.clauses(e) if c not in outside]
     lets = say("Let {}. ", _each(words.lets, ", and ")) if words.lets else ""
     where = say("Outside the poses where {}, the", _each(outside)) if outside else "The"
-    undetermined = " Where one of these is not determined, the robot is singular too." if words.constructed else ""
+    undetermined = " Where one of these is not determined, the robot is also singular." if words.constructed else ""
     whole = _each([*clauses, *besides])
     return say("{}{} robot is singular exactly when {}.{}", lets, where, whole, undetermined)
 

@@ -99,7 +99,7 @@ class Exact(Field):
         gram = [(*(self.dot(a, b) for b in basis), self.dot(a, vector)) for a in basis]
         solved, pivots = self.echelon(gram)
         if pivots != tuple(range(len(basis))):
-            raise LimitReached("the basis has isotropic vectors modulo the prime", hint="take other random coordinates")
+            raise LimitReached("the basis has isotropic vectors modulo the prime", hint="use other random coordinates")
         return self.combination([row[-1] for row in solved], basis)
 
     def row(self, matrix: Matrix, place: int) -> Row:
@@ -138,7 +138,7 @@ class Rationals(Exact):
             return Fraction(value)
         if isinstance(value, float):
             raise InputError(f"{what} holds the float {value!r}", hint="write a Fraction, or compute with floats")
-        raise InputError(f"{what} holds {value!r}, which is no number")
+        raise InputError(f"{what} holds {value!r}, which is not a number")
 
     def quotient(self, x: Any, y: Any) -> Any:
         return Fraction(x) / y
@@ -167,7 +167,7 @@ class Residues(Exact):
 
     def __post_init__(self) -> None:
         if self.p % 4 != 3 or any(pow(b, self.p - 1, self.p) != 1 for b in (2, 3, 5, 7) if self.p != b):
-            raise InputError(f"{self.p} is no prime of the form 4n + 3")
+            raise InputError(f"{self.p} is not a prime of the form 4n + 3")
 
     @property
     def modulus(self) -> int | None:
@@ -194,7 +194,7 @@ class Residues(Exact):
 
     def dot(self, a: Sequence[Any], b: Sequence[Any]) -> Any:
         if len(a) != len(b):
-            raise ValueError("vectors of unlike lengths")
+            raise ValueError("vectors of different lengths")
         return sum(map(mul, a, b)) % self.p
 
     def echelon(self, matrix: Matrix) -> tuple[tuple[Row, ...], tuple[int, ...]]:
@@ -222,7 +222,7 @@ class Residues(Exact):
 
     def quotient(self, x: Any, y: Any) -> Any:
         if y % self.p == 0:
-            raise LimitReached(f"a divisor is zero modulo {self.p}", hint="take other random coordinates")
+            raise LimitReached(f"a divisor is zero modulo {self.p}", hint="use other random coordinates")
         return x * pow(y, -1, self.p) % self.p
 
     def sign(self, x: Any) -> int | None:

@@ -47,7 +47,7 @@ class Floats(Field):
         try:
             found = np.asarray(value, dtype=float)
         except (TypeError, ValueError, OverflowError):
-            raise InputError(f"{what} holds something that is no float: {str(value)[:60]}") from None
+            raise InputError(f"{what} holds something that is not a float: {str(value)[:60]}") from None
         if not np.isfinite(found).all():
             raise InputError(f"{what} is not finite")
         if np.any(np.abs(found) > _LARGEST):

@@ -95,5 +95,5 @@ def common_field(limbs: Iterable[Limb]) -> Field:
         raise InputError("there are no limbs", hint="a robot has at least one")
     for one in chain:
         if not isinstance(one, Limb):
-            raise InputError(f"{one!r} is no limb", hint="write limb(joint(…), joint(…))")
+            raise InputError(f"{one!r} is not a limb", hint="write limb(joint(…), joint(…))")
     return next((one.field for one in chain if one.field.floating), field_of())

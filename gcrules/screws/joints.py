@@ -206,7 +206,7 @@ def joint(kind: str, *, actuated: bool | int | Iterable[int] = False, **geometry
     """
     found = JOINTS.get(str(kind))
     if found is None:
-        raise InputError(f"{kind!r} is no kind of joint", hint=f"the kinds are {', '.join(JOINTS)}")
+        raise InputError(f"{kind!r} is not a kind of joint", hint=f"the kinds are {', '.join(JOINTS)}")
     missing = [part for part in found.parts if part not in geometry]
     if missing:
         raise InputError(f"a joint {kind} needs its {' and its '.join(missing)}")
@@ -231,7 +231,7 @@ def _actuated(kind: JointKind, actuated: bool | int | Iterable[int]) -> tuple[in
         chosen = tuple(sorted({actuated} if isinstance(actuated, int) else set(actuated)))
     for place in chosen:
         if place not in range(len(kind.freedoms)):
-            raise InputError(f"a joint {kind.symbol} has no freedom {place!r}; they count from 0")
+            raise InputError(f"a joint {kind.symbol} has no freedom {place!r}; freedoms are counted from 0")
         if place not in kind.drives:
             raise InputError(
                 f"the {kind.freedoms[place]} of a joint {kind.symbol} cannot be actuated by itself",

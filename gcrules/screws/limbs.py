@@ -202,7 +202,7 @@ def limb(*joints: Joint, name: str = "", couplings: Iterable[tuple[int, int, Any
     """
     for j in joints:
         if not isinstance(j, Joint):
-            raise InputError(f"{j!r} is no joint", hint='write joint("R", point=…, axis=…)')
+            raise InputError(f"{j!r} is not a joint", hint='write joint("R", point=…, axis=…)')
     if not joints:
         raise InputError("a limb needs joints: without one the platform is fixed")
     pairs = tuple(couplings)

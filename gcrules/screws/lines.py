@@ -89,7 +89,7 @@ def undecided() -> LimitReached:
     """The error for floats whose lines are neither apart nor together."""
     return LimitReached(
         "some numbers are so close to the tolerance that it cannot be decided which lines meet",
-        hint="take another tolerance, Floats(tolerance=…), or exact numbers",
+        hint="use another tolerance, Floats(tolerance=…), or exact numbers",
     )
 
 

@@ -175,6 +175,6 @@ def jacobian(base: Floats, ends: Floats) -> LegJacobians:
 
 def _too_far() -> InputError:
     return InputError(
-        "floats cannot tell the platform's joints apart here: they are in one place or on one line but for rounding",
-        hint="take poses nearer to the robot, and an origin near it",
+        "floats cannot tell the platform's joints apart here: they are in one place or on one line, up to rounding",
+        hint="use poses closer to the robot, and an origin near it",
     )

@@ -137,7 +137,7 @@ def unit_note(quaternion: Sequence[Fraction]) -> str | None:
             f"the quaternion has length {size:.6g}, expected 1 (within {UNIT_TOLERANCE:g})",
             hint="divide by the length; the order is w x y z, w the cosine of half the angle",
         )
-    return None if abs(size - 1) <= SILENT else f"the quaternion has length {size:.9g}; it was normalised"
+    return None if abs(size - 1) <= SILENT else f"the quaternion has length {size:.9g}; it has been normalised"
 
 
 def too_far(what: str) -> InputError:
@@ -148,7 +148,7 @@ def too_far(what: str) -> InputError:
 def check_unit(word: str, unit: str) -> None:
     """Raises InputError unless a unit of length is that of the robot."""
     if word not in UNITS:
-        raise InputError(f"{word[:20]!r} is no unit of length", hint=f"units are {', '.join(UNITS)}")
+        raise InputError(f"{word[:20]!r} is not a unit of length", hint=f"units are {', '.join(UNITS)}")
     if word != unit:
         whose = f"the robot is given in {unit}" if unit else "the robot's file names no unit"
         raise InputError(f"mixed units: {word} here, but {whose}", hint=f"give lengths in {unit or 'its unit'}")

@@ -16,6 +16,7 @@ from fractions import Fraction
 from typing import Any
 
 from gcrules.core.dataclass import dataclass
+from gcrules.core.english import with_article
 from gcrules.core.errors import GcrulesError, InputError, Span
 from gcrules.core.hints import near
 from gcrules.screws.pose import NOT_FINITE, NUMBER, Pose, check_unit, exact, read_number, unit_note
@@ -130,7 +131,7 @@ def _part(words: list[str], unit: str) -> tuple[str, tuple[Any, ...]]:
         check_sequence(sequence)
         degrees = _angle_unit(words)
         return key, (from_euler(sequence, _numbers(words, 3, "a set of Euler angles"), degrees=degrees),)
-    raise InputError(f"{key[:40]!r} is no part of a pose", hint=near(key, (*_KINDS, "translation")) or _FORMS)
+    raise InputError(f"{key[:40]!r} is not a part of a pose", hint=near(key, (*_KINDS, "translation")) or _FORMS)
 
 
 def _angle_unit(words: list[str]) -> bool:
@@ -195,7 +196,7 @@ def _amount(text: str, name: str, angle: bool, unit: str) -> Amount:
     if not word:
         raise InputError(f"{name} is an angle without a unit", hint=f"write {name}={number}deg or {name}={number}rad")
     if word.lower() not in _ANGLES:
-        raise InputError(f"{word[:20]!r} is no unit of an angle", hint=f"write {name}={number}deg or rad")
+        raise InputError(f"{word[:20]!r} is not a unit of angle", hint=f"write {name}={number}deg or rad")
     return Amount(value, _ANGLES[word.lower()])
 
 
@@ -204,7 +205,7 @@ def check_known(given: Collection[Any], names: Sequence[str], what: str, listed:
     for name in given:
         if name not in names:
             hint = near(str(name), names) or f"there are {listed or ', '.join(names)}"
-            raise InputError(f"{str(name)[:40]!r} is no {what}", hint=hint)
+            raise InputError(f"{str(name)[:40]!r} is not {with_article(what)}", hint=hint)
 
 
 def check_one_turn(names: Collection[str]) -> None:
@@ -249,7 +250,7 @@ def read_centre(about: str | Sequence[Any], centroid: Vector, unit: str = "") ->
         if len(parts) == 4:
             check_unit(parts.pop(), unit)
         if len(parts) != 3:
-            raise InputError(f"{about[:40]!r} is no centre", hint="write origin, centroid, or a point x,y,z")
+            raise InputError(f"{about[:40]!r} is not a centre", hint="write origin, centroid, or a point x,y,z")
         words = [read_number(w) for w in parts]
     if len(words) != 3:
         raise InputError(f"the centre has 3 numbers, found {len(words)}")

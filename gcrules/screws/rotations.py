@@ -105,7 +105,7 @@ def check_sequence(sequence: str) -> None:
     proper = len(letters) == 3 and set(letters) <= set("xyz") and letters[0] != letters[1] != letters[2]
     if not proper or sequence not in (letters, letters.upper()):
         raise InputError(
-            f"{sequence[:20]!r} is no sequence of Euler angles",
+            f"{sequence[:20]!r} is not a sequence of Euler angles",
             hint="three axes, neighbours different: zyx about fixed axes, ZYX about the axes that turn along",
         )
 

@@ -194,7 +194,7 @@ def moved(screws: Any, rotation: Any, shift: Any, field: Field | None = None) ->
     axes = [field.row(turned, i) for i in range(3)]
     excess = [field.dot(axes[i], axes[j]) - int(i == j) for i in range(3) for j in range(i, 3)]
     if not all(map(field.is_zero, (*excess, field.determinant(turned) - 1))):
-        raise InputError("the rotation is no orthogonal matrix of determinant 1")
+        raise InputError("the rotation is not an orthogonal matrix of determinant 1")
     field.go_together((t, axes[0], *(field.row(rows, i) for i in range(field.height(rows)))), "a motion")
     found = []
     for row in (field.row(rows, i) for i in range(field.height(rows))):
@@ -208,5 +208,5 @@ def _halves(screw: Any, field: Field | None) -> tuple[Field, tuple[Vector, Vecto
     field = field or field_of(screw)
     row: Sequence[Any] = field.components(screw, 6, "a screw")
     if field.are_zero(row):
-        raise InputError("six zeros are no screw")
+        raise InputError("six zeros are not a screw")
     return field, ((row[0], row[1], row[2]), (row[3], row[4], row[5]))

@@ -22,8 +22,8 @@ GLOSSARY = (
         "term": "aspect",
         "forms": "aspects",
         "meaning": (
-            "A part of the poses of a robot within which it gets from each pose to each other without a singular "
-            "pose between."
+            "A part of the poses of a robot within which it can go from any pose to any other without a "
+            "singular pose in between."
         ),
         "guide": "Which poses are connected",
         "page": "aspects.md",
@@ -207,7 +207,7 @@ GLOSSARY = (
         "forms": "ε",
         "meaning": (
             "What counts as close: how far a leg may turn, or how far the platform may shift. A pose is called "
-            "close where σ does not exclude a singular one within."
+            "close where σ does not exclude a singular pose that near."
         ),
         "guide": "What the numbers mean",
         "page": "pose.md#what-the-numbers-mean",
@@ -223,8 +223,8 @@ GLOSSARY = (
         "term": "value",
         "forms": "",
         "meaning": (
-            "The superbracket over its scale: without unit, with its sign, zero at a singular pose. Without "
-            "equivalent lines σ stands there."
+            "The superbracket divided by its scale: without unit, with its sign, zero at a singular pose. Robots "
+            "without equivalent lines have σ in its place."
         ),
         "guide": "The studio",
         "page": "studio.md#in-space",
@@ -270,7 +270,7 @@ def markdown() -> str:
         for e in GLOSSARY
     ]
     start = (
-        "The terms as gcrules uses them. Each page of the guide leads here where it first uses one, and the "
-        "[studio](studio.md#words) shows the same at its words."
+        "The terms as gcrules uses them. Each page of the guide links here where it first uses one, and the "
+        "[studio](studio.md#words) shows the same explanations."
     )
     return "\n\n".join(["# Glossary", start, *rows]) + "\n"

@@ -392,16 +392,16 @@ test("a project with a fault is not half read, and the fault has a place", () =>
     return found.fault.message;
   };
   assert.equal(broken((x) => (x.format = 2)), "a.json: its format is 2, and this studio reads 1");
-  assert.equal(broken((x) => delete x.format), "a.json: it has no number of its format");
+  assert.equal(broken((x) => delete x.format), "a.json: it does not give the number of its format");
   assert.equal(broken((x) => (x.colour = 1)), 'a.json: the file has "colour", which is not known');
   assert.equal(broken((x) => (x.robots[0].state.source.kind = "robo")), "a.json: robots[1].state.source is not understood");
   assert.equal(broken((x) => (x.robots[0].way[1].translation = [0, 1])), "a.json: robots[1].way[2].translation is not understood");
   assert.equal(broken((x) => (x.robots[0].state.commands = [1])), "a.json: robots[1].state.commands is not understood");
-  assert.equal(broken((x) => (x.robots[0].poses[0].name = 1)), "a.json: robots[1].poses[1].name is no text");
-  assert.equal(broken((x) => (x.robots = {})), "a.json: robots is no list");
+  assert.equal(broken((x) => (x.robots[0].poses[0].name = 1)), "a.json: robots[1].poses[1].name is not text");
+  assert.equal(broken((x) => (x.robots = {})), "a.json: robots is not a list");
   assert.equal(broken((x) => delete x.robots[0].state.source), "a.json: robots[1].state names no robot");
   const found = readProject("{", "a.json");
-  assert.ok("fault" in found && found.fault.message.startsWith("a.json: it is no JSON"));
+  assert.ok("fault" in found && found.fault.message.startsWith("a.json: it is not JSON"));
   assert.ok(!isProject("robot: 3"));
 });
 

@@ -45,7 +45,7 @@ REFUSED = [
     ),
     (3, r"abc /\ def == 0", "step 4"),
     (4, r"concurrent(ab, cd, efg)", "name the point"),
-    (6, r"incident(abcde /\ fghij, klmn /\ opqrs)", "no join of points"),
+    (6, r"incident(abcde /\ fghij, klmn /\ opqrs)", "not a join of points"),
     (4, r"concurrent(abc /\ def, gh, kl)", "name the point"),
 ]
 

@@ -205,7 +205,7 @@ TRIED = [
 @pytest.mark.parametrize("assumption", TRIED)
 def test_a_refusal_speaks_of_what_was_tried(assumption: str) -> None:
     """That points coincide, say, is known of the constructions that were tried only."""
-    with pytest.raises(InputError, match="no construction that was tried satisfies it; in the one that came farthest,"):
+    with pytest.raises(InputError, match="no construction that was tried satisfies it; in the one that got farthest,"):
         gc.prove("[abc] == 0", rank=3, given=assumption)
 
 

@@ -406,7 +406,7 @@ def test_script_fault(source: str, place: str, message: str) -> None:
         (r"coplaner((ab) /\ (cd), b, c, d)", "did you mean coplanar(…)?"),
         (
             "parallel(ab, cd)",
-            "parallel(…) is no relation; the relations are collinear, coplanar, concurrent and incident",
+            "parallel(…) is not a relation; the relations are collinear, coplanar, concurrent and incident",
         ),
         ("(a, b)", "a parenthesis is not closed"),
         ("a, b", None),

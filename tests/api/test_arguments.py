@@ -265,7 +265,7 @@ def test_a_wrong_keyword_is_pythons(name: str) -> None:
         (lambda: gc.analyze(ROBOT, order="2 1 3 4 5 6"), "the robot 3-rps takes no options order", None),
         (lambda: gc.analyze(ANALYSIS, recheck=True), "what was analysed before takes no options recheck", None),
         (lambda: gc.expand(b"[abcd]"), "`e` must be text or an expression, got b'", None),
-        (lambda: gc.expand("[abcd]", limit=True), "`limit` must be a whole number from 1 on, got True", None),
+        (lambda: gc.expand("[abcd]", limit=True), "`limit` must be a whole number, 1 or more, got True", None),
         (lambda: gc.factor("[abcd]", seconds=math.nan), "number of seconds, 0 or more, got nan", None),
         (lambda: gc.pose(PLATFORM, quaternion=[1e200] * 4), "the quaternion has length inf", None),
         (lambda: gc.pose(PLATFORM, [True, 0, 0]), "`at` must be a pose, or several", None),

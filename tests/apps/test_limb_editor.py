@@ -88,7 +88,7 @@ def test_a_fault_stands_at_its_joint_with_what_to_do() -> None:
     unknown = ask(text.replace("R(A1, r1)", "X(A1, r1)"))
     assert unknown["sheet"] is not None
     (fault,) = unknown["sheet"]["limbs"][0]["chains"][0]["joints"][0]["faults"]
-    assert fault["message"] == "'X' is no kind of joint"
+    assert fault["message"] == "'X' is not a kind of joint"
 
 
 def test_faults_of_names_and_of_home_stand_at_the_name() -> None:

@@ -34,7 +34,7 @@ def test_what_is_not_decided_is_possible(run: Run, tmp_path: Path) -> None:
     assert outcome.text() == f"possible: {words}; a condition made of it is proved or refused"
     assert session.to_json()["history"][-1]["answer"] == "possible"
     assert [e.points for e in session.board.starred] == [("a", "b", "c"), ("a", "c")]
-    with pytest.raises(InputError, match="line ac is on the board already"):
+    with pytest.raises(InputError, match="line ac is already on the board"):
         session.pair("a c")
     assert session.undo().board == played(OCTAHEDRON, "plane abc").board
     assert session.undo().redo() == session

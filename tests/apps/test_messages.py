@@ -170,7 +170,7 @@ def test_numbers_with_units(number: str, tmp_path: Path) -> None:
     (tmp_path / "a.yaml").write_text(text, encoding="utf-8")
     parts = number_with_unit(number)
     assert parts is not None
-    assert_refused(run("analyze", str(tmp_path / "a.yaml")), 2, f"hint: write {parts[0]}; the unit stands once")
+    assert_refused(run("analyze", str(tmp_path / "a.yaml")), 2, f"hint: write {parts[0]}; the unit is given once")
     assert f"units: {parts[1]}" in run("analyze", str(tmp_path / "a.yaml")).stderr
 
 
@@ -178,7 +178,7 @@ def test_numbers_with_units_in_robots(tmp_path: Path) -> None:
     text = (ROOT / "plugins" / "3-rps" / "robot.yaml").read_text(encoding="utf-8").replace("[2, 0, 0]", "[2 m, 0, 0]")
     (tmp_path / "robot.yaml").write_text(text, encoding="utf-8")
     assert_refused(
-        run("robot", "analyze", str(tmp_path / "robot.yaml")), 2, "write 2; the unit stands once in the file"
+        run("robot", "analyze", str(tmp_path / "robot.yaml")), 2, "write 2; the unit is given once in the file"
     )
 
 
@@ -260,7 +260,7 @@ RELATIONS = ("collinear(a, b, c)", "[abcd] + coplanar(a, b, c, d)", "concurrent(
 def test_assumptions_are_no_expressions(command: str, more: str, text: str) -> None:
     done = run(command, text + more)
     assert done.exit_code == 2
-    assert "is an assumption and no expression" in done.stderr
+    assert "is an assumption, not an expression" in done.stderr
     assert "not closed" not in done.stderr
 
 

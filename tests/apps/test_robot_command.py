@@ -83,7 +83,7 @@ def test_robots_of_installed_packages(folder: Path, monkeypatch: pytest.MonkeyPa
     assert read_robot(robot_id).owner == "package others"
 
 
-@pytest.mark.parametrize(("path", "words"), [("none", "cannot be read as robots"), (".", "no robots are here")])
+@pytest.mark.parametrize(("path", "words"), [("none", "cannot be read as robots"), (".", "there are no robots here")])
 def test_robots_that_are_not_there(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, path: str, words: str) -> None:
     brought = Plugin(robots=(tmp_path / path,), owner="package others")
     monkeypatch.setattr("gcrules.mechanisms.description.discovery.installed", lambda: (brought,))
@@ -117,7 +117,7 @@ def test_commands(folder: Path) -> None:
         (["3-rps", "--recheck"], 2, "A robot of joints takes"),
         (["3-rps", "--rank", "3"], 2, "A robot of joints takes"),
         (["ab,af,cb,cd,ed,ef"], 0, "four planes abc, aef, bdf and cde"),
-        (["abaf"], 2, "no id of a robot, a class or an example, and no legs"),
+        (["abaf"], 2, "nor the id of a robot, a class or an example, nor legs"),
     ],
     ids=["id", "file", "of a folder", "JSON", "typing error", "option", "rank", "legs in one word", "no legs"],
 )
@@ -170,7 +170,7 @@ def test_a_new_robot_passes_its_check(tmp_path: Path, monkeypatch: pytest.Monkey
 def test_a_new_robot_needs_an_id_of_its_own(taken: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)
     found = run("new", taken)
-    assert (found.exit_code, f"{taken} is the id of" in found.output) == (2, True)
+    assert (found.exit_code, f"{taken} is already the id of" in found.output) == (2, True)
     assert not list(tmp_path.iterdir())
     (shows,) = re.findall(r"`gcrules (.+)` shows what has it", found.output)
     assert invoke(*shows.split()).exit_code == 0

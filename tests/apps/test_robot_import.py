@@ -107,5 +107,5 @@ def test_the_studio_opens_models(model: Path) -> None:
     assert subject.limbs is not None
     assert subject.limbs.robot.chain == "3-R*4S"
     text = "<mujoco><include file='/etc/passwd'/></mujoco>"
-    with pytest.raises(gc.GcrulesError, match="includes no files"):
+    with pytest.raises(gc.GcrulesError, match="cannot include files"):
         read_subject({"kind": "file", "text": text, "name": "model.xml"})

@@ -266,7 +266,7 @@ def test_singular_poses_around_a_robot_with_limbs(page: Page, given: dict[str, A
     source = {"kind": "robot", "id": "3-rpr"}
     found = page.ask("nearest", source=source, pose=HOME | given)
     assert any(words.startswith("searching along +yaw") for words in page.progress)
-    assert "no proof" in found["note"]
+    assert "does not prove" in found["note"]
     every, one = found["found"][:2]
     assert (every["kind"], every["unit"], every["certified"]) == ("in any direction", "", False)
     assert (one["kind"], one["unit"], one["certified"]) == ("along +yaw", "deg", False)

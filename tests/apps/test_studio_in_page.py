@@ -86,7 +86,7 @@ def test_what_is_wrong_is_said_as_by_the_server() -> None:
     assert json.loads(Answering().answer("[]", print)) == {
         "id": 0,
         "ok": False,
-        "error": {"kind": "input", "message": "the message is no object"},
+        "error": {"kind": "input", "message": "the message is not an object"},
     }
 
 

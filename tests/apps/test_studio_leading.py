@@ -226,5 +226,5 @@ def test_the_table_of_actuators(desk: Any, root: Path) -> None:
     desk.page.wait_for_function("() => document.querySelector('[data-testid=reach]').innerText.startsWith('All legs')")
     desk.open("robot", "delta", "check")
     desk.one("tab-actuators").click()
-    assert desk.text("reach") == "The file says nothing of what actuators reach."
+    assert desk.text("reach") == "The file says nothing about what actuators reach."
     assert desk.faults == []

@@ -81,7 +81,7 @@ def test_table_and_text_are_one(desk: Desk) -> None:
     text = str(desk.run("gcrules.limbs$.value"))
     editor.fill(text.replace("R(A%, r%)", "X(A%, r%)"))
     desk.one("fault").wait_for()
-    assert "is no kind of joint" in desk.text("fault")
+    assert "is not a kind of joint" in desk.text("fault")
     editor.fill(text.replace("R(A%, r%)", "R*(A%, r%)"))
     desk.one("fault").wait_for(state="detached")
     desk.one("limbs-table").click()
@@ -109,7 +109,7 @@ def test_a_chain_is_typed_and_the_verdict_at_home_is_the_librarys(desk: Desk, tm
     desk.one("limb-add-chain").fill("UPX")
     desk.one("limb-add").click()
     desk.one("fault").wait_for()
-    assert "'X' is no kind of joint" in desk.text("fault")
+    assert "'X' is not a kind of joint" in desk.text("fault")
 
 
 def test_the_limbs_of_an_open_robot_are_edited(desk: Desk) -> None:

@@ -74,7 +74,7 @@ def test_a_map_comes_coarse_and_is_refined(desk: Desk, kind: str, name: str, nod
 def test_the_map_shows_where_the_robot_is(desk: Desk) -> None:
     opened(desk, "example", "octahedral", 11).one("map-go").click()
     refined(desk, 11)
-    outside = "The robot is outside of this map"
+    outside = "The robot is outside this map"
     for at, words, turn in (
         ([80, -60, 0], "The robot", "0deg"),
         ([900, 0, 0], outside, "0deg"),

@@ -334,7 +334,7 @@ def test_a_map_of_what_actuators_do(page: Page, measure: str) -> None:
     assert found["index"] == [[pytest.approx(v, rel=1e-3) for v in row] for row in expected.values(measure).tolist()]
     assert any(INDICES[measure].meaning in item["value"] for item in found["facts"])
     assert page.ask("map", source=DELTA, over=over, pose=HOME)["index"] == []
-    assert "is no measure" in page.fault("map", source=DELTA, over=over, pose=HOME, measure="beauty")["message"]
+    assert "is not a measure" in page.fault("map", source=DELTA, over=over, pose=HOME, measure="beauty")["message"]
 
 
 def test_axes_are_where_the_frame_of_a_path_says(page: Page) -> None:
@@ -356,7 +356,7 @@ NO_PATH: dict[str, tuple[dict[str, str], dict[str, Any], str, str]] = {
     "too many": (DELTA, {"goal": HOME, "to": "x=0, y=0, z=1, yaw=3deg"}, "too many coordinates", "give 3"),
     "NaN": (DELTA, {"goal": HOME, "to": "x=nan, y=0, z=0"}, "finite number", ""),
     "NaN of a platform": (OCTAHEDRAL, {"goal": HOME, "to": "x=nan"}, "finite number", ""),
-    "no pose": (OCTAHEDRAL, {"goal": HOME, "to": "up a bit"}, "no part of a pose", ""),
+    "no pose": (OCTAHEDRAL, {"goal": HOME, "to": "up a bit"}, "not a part of a pose", ""),
     "out of reach": (DELTA, {"goal": HOME, "to": "x=9, y=0, z=0"}, "was not followed", "ask for less"),
     "unit": (DELTA, {"goal": HOME, "to": "x=1deg, y=0, z=0"}, "x", ""),
     "another number of actuators": (DELTA, {"goal": HOME | {"coordinates": [1.0]}}, "3 actuators", ""),

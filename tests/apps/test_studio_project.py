@@ -110,4 +110,4 @@ def test_undo_and_the_project_survive_a_reload(desk: Desk) -> None:
     other = desk.page.context.new_page()
     other.goto(desk.page.url)
     other.wait_for_selector(LINE, state="attached")
-    assert other.get_by_test_id("undo").is_disabled(), "another tab begins anew"
+    assert other.get_by_test_id("undo").is_disabled(), "another tab starts over"

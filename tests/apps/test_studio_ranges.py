@@ -132,7 +132,7 @@ def test_map_and_certificate_share_the_question(desk: Desk) -> None:
     desk.one("boxes-go").click()
     fault = desk.one("fault")
     fault.wait_for()
-    assert "is no cone" in fault.inner_text()
+    assert "is not a cone" in fault.inner_text()
     desk.one("whole-map").click()
     assert desk.page.get_by_test_id("boxes-cone").count() == 0
     assert desk.page.get_by_test_id("fault").count() == 0

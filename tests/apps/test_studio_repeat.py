@@ -200,7 +200,7 @@ def test_a_file_keeps_its_name_and_its_mode(repeat: Repeat) -> None:
 def test_what_is_no_such_question_is_refused(page: Page) -> None:
     fault = page.fault("repeat", source=DELTA, what="pose", args={"source": DELTA})
     assert "pose" in fault["message"]
-    assert page.fault("repeat", source=DELTA, what="pose", args=[])["message"] == "args.args is no object"
+    assert page.fault("repeat", source=DELTA, what="pose", args=[])["message"] == "args.args is not an object"
 
 
 # --- lines that are pasted into a terminal ----------------------------------------------------------------------------

@@ -217,12 +217,12 @@ def test_hostile_names_do_nothing(page: Page) -> None:
 @pytest.mark.parametrize(
     ("fields", "words"),
     [
-        ({"link": "javascript:alert(1)"}, "no address of a state"),
-        ({"link": 'http://127.0.0.1/#s=a"onclick=x'}, "no address of a state"),
-        ({"picture": "https://example.org/a.png"}, "no picture"),
-        ({"picture": "data:text/html;base64,AAAA"}, "no picture"),
+        ({"link": "javascript:alert(1)"}, "not an address of a state"),
+        ({"link": 'http://127.0.0.1/#s=a"onclick=x'}, "not an address of a state"),
+        ({"picture": "https://example.org/a.png"}, "not a picture"),
+        ({"picture": "data:text/html;base64,AAAA"}, "not a picture"),
         ({"picture": f"data:image/png;base64,{b64encode(b'x' * 400_000).decode()}"}, "400,000"),
-        ({"answers": [{"title": "t", "what": "open", "args": 3}]}, "no object"),
+        ({"answers": [{"title": "t", "what": "open", "args": 3}]}, "not an object"),
         ({"answers": [{"title": "t", "what": "map", "args": {"over": ["x"]}}]}, "args of map"),
         ({"answers": [{"title": "t", "what": "rm", "args": {}}]}, "expected one of"),
     ],

@@ -64,7 +64,7 @@ def test_each_rule_is_proved_or_told_with_its_place(page: Page) -> None:
         ("turn", 5, "proved"),
     ]
     assert [r["fault"] and r["fault"]["place"]["line"] for r in found["rules"]] == [None, 3, 4, None]
-    assert "is no identity: at a = (" in found["rules"][1]["reason"]
+    assert "is not an identity: at a = (" in found["rules"][1]["reason"]
     assert "proved in rank 4" in found["rules"][0]["reason"]
 
 
@@ -191,7 +191,7 @@ BAD: dict[str, Any] = {
     "a path": {"files": ["/etc/passwd"]},
     "a path in the place of text": {"files": [{"name": "x", "path": "/etc/passwd", "off": []}]},
     "no name": {"files": [opened(PIERCE, name=" ")]},
-    "off is no list": {"files": [{"name": "x", "text": PIERCE, "off": "pierce"}]},
+    "off is not a list": {"files": [{"name": "x", "text": PIERCE, "off": "pierce"}]},
     "a null character": {"files": [opened("rule a\0b")]},
     "a lone surrogate": {"files": [opened("\ud800")]},
 }
@@ -331,7 +331,7 @@ def test_rules_are_opened_switched_and_seen_at_work(desk: Desk, tmp_path: Path) 
     desk.run("text => gcrules.edit({bench: text})", "[abcd]\nrewrite ab /\\ cde")
     desk.one("bench-rules-open").click()
     desk.one("plugin-legs-meet").wait_for()
-    assert "this page takes in none" in desk.text("bench-plugins")
+    assert "this page does not load any" in desk.text("bench-plugins")
     assert "gcrules studio --plugins DIR" in desk.text("bench-plugins")
     desk.one("rules-file").set_input_files(str(path))
     rule = desk.one("rule-pierce")

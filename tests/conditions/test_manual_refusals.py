@@ -100,7 +100,7 @@ REFUSALS = [
         ("plane abc", "plane bdf", "plane cde"),
         "line ab",
         "bracket-taken",
-        "each of its brackets has an entity already",
+        "each of its brackets already has an entity",
     ),
     ("no tetrahedron", OCTAHEDRON, (), "tetrahedron abce", "no-factor", "term 2, -[abcf][acde][bdef], has no [abce]"),
     ("hidden", LINES, ("form 16",), "tetrahedron ABab", "hidden-factor", "term 2, -[ABDb][ACab][Bacd], has no [ABab]"),
@@ -137,15 +137,15 @@ REFUSALS = [
         "C: not among the left-over points (D, d)",
     ),
     ("missing", OCTAHEDRON, ("plane abc",), "condition", "missing", "entities are missing"),
-    ("degree", OCTAHEDRON, (), r"condition abc /\ aef /\ bdf /\ cdf", "degrees", "no constant times"),
-    ("factor", LINES, (), r"condition (AB /\ Cc)(ab /\ Dd) - (AB /\ Dd)(ab /\ Cc)", "degrees", "no constant times"),
+    ("degree", OCTAHEDRON, (), r"condition abc /\ aef /\ bdf /\ cdf", "degrees", "not a constant times"),
+    ("factor", LINES, (), r"condition (AB /\ Cc)(ab /\ Dd) - (AB /\ Dd)(ab /\ Cc)", "degrees", "not a constant times"),
     (
         "a sign inside",
         LINES,
         (),
         r"condition [ABab]((AB /\ Cc)(ab /\ Dd) + (AB /\ Dd)(ab /\ Cc))",
         "different",
-        "no constant times",
+        "not a constant times",
     ),
     (
         "another sign",
@@ -153,9 +153,9 @@ REFUSALS = [
         (),
         "condition [abce][abdf][cdef] + [abcf][acde][bdef]",
         "different",
-        "no constant times",
+        "not a constant times",
     ),
-    ("no cofactor", OCTAHEDRON, (), r"condition [abcd](abc /\ aef /\ bdf /\ cde)", "degrees", "no constant times"),
+    ("no cofactor", OCTAHEDRON, (), r"condition [abcd](abc /\ aef /\ bdf /\ cde)", "degrees", "not a constant times"),
     ("zero", OCTAHEDRON, (), "condition [abcd][abef] - [abef][abcd]", "zero", "the expression is zero"),
     (
         "zero by a syzygy",
@@ -281,7 +281,7 @@ def test_a_tetrahedron_as_often_as_it_occurs() -> None:
     session = played("ab ac ad bc bd cd", *["tetrahedron abcd"] * 3)
     assert len(session.board.entities) == 3
     assert session.condition().confirmed is not None
-    with pytest.raises(InputError, match="confirmed already"):
+    with pytest.raises(InputError, match="already confirmed"):
         session.tetrahedron("abcd")
 
 
@@ -361,11 +361,11 @@ def test_degrees_are_those_of_the_normal_form() -> None:
     right = "[abce][abdf][cdef] - [abcf][acde][bdef]"
     assert ManualSession.start(OCTAHEDRON).condition(f"{right} + {NOTHING}").confirmed is not None
     words, _ = refusal(OCTAHEDRON, "condition [abce][abdf][cdef] + [abcd][abef]")
-    assert "its terms have unlike degrees in the points" in words
+    assert "its terms have different degrees in the points" in words
     words, data = refusal(OCTAHEDRON, f"condition [abcd] cofactor [abcd] + {NOTHING}")
     assert data["relation"] == "factor"
     words, data = refusal(OCTAHEDRON, f"condition {right} cofactor [abcd] + 1")
-    assert "the cofactor's terms have unlike degrees in the points" in words
+    assert "the cofactor's terms have different degrees in the points" in words
     assert "relation" not in data
     words, data = refusal(OCTAHEDRON, f"condition {NOTHING} + 5")
     assert data["relation"] == "factor"

@@ -55,7 +55,7 @@ def test_grace_is_not_said() -> None:
 
 @pytest.mark.parametrize("wrong", [nan, "five", [1]], ids=str)
 def test_what_is_no_number_is_refused(wrong: Any) -> None:
-    with pytest.raises(InputError, match="is no number of seconds"), within(wrong):
+    with pytest.raises(InputError, match="is not a number of seconds"), within(wrong):
         pass
 
 

@@ -35,7 +35,7 @@ OUTPUTS = {
     "map -o": (*MAP, "-o"),
 }
 NAMES = {
-    "an empty name": ("", "is no name of a file"),
+    "an empty name": ("", "is not the name of a file"),
     "an ending only": (".svg", "an ending without a name"),
     "an ending in a folder": ("sub/.SVG", "an ending without a name"),
     "a surrogate": ("\ud800.svg", "cannot hold the character U+D800"),
@@ -78,7 +78,7 @@ def test_names_that_will_not_do(here: Path, command: str, name: str) -> None:
     path, words = NAMES[name]
     done = run(*OUTPUTS[command], path)
     assert (done.exit_code, done.stdout) == (2, ""), done.stderr
-    assert words.lower() in done.stderr.lower() or ("map" in command and "no kind of output" in done.stderr)
+    assert words.lower() in done.stderr.lower() or ("map" in command and "not a kind of output" in done.stderr)
     assert "Traceback" not in done.stderr
     assert files(here) == before
 

@@ -90,7 +90,7 @@ def test_a_robot_from_standard_input(root: Any) -> None:
 @pytest.mark.parametrize(
     ("changes", "says"),
     [
-        ({"P*(A1 B1)": "P*(A1 B2)"}, "no leg"),
+        ({"P*(A1 B1)": "P*(A1 B2)"}, "not a leg"),
         ({"B1: free": "B1: on line A1 along x", "B1: [1, 2, 4]": "B1: [1, 0, 0]"}, "depends on the other body"),
     ],
     ids=["another limb's direction", "tied"],

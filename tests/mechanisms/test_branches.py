@@ -433,7 +433,7 @@ def test_freedoms_that_stay_at_rest_count() -> None:
 
 def test_words_of_modes() -> None:
     assert WayFromHome(at_home=True).text == "that of home"
-    assert WayFromHome(doubt=0.25).text.startswith("not known: from 25% of the way")
+    assert WayFromHome(doubt=0.25).text.startswith("not known: its branch is not proved beyond 25% of the way")
     assert WayFromHome(doubt=0.25).same is None
     assert WayFromHome(regular=0.4).same is None
     assert "is not proved at 40% of the way" in WayFromHome(regular=0.4).text

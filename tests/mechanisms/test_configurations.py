@@ -310,10 +310,10 @@ home: {A1: [0, 0, 0], A3: [2, 5, 0], e: [1, 0, 0], C1: [2, 1, 0], C2: [3, 1, 0],
 """
 
 ONE_NAME = {
-    "a carriage that its relation holds": (RAILS, "B2 would leave its relation, A2 [+] e2: it rides on what P"),
+    "a carriage that its relation holds": (RAILS, "B2 would violate its relation, A2 [+] e2: it is carried by what P"),
     "a carriage and the base": (
         SHARED_RAIL,
-        r"A1 would be in two places: it rides on what P\*\(e\) of one moves and on",
+        r"A1 would be in two places: it is carried by what P\*\(e\) of one moves and by",
     ),
 }
 
@@ -402,7 +402,7 @@ FAULTS = {
     "no value": (["3-rps", "--at", "z=1, roll"], "gives no value"),
     "empty": (["3-rps", "--at", "=,"], "gives no value"),
     "a whole pose that it cannot take": (["3-rps", "--at", "0 0 0; euler xyz 5 0 0 deg"], "mobility 3"),
-    "unknown actuator": (["3-rps", "--actuators", "p1=0"], "is no actuator"),
+    "unknown actuator": (["3-rps", "--actuators", "p1=0"], "is not an actuator"),
     "pose and actuators": (["3-rps", "--at", "0 0 0", "--actuators", "q1=0"], "at once"),
     "out of reach": (["delta", "--at", "x=0, y=0, z=-5"], "near its reach"),
     "whole pose out of reach": (["delta", "--at", "0 0 -5"], "48.1% of the way"),

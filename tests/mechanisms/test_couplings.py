@@ -138,15 +138,15 @@ mobility: 1
 @pytest.mark.parametrize(
     ("joints", "coupled", "words"),
     [
-        ("R*:a(A, u) R:b(B, u)", "b = 2 c", "6:22: no joint of this limb bears the name c"),
+        ("R*:a(A, u) R:b(B, u)", "b = 2 c", "6:22: no joint of this limb is named c"),
         ("R*:a(A, u) R:b(B, u)", "b = far", "6:20: far is a joint of another limb"),
-        ("R*:a(A, u) R:b(B, u)", "b is a", "6:16: 'b is a' is no coupling"),
+        ("R*:a(A, u) R:b(B, u)", "b is a", "6:16: 'b is a' is not a coupling"),
         ("R*:a(A, u) R:b(B, u)", "b = 0 a", "6:20: a ratio of 0 would hold the joint still"),
-        ("R*:a(A, u) R:b(B, u)", "b = a, a = 2 b", "6:22: a and b are coupled already"),
+        ("R*:a(A, u) R:b(B, u)", "b = a, a = 2 b", "6:22: a and b are already coupled"),
         ("R*:a(A, u) R*:b(B, u)", "b = a", "are both driven, though they move as one"),
         ("R*:a(A, u) U:b(B, u, v)", "b = a", "U:b(B, u, v) has several freedoms"),
-        ("R*:a(A, u) R:a(B, u)", "a = a", "5:24: two joints of the limb bear the name a"),
-        ("R*:a(A, u) R:b(B, v)", "b = a", "their axes are not of one length in all members"),
+        ("R*:a(A, u) R:a(B, u)", "a = a", "5:24: two joints of the limb are named a"),
+        ("R*:a(A, u) R:b(B, v)", "b = a", "their axes are not of equal length in all members"),
         ("[base to m: 'R*:a(A, u)', m to platform: 'R:b(B, u)']", "b = a", "joints of different chains"),
     ],
 )

@@ -207,7 +207,7 @@ def test_cables_are_added_and_their_ends_changed() -> None:
     assert len(robot.platform) == 8
     other = changed(text, Edit("limb cable", part=1, text="A%"))
     assert "cable: A% A%" in other
-    with pytest.raises(InputError, match="is no end of a cable"):
+    with pytest.raises(InputError, match="is not an end of a cable"):
         changed(text, Edit("limb cable", part=1, text="A% B%"))
 
 

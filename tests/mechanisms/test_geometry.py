@@ -61,7 +61,7 @@ FAULTS = {
     "two coordinates": ("legs: [ab]\npoints:\n  a: [0, 0]\n  b: [1, 0, 0]\n", "3:6", "a list of 2, expected 3"),
     "not a number": ("legs: [ab]\npoints:\n  a: [0, 0, x]\n  b: [1, 0, 0]\n", "3:13", "expected a number"),
     "not finite": ("legs: [ab]\npoints:\n  a: [0, 0, .inf]\n  b: [1, 0, 0]\n", "3:13", "finite"),
-    "name": ("legs: [ab]\npoints:\n  a: [0, 0, 0]\n  b: [1, 0, 0]\n  7: [1, 1, 1]\n", "5:3", "no name of a point"),
+    "name": ("legs: [ab]\npoints:\n  a: [0, 0, 0]\n  b: [1, 0, 0]\n  7: [1, 1, 1]\n", "5:3", "not a name for a point"),
     "point twice": ("legs: [ab]\npoints:\n  a: [0, 0, 0]\n  b: [1, 0, 0]\n  a: [1, 1, 1]\n", "5:3", "occurs twice"),
     "unit": ("legs: [ab]\nunits: mn\n" + POINTS, "2:8", "not one of"),
     "unknown key": ("leg: [ab]\nlegs: [ab]\n" + POINTS, "1:1", "unknown key 'leg'"),

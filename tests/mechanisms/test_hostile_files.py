@@ -42,7 +42,7 @@ def run(*words: str) -> Result:
     return done
 
 
-# --- what is no text, no YAML, or another file ---------------------------------------------------------------------
+# --- what is not text, no YAML, or another file ---------------------------------------------------------------------
 
 WAYS: dict[str, Callable[[str], bytes]] = {
     "byte order mark": lambda t: b"\xef\xbb\xbf" + t.encode(),

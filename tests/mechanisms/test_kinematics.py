@@ -408,7 +408,7 @@ def test_limbs_by_themselves_are_left_out_of_the_guarantee() -> None:
     here = gc.pose(analysed("delta"), "x=0, y=0, z=-2.4", nearest=False)
     assert here.limbs[0].margin < 0.1
     assert here.turn > 0.15
-    assert here.reason.startswith("The limbs' own singularities apart, no configuration is singular while")
+    assert here.reason.startswith("Apart from the limbs' own singularities, no configuration is singular while")
 
 
 def test_degrees_of_text() -> None:

@@ -100,7 +100,7 @@ def test_limits_of_values() -> None:
     points = {n: (k, k * k, k**3) for k, n in enumerate("abcdef")}
     legs = (("a", "b"), ("a", "f"), ("c", "b"), ("c", "d"), ("e", "d"), ("e", "f"))
     assert Platform(legs, points, limits="ab 1..2").limits == "ab 1..2"
-    with pytest.raises(InputError, match="is no leg"):
+    with pytest.raises(InputError, match="is not a leg"):
         Platform(legs, points, limits="xy 1..2")
 
 
@@ -119,10 +119,10 @@ def test_amounts_are_angles_as_joints_move(symbol: str) -> None:
 @pytest.mark.parametrize(
     ("limits", "column", "says"),
     [
-        ("q1 -0.2..0.2, q5 0..1", 23, "'q5' is no actuator"),
+        ("q1 -0.2..0.2, q5 0..1", 23, "'q5' is not an actuator"),
         ("q1 1..0", 9, "reversed"),
         ('"q1 -2..2, q2 -2..2 deg"', 20, "a length, deg a unit of angles"),
-        ("q1 0", 9, "no range"),
+        ("q1 0", 9, "not a range"),
         ("[q1 0..1]", 9, "expected a single value"),
     ],
     ids=str,
@@ -136,7 +136,7 @@ def test_faults_of_robots_have_their_place(limits: str, column: int, says: str) 
 @pytest.mark.parametrize(
     ("limits", "column", "says"),
     [
-        ("legs 120..560, fg 130..", 24, "'fg' is no leg"),
+        ("legs 120..560, fg 130..", 24, "'fg' is not a leg"),
         ("legs 1..2 m", 9, "mixed units"),
         ("legs -1..2", 9, "not negative"),
     ],

@@ -152,10 +152,10 @@ def test_what_a_text_is(word: str) -> None:
 @pytest.mark.parametrize(
     ("wrong", "error", "says", "hint"),
     [
-        ("3-rsp", InputError, "is no file, no id of a robot, a class or an example, and no legs", "3-rps"),
-        ("octahedral-singlar", InputError, "no id", "octahedral-singular"),
-        ("platfrom", InputError, "no id", "platform"),
-        ("xyzzyx", InputError, "no id", "gcrules robot list"),
+        ("3-rsp", InputError, "is neither a file, nor the id of a robot, a class or an example, nor legs", "3-rps"),
+        ("octahedral-singlar", InputError, "nor the id", "octahedral-singular"),
+        ("platfrom", InputError, "nor the id", "platform"),
+        ("xyzzyx", InputError, "nor the id", "gcrules robot list"),
         ("", InputError, "0 legs|no legs|empty", None),
         ("examples/octahedrl.yaml", FileError, "no such file", "octahedral.yaml"),
         ({"legs": ["ab"]}, FileError, "'points' is missing", None),
@@ -175,7 +175,7 @@ def test_an_id_of_a_plugin(tmp_path: Path) -> None:
     (tmp_path / "mine" / "robot.yaml").write_text(text_of(JOINTS), encoding="utf-8")
     for function in (gc.load, gc.analyze, gc.pose):
         assert "mine" in repr(function("mine", plugins=[tmp_path]))
-    with pytest.raises(InputError, match="no id of a robot"):
+    with pytest.raises(InputError, match="nor the id of a robot"):
         gc.load("mine")
 
 

@@ -56,7 +56,7 @@ def test_a_meet_of_planes_is_the_line_that_the_command_knows(written: str) -> No
 )
 def test_points_of_the_line_lie_in_both_planes(planes: str, ends: tuple[str, str] | None) -> None:
     if ends is None:
-        with pytest.raises(GcrulesError, match="its planes are one"):
+        with pytest.raises(GcrulesError, match="its planes coincide"):
             read(LEGS + planes)
         return
     robot = read(LEGS + planes)
@@ -76,7 +76,7 @@ def test_points_of_the_line_lie_in_both_planes(planes: str, ends: tuple[str, str
     [
         (r"abe /\ ad", "'ad' does not name a plane by three points or directions"),
         (r"abe /\ adk", "k is not defined"),
-        (r"abe /\ cdf /\ agh", "is no meet of two planes"),
+        (r"abe /\ cdf /\ agh", "is not a meet of two planes"),
         (r"abe /\ uvx", "has no point"),
     ],
 )

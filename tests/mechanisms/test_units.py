@@ -33,7 +33,7 @@ def test_the_unit_is_part_of_the_robot() -> None:
         parse_robot(IN_CM.replace("units: cm", "units: cmm"))
     with pytest.raises(FileError) as fault:
         parse_robot(IN_CM.replace("[0,", "[0 cm,", 1))
-    assert fault.value.hint == "write 0; the unit stands once in the file, as  units: cm"
+    assert fault.value.hint == "write 0; the unit is given once in the file, as  units: cm"
 
 
 def test_lengths_bear_it_and_no_other_one(delta: str) -> None:

@@ -156,7 +156,7 @@ def test_ways_whose_margin_is_not_proved_join_what_nothing_else_does(
 
 def test_limits_leave_modes_out() -> None:
     found = gc.aspects(OCTAHEDRAL, poses=2, within="z -100..100")
-    assert {one.reason for one in found.left_out} == {"outside of the region or the limits"}
+    assert {one.reason for one in found.left_out} == {"outside the region or the limits"}
 
 
 @pytest.mark.parametrize(
@@ -167,8 +167,8 @@ def test_limits_leave_modes_out() -> None:
         ({"poses": 1, "states": 1}, "2 poses are more"),
         ({"margin": 2.0}, "between 0 and 1"),
         ({"seed": -1}, "negative"),
-        ({"within": "q 0..1"}, "no coordinate"),
-        ({"limits": "leg lengths 1..2"}, "no pose was met"),
+        ({"within": "q 0..1"}, "not a coordinate"),
+        ({"limits": "leg lengths 1..2"}, "no pose was found that"),
     ],
 )
 def test_wrong_questions(options: dict[str, object], words: str) -> None:

@@ -272,11 +272,11 @@ class TestQuestions:
         ("over", "words"),
         [
             (["x 1:-1"], "the range of x is reversed"),
-            (["x 0:1:5"], "is no range"),
+            (["x 0:1:5"], "is not a range"),
             (["x 0:1", "x 0:1"], "given twice"),
-            (["rx 0:1 deg"], "not over rx"),
-            (["q1 0:1"], "not over q1"),
-            (["yaw 0:400 deg"], "more than once around"),
+            (["rx 0:1 deg"], "range over rx"),
+            (["q1 0:1"], "range over q1"),
+            (["yaw 0:400 deg"], "round more than once"),
             ([], "one to six coordinates"),
         ],
     )
@@ -301,7 +301,7 @@ class TestQuestions:
         found = gc.box_map("gough-stewart", over, limits="leg lengths 3..9", boxes=15)
         assert found.task.question.limits is not None
         assert not found.task.question.limits.angles
-        with pytest.raises(InputError, match="'actuators' is no leg"):
+        with pytest.raises(InputError, match="'actuators' is not a leg"):
             gc.box_map("gough-stewart", over, limits="actuators -1..1")
 
     def test_tiles_have_exact_ends(self) -> None:

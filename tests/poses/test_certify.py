@@ -165,14 +165,14 @@ def test_a_tilt_is_a_cone_in_any_direction() -> None:
 @pytest.mark.parametrize(
     ("options", "words"),
     [
-        ({"cone": "40"}, "is no cone"),
-        ({"cone": "Z 40 deg"}, "no ball or universal joint"),
+        ({"cone": "40"}, "is not a cone"),
+        ({"cone": "Z 40 deg"}, "not a ball or universal joint"),
         ({"cone": "0 deg"}, "a cone of 0 deg"),
-        ({"tilt": "40"}, "no angle"),
+        ({"tilt": "40"}, "not an angle"),
         ({"target": "0%"}, "target"),
         ({"time": -1.0}, "time"),
         ({"boxes": 0}, "boxes"),
-        ({"limits": "q9 1..2"}, "no actuator"),
+        ({"limits": "q9 1..2"}, "not an actuator"),
     ],
 )
 def test_what_makes_no_sense_is_refused(options: dict[str, object], words: str) -> None:
@@ -186,9 +186,9 @@ def test_files_that_are_no_certificates(tmp_path: Path) -> None:
         path.write_text(text)
         with pytest.raises(FileError):
             gc.certify("6-pus", ["x -0.1:0.1"], time=0, resume=str(path))
-    with pytest.raises(FileError, match="no name of a certificate"):
+    with pytest.raises(FileError, match="not a name for a certificate"):
         head().save(str(tmp_path / "x.txt"))
-    with pytest.raises(FileError, match="no name of a certificate"):
+    with pytest.raises(FileError, match="not a name for a certificate"):
         head().save(str(tmp_path / "x.gz"))
 
 

@@ -118,7 +118,7 @@ def test_extents() -> None:
 @pytest.mark.parametrize(
     ("source", "options", "words"),
     [
-        (OCTAHEDRAL, {"over": "w"}, "'w' is no coordinate"),
+        (OCTAHEDRAL, {"over": "w"}, "'w' is not a coordinate"),
         (OCTAHEDRAL, {"over": "x, x"}, "x is named twice"),
         (OCTAHEDRAL, {"over": "rz 30"}, "an angle without a unit"),
         (OCTAHEDRAL, {"over": "x -1"}, "expected one above 0"),

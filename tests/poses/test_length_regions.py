@@ -168,10 +168,10 @@ def test_a_small_robot_has_as_narrow_ranges(tmp_path: Path) -> None:
 
 REFUSED = {
     "four legs": ({"source": "4-rpr"}, "it has 4 limbs"),
-    "knees": ({"source": "3-rrr"}, r"leg 1 \(R\*RR\) is no leg"),
+    "knees": ({"source": "3-rrr"}, r"leg 1 \(R\*RR\) is not a leg"),
     "space": ({"source": "delta"}, "it moves in space"),
     "six legs": ({"source": EXAMPLES / "octahedral.yaml"}, "a platform on six legs"),
-    "unknown": ({"over": "q4 0..1"}, "'q4' is no leg"),
+    "unknown": ({"over": "q4 0..1"}, "'q4' is not a leg"),
     "held and free": ({"held": "q2=1", "over": "q2 0..1"}, "q2 is held, and has a range"),
     "two held": ({"held": "q1=1, q2=1"}, "two legs are held"),
     "negative": ({"held": "q1=-1"}, "is not positive"),

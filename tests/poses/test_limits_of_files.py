@@ -81,7 +81,7 @@ def test_whose_limits_hold(ask: Callable[..., tuple[str, Any]], limits: str) -> 
 
 def test_limits_of_the_file_refuse_a_start() -> None:
     found = replace(source(LEGS), limits="legs 1..2")
-    with pytest.raises(InputError, match=r"does not keep to the limits: 1 ≤ every leg ≤ 2 mm \(of the file\)"):
+    with pytest.raises(InputError, match=r"is not within the limits: 1 ≤ every leg ≤ 2 mm \(of the file\)"):
         gc.plan(found, "home", "0 0 -10")
     assert gc.plan(found, "home", "0 0 -10", limits="none").outcome == "way"
 

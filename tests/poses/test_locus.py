@@ -403,19 +403,19 @@ def test_it_is_a_frozen_value(robots: dict[str, Any]) -> None:
 @pytest.mark.parametrize(
     ("arguments", "says"),
     [
-        ({"over": "x,w"}, "'w' is no variable"),
+        ({"over": "x,w"}, "'w' is not a variable"),
         ({"over": "e4"}, "did you mean"),
         ({"over": "traslation"}, "did you mean translation"),
         ({"over": "x x"}, "named twice"),
         ({"over": ""}, "no variable is left free"),
-        ({"over": "t1"}, "'t1' is no variable"),
+        ({"over": "t1"}, "'t1' is not a variable"),
         ({"over": "x", "fix": "x=0"}, "x cannot be free and fixed"),
         ({"fix": "x=0, x=1"}, "fixed twice"),
         ({"fix": "x"}, "fixes nothing"),
         ({"fix": "x=nan"}, "finite"),
         ({"fix": {"x": float("inf")}}, "finite"),
         ({"fix": "x=1e999"}, "too long"),
-        ({"fix": "e0=0,e1=0,e2=0,e3=0"}, "no turn"),
+        ({"fix": "e0=0,e1=0,e2=0,e3=0"}, "not a turn"),
         ({"fix": "x=0,y=0,z=0,e0=1,e1=0,e2=0,e3=0"}, "no variable is left free"),
         ({"at": "1 2 3"}, "nothing is taken from the pose"),
         ({"over": "x", "at": "1 2"}, "3 numbers"),
@@ -425,7 +425,7 @@ def test_it_is_a_frozen_value(robots: dict[str, Any]) -> None:
         ({"rotation": "xxy"}, "no rotation"),
         ({"over": "c1", "rotation": "rodrigues", "at": "0 0 0; quaternion 0 1 0 0"}, "half turn"),
         ({"over": "t1", "rotation": "zyx", "at": "0 0 0; quaternion 0.8 0 0 0.6"}, "--fix"),
-        ({"about": "the moon"}, "no centre"),
+        ({"about": "the moon"}, "not a centre"),
     ],
 )
 def test_faults(robots: dict[str, Any], arguments: dict[str, Any], says: str) -> None:
@@ -480,7 +480,7 @@ def test_the_command(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("arguments", "says"),
     [
-        (("--over", "w"), "is no variable"),
+        (("--over", "w"), "is not a variable"),
         (("--export", "mapel"), "did you mean maple"),
         (("--export", "maple", "--json"), "excludes"),
         (("--fix", "x=-", "--over", "z"), "expected a number"),

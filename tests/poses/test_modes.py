@@ -424,7 +424,7 @@ def test_the_command_shows_and_draws(tmp_path: Path) -> None:
         ((OCTAHEDRAL, "--actuators", "ab=-3"), "is not positive"),
         ((OCTAHEDRAL, "--actuators", "1e9 1e9 1e9 1e9 1e9 1e9"), "more than 1,000 times as long"),
         ((OCTAHEDRAL, "--at", "z=2e6"), "more than 1,000 times as long"),
-        ((OCTAHEDRAL, "--actuators", "1 2 3 4 5 long"), "'long' is no length"),
+        ((OCTAHEDRAL, "--actuators", "1 2 3 4 5 long"), "'long' is not a length"),
         ((OCTAHEDRAL, "--at", "z=1", "--actuators", "ab=3"), "a pose and actuators at once"),
         (("3-rps", "--actuators", "q7=1"), "q7"),
         (("ab af cb cd ed ef",), "legs alone have no coordinates"),

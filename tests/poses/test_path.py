@@ -364,10 +364,10 @@ def test_tables(text: str, expected: str) -> None:
         ("x,y,z\n1,,0\n", ":2:3", "a value is missing"),
         ("# c\nx,y,z\n1,two,0\n", ":3:3", "expected a number"),
         ("x [m],y,z\n1,2,3\n", ":1:1", "mixed units: m here"),
-        ("x [mile],y,z\n1,2,3\n", ":1:1", "no unit of length"),
+        ("x [mile],y,z\n1,2,3\n", ":1:1", "not a unit of length"),
         ("x,y,z,rx,ry,rz\n1,2,3,0,0,0\n", ":1:7", "angles without a unit"),
         ("x,y,z,rx [deg],ry [rad],rz [deg]\n1,2,3,0,0,0\n", ":1:7", "deg and rad"),
-        ("x,y,z,zzx1 [deg],zzx2 [deg],zzx3 [deg]\n1,2,3,0,0,0\n", ":1:7", "no sequence"),
+        ("x,y,z,zzx1 [deg],zzx2 [deg],zzx3 [deg]\n1,2,3,0,0,0\n", ":1:7", "not a sequence"),
         ("x,y,z,qw,qx,qy,qz,rx [deg]\n1,2,3,1,0,0,0,0\n", ":1:19", "several kinds of turns"),
         ("x,y,z,qw,qx,qy,qz\n1,2,3,1,1,0,0\n", ":2:7", "has length 1.41421"),
         ("x,y,z,qw,qx,qy,qz\n1,2,3,0,0,0,0\n", ":2:7", "has length 0"),
@@ -389,7 +389,7 @@ def test_notes_of_tables() -> None:
     ("column", "meant"), [("Yaw [deg]", "yaw [deg]"), ("rx_deg", "rx [deg]"), ("Zyx1", "zyx1 [deg]"), ("QW", "qw")]
 )
 def test_a_column_that_resembles_one_of_a_pose_is_no_other_column(column: str, meant: str) -> None:
-    with pytest.raises(InputError, match="names nothing, and a pose would lack") as fault:
+    with pytest.raises(InputError, match="is not recognised, and a pose would lack") as fault:
         read_poses(f"x,y,z,{column}\n0,0,0,0\n0,0,0,90\n")
     assert f"did you mean {meant}?" in fault.value.render()
 
@@ -504,8 +504,8 @@ def test_the_example_of_a_table(robot: str, root: Any) -> None:
         ((*WAY, "--samples", "10000000"), 3, "samples are more than"),
         ((*WAY, "--threshold", "2"), 2, "without a unit"),
         ((*WAY, "--threshold", "2 mm"), 2, "the threshold is an angle"),
-        ((*WAY, "--about", "middle"), 2, "no centre"),
-        ((*WAY, "--plot", "way.png"), 2, "is no figure format"),
+        ((*WAY, "--about", "middle"), 2, "not a centre"),
+        ((*WAY, "--plot", "way.png"), 2, "is not a figure format"),
         ((*WAY, "--plot", "no/such/dir/way.svg"), 2, "cannot be written"),
         ((*WAY, "--csv", "no/such/dir/way.csv"), 2, "no such directory"),
     ],
@@ -521,7 +521,7 @@ def test_the_command_tells_faults(robot: str, arguments: tuple[str, ...], code: 
         ([], {}, "found 0"),
         ([(0, 0, 0), (0, 0)], {}, "pose 1: the translation has 3 numbers"),
         ([(0, 0, 0), (0, 0, math.nan)], {}, "pose 1: the translation is nan"),
-        ([(0, 0, 0), [[1, 2, 3]]], {}, "pose 1 is no pose"),
+        ([(0, 0, 0), [[1, 2, 3]]], {}, "pose 1 is not a pose"),
         ([(0, 0, 0), (0, 0, 1)], {"samples": 2.5}, "`samples` must be a whole number"),
         ([(0, 0, 0), (0, 0, 1)], {"threshold": 2}, "has no unit"),
         ([(0, 0, 0), (0, 0, 1)], {"about": (1, 2)}, "the centre has 3 numbers"),

@@ -215,7 +215,7 @@ def test_commands() -> None:
     done = run(cli, ["locus", "3-rpr", "--over", "x,y", "--at", "yaw=90deg"])
     assert done.exit_code == 0
     assert "P = 450*x^2" in done.stdout
-    assert "exactly where one of them is 0, as far as no limb is singular by itself." in " ".join(done.stdout.split())
+    assert "exactly where one of them is 0, unless a limb is singular by itself." in " ".join(done.stdout.split())
     answer = json.loads(run(cli, ["locus", "delta", "--over", "x", "--at", "y=0.2, z=0.1", "--json"]).stdout)
     assert [part["kind"] for part in answer["parts"]] == ["actuation", "constraint"]
     assert len(answer["roots"]) == 3

@@ -170,7 +170,7 @@ def test_a_margin_that_is_named_is_proved_or_the_plan_is_undecided() -> None:
     assert len(close.poses) > 1
     assert close.path is not None
     assert close.path.verdict == "regular"
-    assert "start or goal have hardly more" in close.reason
+    assert "the start or the goal has hardly more" in close.reason
     assert "at all samples of it" in close.reason
     run = invoke("plan", name, "--from", "home", "--to", goal, "--margin", repr(float(ends.min() * (1 - 1e-6))))
     assert run.exit_code == 3

@@ -167,10 +167,10 @@ def test_more_solutions_than_can_be_told_apart_have_no_number(monkeypatch: pytes
     [
         ("delta", "+-", "the mode +- has 2 parts, and delta has 3 limbs"),
         ("delta", "++x", "'++x' names no mode"),
-        ("delta", "1.3.1", "1.3.1 is no working mode of delta: at home 2 ways of arm 2"),
-        ("3-rps", "+-+", "+-+ is no working mode of 3-rps: at home only this one way of leg 2"),
-        ("examples/octahedral.yaml", "+", "legs between two points have one way to hold"),
-        ("ab af cb cd ed ef", "+", "legs between two points have one way to hold"),
+        ("delta", "1.3.1", "1.3.1 is not a working mode of delta: at home 2 ways of arm 2"),
+        ("3-rps", "+-+", "+-+ is not a working mode of 3-rps: at home only this one way of leg 2"),
+        ("examples/octahedral.yaml", "+", "legs between two points have only one way to hold"),
+        ("ab af cb cd ed ef", "+", "legs between two points have only one way to hold"),
     ],
 )
 def test_what_is_no_mode_is_refused(source: str, mode: str, said: str) -> None:
@@ -264,7 +264,7 @@ def test_a_home_in_an_operation_mode_is_its_witness() -> None:
     [
         ("4-upu", "operation 9", "its modes are 1 to 2"),
         ("examples/octahedral.yaml", "operation 1", "are those of robots of joints"),
-        ("3-upu", "operation 2", "3-upu is none of its family in that pose: u1 would be in two places"),
+        ("3-upu", "operation 2", "3-upuis not a member of its family in that pose: u1 would be in two places"),
     ],
 )
 def test_operation_modes_that_are_no_homes_are_refused(name: str, mode: str, said: str) -> None:

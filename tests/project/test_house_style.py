@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import ast
 import re
+from collections.abc import Iterator
 from itertools import chain
+from pathlib import Path
 
 import pytest
 from places import ROOT
@@ -38,3 +41,22 @@ def test_the_page_has_phrases() -> None:
 @pytest.mark.parametrize("phrase", PHRASES)
 def test_phrases_are_gone(phrase: str, everything: dict[str, str]) -> None:
     assert [name for name, text in everything.items() if phrase in text] == []
+
+
+IS_NO = re.compile(r"(?<!here )\b(?:is|are) no (?!longer\b|more\b)[a-z]")
+
+
+def messages(path: Path) -> Iterator[str]:
+    """The strings of a module that are not docstrings."""
+    tree = ast.parse(path.read_text(encoding="utf-8"))
+    documented = {id(one.value) for one in ast.walk(tree) if isinstance(one, ast.Expr)}
+    for one in ast.walk(tree):
+        if isinstance(one, ast.Constant) and isinstance(one.value, str) and id(one) not in documented:
+            yield words(one.value)
+
+
+def test_messages_say_what_a_thing_is_not() -> None:
+    """ "x is not a joint", not "x is no joint"; "there is no joint" is another statement."""
+    assert [m for m in ("it is no joint", "these are no data") if not IS_NO.search(m)] == []
+    found = [(path.name, m) for path in (ROOT / "gcrules").rglob("*.py") for m in messages(path) if IS_NO.search(m)]
+    assert found == []

@@ -126,7 +126,7 @@ def test_a_rule(tmp_path: Path) -> None:
     path.write_text("rule volume: ab /\\ cd => [abcd]\n", encoding="utf-8")
     assert str(gc.rewrite("pq /\\ rs", [str(path)]).after) == "[pqrs]"
     path.write_text("rule volume: ab /\\ cd => -[abcd]\n", encoding="utf-8")
-    with pytest.raises(InputError, match="the rule volume is no identity"):
+    with pytest.raises(InputError, match="the rule volume is not an identity"):
         gc.rewrite("pq /\\ rs", [str(path)])
 
 

@@ -58,7 +58,7 @@ CULPRITS = {
     "GeneratorExit": ("", "raise GeneratorExit", "", "rules.py:6", "GeneratorExit"),
     "StopIteration": ("", "raise StopIteration", "", "rules.py:6", "StopIteration"),
     "BaseException": (NEW, "raise New('no')", "", "rules.py:8", "New: no"),
-    "an error that cannot be shown": (SILENT, "raise New", "", "rules.py:9", "an error without words"),
+    "an error that cannot be shown": (SILENT, "raise New", "", "rules.py:9", "an error without a message"),
     "MemoryError": ("", "raise MemoryError", "", "rules.py:6", "MemoryError"),
     "RecursionError": ("", "return expression(s)", "", "rules.py:6", "RecursionError"),
     "ZeroDivisionError": ("", "return 1 / 0", "", "rules.py:6", "ZeroDivisionError"),
@@ -95,7 +95,7 @@ CULPRITS = {
 # rules.py as a whole
 WHOLE = {
     "RULES = None": ("RULES = None", "plugin mine defines no tuple RULES"),
-    "a rule that is none": ("RULES = (None,)", "plugin mine: rules holds None, which is no rule"),
+    "a rule that is none": ("RULES = (None,)", "plugin mine: rules holds None, which is not a rule"),
     "no module": ("import gcrules.nowhere", "ModuleNotFoundError"),
     "a lazy attribute": ("def __getattr__(name):\n    return 1 / 0\n", "ZeroDivisionError"),
 }
@@ -155,7 +155,7 @@ def test_identities_that_are_wrong_are_refused_by_every_command(tmp_path: Path, 
     (tmp_path / "mine").mkdir()
     (tmp_path / "mine" / "mine.gca").write_text("rule mine: ab /\\ cd => -[abcd]\n", encoding="utf-8")
     done = CliRunner().invoke(cli, [*command, "--plugins", str(tmp_path)])
-    assert_named(done.exit_code, done.stdout, done.stderr, "mine.gca:1", "the rule mine is no identity")
+    assert_named(done.exit_code, done.stdout, done.stderr, "mine.gca:1", "the rule mine is not an identity")
 
 
 @pytest.mark.parametrize("body", ["raise KeyboardInterrupt", "return 1 / 0", "import sys; sys.exit(0)"])
@@ -201,7 +201,7 @@ def test_a_step_that_is_wrong_is_the_plugins_own(tmp_path: Path) -> None:
     words = ["--rules", "mine", "--plugins", write(tmp_path, WRONG)]
     done = CliRunner().invoke(cli, ["analyze", LEGS, *words])
     assert_named(
-        done.exit_code, done.stdout, done.stderr, "plugin mine", "a step of the rule mine-entities is no identity"
+        done.exit_code, done.stdout, done.stderr, "plugin mine", "a step of the rule mine-entities is not an identity"
     )
 
 
@@ -322,7 +322,7 @@ PACKAGES = {
     "no such name": ("broken:NOTHING", "", "package broken cannot be loaded: AttributeError"),
     "no such module": ("nowhere:PLUGIN", "", "package broken cannot be loaded: ModuleNotFoundError"),
     "no name at all": ("what is this?", "", "package broken cannot be loaded"),
-    "None": ("broken:PLUGIN", "PLUGIN = None", "broken:PLUGIN is no gcrules.Plugin but NoneType"),
+    "None": ("broken:PLUGIN", "PLUGIN = None", "broken:PLUGIN is not a gcrules.Plugin but NoneType"),
     "rules that are None": (
         "broken:PLUGIN",
         "from gcrules.rules.plugins import Plugin\nPLUGIN = Plugin(rules=None)",

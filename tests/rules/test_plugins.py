@@ -122,7 +122,7 @@ BROKEN = [
     ("import", "import gcrules.no_such_module\n", "rules.py:1", "ModuleNotFoundError"),
     ("no rules", "x = 1\n", "rules.py", "defines no tuple RULES"),
     ("a list", "RULES = []\n", "rules.py", "defines no tuple RULES"),
-    ("no rule", "RULES = (1,)\n", "rules.py", "which is no rule"),
+    ("no rule", "RULES = (1,)\n", "rules.py", "which is not a rule"),
 ]
 
 
@@ -180,7 +180,7 @@ def test_identities_of_a_folder_are_proved(folder: Callable[..., Path]) -> None:
     path = folder(identities="rule mine: ab /\\ cd => -[abcd]")
     assert [p.owner for p in plugins_in(path)] == ["plugin mine"]
     load_rules(folders=[path], identities=False)
-    with pytest.raises(InputError, match="the rule mine is no identity"):
+    with pytest.raises(InputError, match="the rule mine is not an identity"):
         load_rules(folders=[path])
 
 

@@ -132,21 +132,21 @@ def test_shipped_identities_hold_on_the_oracle(rule: Identity) -> None:
 GP = "[R... a b][R... c d] => [R... a c][R... b d] - [R... a d][R... b c]"
 WRONG = [
     (
-        "no identity",
+        "not an identity",
         "rule x: [R... a b][R... c d] => [R... a c][R... b d] + [R... a d][R... b c]",
         "1:1",
-        "no identity",
+        "not an identity",
     ),
     ("in one rank", "rank 3\nrule x: [abc] => [acb]", "2:1", ", where the left side is 2, the right side -2"),
     ("not on the left", "rule x: [abcd] => [abce]", "1:19", "unbound point e"),
-    ("in a guard", "rule x: [abcd] => -[bacd] if e < a", "1:30", "e is no point of the left side"),
+    ("in a guard", "rule x: [abcd] => -[bacd] if e < a", "1:30", "e is not a point of the left side"),
     ("in an assumption", "rule x: [abcd] => -[bacd] if coplanar(a, b, c, e)", "1:30", "unbound point e"),
     ("run", "rule x: [R... a b] => [R... S... b]", "1:29", "unbound run S..."),
     ("run without a length", "rule x: [R... S... a] => 0", "1:10", "no bracket tells"),
     ("run and point", "rule x: [R... R1 a b] => 0", "1:9", "R1 is a point of the run R..."),
     ("a run that does not fit", "rank 3 rule x: [R... a b c d] => 0", "1:8", "no rank gives these runs a length"),
     ("steps", "rule x: abc => ab", "1:16", "cannot replace"),
-    ("twice", "rule x: ab /\\ cd => [abcd]\nrule x: ab /\\ cd => [abcd]", "2:6", "stands in line 1 already"),
+    ("twice", "rule x: ab /\\ cd => [abcd]\nrule x: ab /\\ cd => [abcd]", "2:6", "is already defined in line 1"),
     ("loops", "rule x: [abcd][abef] => [abce][abdf] - [abcf][abde]", "1:1", "the rule x loops: it comes back to"),
     ("grows", "rule x: a => 1/2 a + 1/2 a", "1:1", "more than 20,000 parts"),
     ("does nothing", "rule x: [abcd] => -[bacd]", "1:1", "does not fire on its own left side"),
@@ -179,7 +179,7 @@ def test_all_wrong_rules_of_a_file_are_told_at_once(tmp_path: Path) -> None:
     path.write_text("rule x: [abcd] => 2 [abcd]\nrule y: [abcd] => 0\nrule z: ab /\\ cd => [abcd]\n", encoding="utf-8")
     with pytest.raises(GcrulesError) as caught:
         load_rule_file(path)
-    assert caught.value.render().count("is no identity") == 2
+    assert caught.value.render().count("is not an identity") == 2
 
 
 def test_the_points_that_refute_a_rule_are_exact() -> None:
@@ -554,7 +554,7 @@ def test_cli_refuses_wrong_rules(tmp_path: Path) -> None:
     for words in (("rewrite", "ab /\\ cd"), ("analyze", OCTAHEDRON), ("rules", "list")):
         result = invoke(*words, "--rules", str(path))
         assert result.exit_code == 2
-        assert "the rule x is no identity: at a = (" in result.stderr
+        assert "the rule x is not an identity: at a = (" in result.stderr
         assert f"{path}:1:1" in result.stderr
 
 

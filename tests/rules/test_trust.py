@@ -306,11 +306,11 @@ def test_where_proofs_are_kept(
 def test_a_false_rule_file_is_refused(own: Any) -> None:
     for false in ATTACKS.values():
         path = own(f'rule mine "The condition.": {read_legs(LEGS).superbracket} => {false}\n', "mine.gca")
-        with pytest.raises(InputError, match="no identity"):
+        with pytest.raises(InputError, match="not an identity"):
             load_rules([path])
         assert invoke("rules", "check", str(path)).exit_code == 1
         folder = own(path.read_text(encoding="utf-8"), "packs/mine/mine.gca").parent.parent
-        with pytest.raises(InputError, match="no identity"):
+        with pytest.raises(InputError, match="not an identity"):
             load_rules(folders=[folder])
 
 
@@ -401,7 +401,7 @@ def test_a_seed_repeats_an_answer_which_says_so() -> None:
     one, other = (invoke("analyze", LEGS, "--seed", "7") for _ in range(2))
     assert one.exit_code == 0
     assert one.stdout == other.stdout
-    assert "points chosen with the seed 7: who knows it can foresee them" in " ".join(one.stdout.split())
+    assert "points chosen with the seed 7: anyone who knows it can predict them" in " ".join(one.stdout.split())
     assert "seed" not in invoke("analyze", LEGS).stdout
 
 
@@ -432,7 +432,7 @@ def test_a_rule_file_is_proved_once(own: Any, tmp_path: Path, monkeypatch: pytes
     assert invoke("rules", "check", str(path)).exit_code == 0  # from scratch
     assert len(calls) == 2 * proved
     path.write_text(path.read_text(encoding="utf-8").replace("=> -", "=> "), encoding="utf-8")
-    with pytest.raises(InputError, match="no identity"):
+    with pytest.raises(InputError, match="not an identity"):
         load_rules([path])
 
 

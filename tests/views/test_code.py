@@ -316,7 +316,7 @@ def test_files_say_what_they_are() -> None:
         "3-rps: when is it singular?",
         "A pose is z (in the unit of the file) and roll, pitch (in rad), in this order",
         "meet in a point (possibly at infinity)",
-        "a check by sampling, no proof",
+        "a check by sampling, not a proof",
         "The platform's other coordinates",
     ):
         assert words in head

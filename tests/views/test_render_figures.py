@@ -436,7 +436,7 @@ def test_saved_files_are_the_same_twice(tmp_path: Path, suffix: str) -> None:
 @pytest.mark.parametrize(
     ("name", "error", "words"),
     [
-        ("x.png", InputError, "'.png' is no figure format"),
+        ("x.png", InputError, "'.png' is not a figure format"),
         ("x", InputError, "without suffix"),
         ("missing/x.svg", FileError, "cannot be written"),
     ],

@@ -122,8 +122,8 @@ def test_the_command_writes_the_same_page(tmp_path: Path) -> None:
     [
         (["--over", "x -1:1", "--over", "y -1:1:5"], '"x -1:1" is a whole range, and "y -1:1:5" has a number of nodes'),
         (["--over", "y -1:1:5", "--over", "x -1:1"], '"x -1:1" is a whole range, and "y -1:1:5" has a number of nodes'),
-        (["--over", "x -1:1", "--over", "rx -1:1 deg"], "whole boxes are not over rx"),
-        (["--over", "x -1:1", "--over", "nowhere"], "no coordinate with its range"),
+        (["--over", "x -1:1", "--over", "rx -1:1 deg"], "whole boxes cannot range over rx"),
+        (["--over", "x -1:1", "--over", "nowhere"], "not a coordinate with its range"),
         (["--over", "x -1:1", "--margin", "1.5"], "not from 0 to 1"),
         (["--over", "x -1:1:5", "--over", "y -1:1:5", "--margin", "0.1"], "a margin is that of a map of whole boxes"),
         (["--modes", "--margin", "0.1"], "a margin is that of a map of whole boxes"),

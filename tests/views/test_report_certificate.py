@@ -215,9 +215,9 @@ def test_a_certificate_that_took_long_is_shown_from_its_file(tmp_path: Path) -> 
     ("options", "message"),
     [
         (["--certify", "x 1:-1"], "--certify:1:1: the range of x is reversed"),
-        (["--certify", "x -1:1:5"], "is no range"),
-        (["--certify", "rx -1:1 deg"], "whole boxes are not over rx"),
-        (["--certify", "x -1:1", "--cone", "40"], "--cone:1:1: '40' is no cone"),
+        (["--certify", "x -1:1:5"], "is not a range"),
+        (["--certify", "rx -1:1 deg"], "whole boxes cannot range over rx"),
+        (["--certify", "x -1:1", "--cone", "40"], "--cone:1:1: '40' is not a cone"),
         (["--certify", "x -1:1", "--margin", "1.5"], "not from 0 to 1"),
         (["--cone", "40 deg"], "cones of joints are those of a certificate, which is not asked for"),
         (["--tilt", "40 deg"], "a tilt is that of a certificate, which is not asked for"),

@@ -110,7 +110,7 @@ def test_faults_of_the_command(options: list[str], message: str, tmp_path: Path)
 
 @pytest.mark.parametrize(
     ("options", "message"),
-    [({"plan": []}, "a plan of 0 poses"), ({"free": "cube"}, "no shape"), ({"within": "z 0..1"}, "ranges")],
+    [({"plan": []}, "a plan of 0 poses"), ({"free": "cube"}, "not a shape"), ({"within": "z 0..1"}, "ranges")],
 )
 def test_faults_of_the_function(options: dict[str, Any], message: str) -> None:
     with pytest.raises(gc.InputError, match=message):

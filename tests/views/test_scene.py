@@ -199,7 +199,7 @@ def test_reports_of_robots(name: str) -> None:
         (["3-rps", "--no-3d"], 0, "<title>3-RPS robot"),
         ([str(ROOT / "plugins" / "gallardo-4dof" / "robot.yaml"), "--no-3d"], 0, "<title>Four-DOF robot"),
         (["3-rps", "--rank", "3"], 2, "A robot of joints takes"),
-        (["3-rpz"], 2, "'3-rpz' is no file, no id of a robot"),
+        (["3-rpz"], 2, "'3-rpz' is neither a file, nor the id of a robot"),
         (["ab"], 2, "leg"),
     ],
     ids=["id", "file", "options", "typing error", "one leg"],
@@ -213,7 +213,7 @@ def test_the_command(arguments: list[str], code: int, said: str) -> None:
 def test_a_report_takes_what_load_takes() -> None:
     page = gc.report("ab af cb cd ed ef", interactive=False)
     assert page == gc.report(gc.analyze("ab af cb cd ed ef"), interactive=False)
-    with pytest.raises(InputError, match="is no file, no id"):
+    with pytest.raises(InputError, match="is neither a file, nor the id"):
         gc.report("3-rsp")
 
 

@@ -23,7 +23,7 @@ __all__ = ["collapsed", "constructed", "merged"]
 
 MAX_ORDERS = 200  # orders of a group that are tried
 _ENOUGH = 500  # conditions of the constructions among which the simplest is chosen
-_TRIED = "no construction that was tried satisfies it; in the one that came farthest,"
+_TRIED = "no construction that was tried satisfies it; in the one that got farthest,"
 
 
 def constructed(aim: Aim) -> Construction:

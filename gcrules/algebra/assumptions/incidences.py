@@ -214,7 +214,7 @@ def _contained(cause: Assumption, X: Expr, Y: Expr, rank: int) -> Facts:
         spanned = ex.join(X, *points[: rank - 1 - X.step], rank=rank)
         rest = points[rank - 1 - X.step :]
         return Facts(tuple(on(cause, p, spanned, rank) for p in rest), (spanned, Y))
-    raise fault(cause, f"{X} is no join of points", "assume it of two points on it: incident(p, X), incident(q, X)")
+    raise fault(cause, f"{X} is not a join of points", "assume it of two points on it: incident(p, X), incident(q, X)")
 
 
 def _incidences(cause: Assumption, X: Expr, Y: Expr, rank: int) -> Iterable[Expr]:
@@ -225,7 +225,7 @@ def _incidences(cause: Assumption, X: Expr, Y: Expr, rank: int) -> Iterable[Expr
         elif Y.step == rank - 1:
             yield ex.meet(part, Y, rank=rank)
         else:
-            raise fault(cause, f"{part} is no join of points", "assume it of points: incident(p, X), incident(q, X)")
+            raise fault(cause, f"{part} is not a join of points", "assume it of points: incident(p, X), incident(q, X)")
 
 
 def of_points(e: Expr) -> bool:
@@ -263,7 +263,7 @@ def _concurrences(assumption: Assumption, rank: int) -> Iterable[Expr]:
     else:
         raise fault(
             assumption,
-            "extensors of these steps have no one condition to meet in a point",
+            "extensors of these steps have no single condition for meeting in a point",
             "name the point: given incident(p, X), incident(p, Y)",
         )
 
@@ -332,7 +332,7 @@ def _no_meet(cause: Assumption, args: Sequence[Expr], rank: int) -> Facts:
             if of_points(Y) if spanned else isinstance(X, Join):
                 found = _contained(cause, X, Y, rank)
                 return Facts(found.conditions, (*found.nonzero, X, Y))
-    raise fault(cause, "a meet of these steps is zero in many ways", "use incident(X, Y) or concurrent(X, Y, Z)")
+    raise fault(cause, "a meet of these steps can be zero in many ways", "use incident(X, Y) or concurrent(X, Y, Z)")
 
 
 def all_of(parts: Iterable[Facts]) -> Facts:

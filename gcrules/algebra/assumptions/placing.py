@@ -80,7 +80,7 @@ class Placement:
                 why = (
                     f"it asks too much of the point {name}"
                     if name in c.within
-                    else "it is not linear in a point that the others leave, nor does it follow from them"
+                    else "it is not linear in a point that the others leave free, nor does it follow from them"
                 )
                 raise Failure(depth, c.cause, why, "leave out an assumption, or name more points")
         self.check(depth, step, used)

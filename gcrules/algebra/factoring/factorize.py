@@ -108,5 +108,5 @@ def _exhausted(whole: Whole) -> Certificate:
     elif number > 1:
         detail += f"; so were those of all groups of the {number} irreducible factors of what the brackets leave"
     if not whole.irreducible:
-        detail += "; products of several expressions that are no brackets were not tested"
+        detail += "; products of several expressions that are not brackets were not tested"
     return Certificate("exhaustive-search", detail, {"irreducible": alone})

@@ -122,7 +122,7 @@ def _instance(
             one, other = (str(t) for t in tree.children)
             for token in tree.children:
                 if str(token) not in bound:
-                    raise InputError(f"{shortened(token)} is no point of the left side", span=span_of(token))
+                    raise InputError(f"{shortened(token)} is not a point of the left side", span=span_of(token))
             found.append(Order(one, "<" if tree.data == "before" else "!=", other))
         elif tree.data == "at_infinity":
             raise InputError("a rule cannot ask for points at infinity", span=span_of(tree))

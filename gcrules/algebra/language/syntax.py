@@ -281,7 +281,7 @@ class Builder:
 
     def run(self, tree: Node) -> _Value:
         if self.runs is None:
-            raise SyntaxFault("a run of points stands in rules only", span=span_of(tree), hint="write the points")
+            raise SyntaxFault("a run of points occurs only in rules", span=span_of(tree), hint="write the points")
         points = self.runs[run_name(tree)]
         if not points:
             raise SyntaxFault("this run is empty here, and can only stand beside other points", span=span_of(tree))

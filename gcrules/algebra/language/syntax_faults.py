@@ -103,7 +103,7 @@ def call_hint(text: str, at: int, *, relations: bool = False) -> str | None:
         arguments = [a.strip() for a in _apart(text[begin:end])]
         if word in _ASSUMED:
             return (
-                f"{word}(…) is an assumption and no expression: --given of `prove`, or the statement `given`, takes it"
+                f"{word}(…) is an assumption, not an expression: --given of `prove`, or the statement `given`, takes it"
             )
         if word in _BETWEEN:
             form, what = _BETWEEN[word]
@@ -153,7 +153,7 @@ def _misspelt(text: str, at: int, literals: Mapping[str, str]) -> str | None:
     if before[0] in relations:
         return None
     listing = f"{', '.join(relations[:-1])} and {relations[-1]}"
-    return f"did you mean {near[0]}(…)?" if near else f"{before[0]}(…) is no relation; the relations are {listing}"
+    return f"did you mean {near[0]}(…)?" if near else f"{before[0]}(…) is not a relation; the relations are {listing}"
 
 
 def _unclosed(text: str, pair: str) -> bool:

@@ -117,7 +117,7 @@ def shortest_of(divided: Divided, forms: Iterable[BracketPolynomial], limits: Se
     if divided.note:
         found = replace(found, notes=(divided.note,))
     if not quotient.ideal and divided.complete and set(quotient.terms) != {()}:
-        detail = "all brackets that divide were taken out, and what is left is no constant"
+        detail = "all brackets that divide were taken out, and what is left is not a constant"
         found = found.with_bound(min(2, len(found.best)), "bracket-factors", detail)
     if found.done:
         return found

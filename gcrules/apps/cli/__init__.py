@@ -24,8 +24,11 @@ COMMANDS = {
     "plan": ("gcrules.apps.cli.plan:plan", "Find a way without a singularity, or prove that there is none."),
     "aspects": ("gcrules.apps.cli.aspects:aspects", "Find which poses are connected without a singularity."),
     "certify": ("gcrules.apps.cli.certify:certify", "Prove that a whole range has no singular pose, or find one."),
-    "free": ("gcrules.apps.cli.free:free", "Find the largest region around a pose that is free, proved."),
-    "regions": ("gcrules.apps.cli.regions:regions", "Find how singular lengths part the lengths of a robot's legs."),
+    "free": ("gcrules.apps.cli.free:free", "Find the largest region around a pose that is proved free."),
+    "regions": (
+        "gcrules.apps.cli.regions:regions",
+        "Find the regions into which singular lengths divide a robot's leg lengths.",
+    ),
     "modes": ("gcrules.apps.cli.modes:modes", "Find all poses that a robot can take with its actuators held."),
     "locus": ("gcrules.apps.cli.locus:locus", "Compute the polynomial whose zeros are a robot's singular poses."),
     "map": (
@@ -64,7 +67,7 @@ COMMANDS = {
     table=COMMANDS,
     context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100},
     epilog="Exit codes: 0 done or proved, 1 the answer is no, 2 the input is at fault, 3 not decided within a limit;"
-    " 130 interrupted, 143 terminated. Output files are written with code 0 or 1, by certify with 3 too.",
+    " 130 interrupted, 143 terminated. Output files are written with code 0 or 1, by certify also with 3.",
 )
 @click.version_option(__version__, message="gcrules %(version)s")
 @click.pass_context

@@ -25,13 +25,13 @@ __all__ = ["aspects"]
 @click.option(
     "--limits",
     metavar="RANGES",
-    help='Of legs or actuators: "leg lengths 1..3", "q1 -30..30 deg"; "none": not those of the file.',
+    help='Of legs or actuators: "leg lengths 1..3", "q1 -30..30 deg"; "none" ignores those of the file.',
 )
 @click.option("--within", metavar="RANGES", help='Of coordinates from home: "z -100..50, turn ..40 deg".')
-@click.option("--poses", default=POSES, show_default=True, metavar="N", help="Look at so many poses at random.")
-@click.option("--modes/--no-modes", default=True, show_default=True, help="Look at the assembly modes, too.")
+@click.option("--poses", default=POSES, show_default=True, metavar="N", help="Look at this many random poses.")
+@click.option("--modes/--no-modes", default=True, show_default=True, help="Look at the assembly modes as well.")
 @about_option
-@click.option("--states", default=STATES, show_default=True, metavar="N", help="Give up at so many states.")
+@click.option("--states", default=STATES, show_default=True, metavar="N", help="Give up after this many states.")
 @click.option("--seed", default=0, show_default=True, metavar="N", help="Another seed draws other poses.")
 @click.option(
     "--picture",

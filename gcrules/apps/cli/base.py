@@ -158,7 +158,7 @@ def seeded(command: click.Command) -> click.Command:
         ctx.with_resource(repeated(value))
 
     if not any(p.name == "seed" for p in command.params):
-        words = "Repeat the points of exact random checks; by default nobody can foresee them."
+        words = "Repeat the points of exact random checks; by default they are unpredictable."
         command.params.append(
             click.Option(["--seed"], type=int, metavar="N", expose_value=False, callback=chosen, help=words)
         )

@@ -38,11 +38,11 @@ _CODES = {True: 0, False: 1, None: 3}
 @limits_option
 @cone_option
 @tilt_option
-@click.option("--margin", type=float, default=0.0, metavar="M", help="Poses have this margin σ at least.")
-@click.option("--time", type=Seconds(), metavar="S", help="Seconds to search for; 60 where no boxes are given.")
-@click.option("--boxes", type=int, metavar="N", help="Cut the range into so many boxes at most.")
+@click.option("--margin", type=float, default=0.0, metavar="M", help="Poses have at least this margin σ.")
+@click.option("--time", type=Seconds(), metavar="S", help="Seconds to search for; 60 if no boxes are given.")
+@click.option("--boxes", type=int, metavar="N", help="Cut the range into at most this many boxes.")
 @click.option(
-    "--target", default="100%", show_default=True, metavar="SHARE", help='End when so much is decided: "99.9%".'
+    "--target", default="100%", show_default=True, metavar="SHARE", help='Stop when this much is decided: "99.9%".'
 )
 @click.option("--resume", metavar="FILE", help="Go on from the file of an earlier certificate of the same question.")
 @output_options(file=False)

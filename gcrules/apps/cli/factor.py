@@ -17,11 +17,11 @@ __all__ = ["factor"]
 
 @click.command(cls=ExpressionCommand)
 @click.argument("expression", metavar="EXPR")
-@click.option("--cofactor", is_flag=True, help="Where there is none, seek one that equals a cofactor times EXPR.")
+@click.option("--cofactor", is_flag=True, help="Where there is none, look for one that equals a cofactor times EXPR.")
 @limit_option(MAX_EXTENSORS, "Give up beyond this many extensors.")
 @time_limit(SECONDS, "Give up after this time.", itself=True)
 @space_options()
-@output_options(full="Show every expression, not the simplest only.")
+@output_options(full="Show every expression, not only the simplest.")
 @click.pass_context
 def factor(
     ctx: click.Context,

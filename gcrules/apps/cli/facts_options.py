@@ -23,6 +23,6 @@ def facts_options(command: _Command) -> _Command:
         default=TOLERANCE,
         show_default=True,
         metavar="PART",
-        help="Tell facts of the dimensions that are missed by up to that part of the size too, as nearly so.",
+        help="Also list facts of the dimensions that are missed by up to this fraction of the size, as nearly true.",
     )
     return off(tolerance(command))

@@ -104,7 +104,7 @@ class OutputFile(click.types.StringParamType):
         if self.suffixes and suffix not in self.suffixes and os.path.basename(value).lower() not in self.suffixes:
             found = f"the suffix {suffix!r}" if suffix else "a name without suffix"
             endings = " or ".join(self.suffixes)
-            raise InputError(f"{value}: {found} is no figure format", hint=f"figures are written as {endings}")
+            raise InputError(f"{value}: {found} is not a figure format", hint=f"figures are written as {endings}")
         check_target(value)
         return value
 
@@ -118,7 +118,7 @@ figure_option = click.option(
     "--figure",
     type=OutputFile(".svg", ".pdf"),
     metavar="FILE",
-    help="Draw the robot, or of legs without coordinates the graph: .svg or .pdf.",
+    help="Draw the robot, or the graph of legs without coordinates: .svg or .pdf.",
 )
 
 

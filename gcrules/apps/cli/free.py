@@ -20,7 +20,7 @@ __all__ = ["free"]
 @click.command(cls=ExpressionCommand)
 @mechanism_argument
 @mode_option
-@click.option("--at", metavar="POSE", help="The pose in the middle, as in gcrules pose; home without it.")
+@click.option("--at", metavar="POSE", help="The pose in the middle, as in gcrules pose; by default home.")
 @click.option(
     "--over",
     metavar="NAMES",
@@ -29,7 +29,7 @@ __all__ = ["free"]
 )
 @click.option("--ball", is_flag=True, help="A ball instead of a box.")
 @about_option
-@click.option("--boxes", type=int, metavar="N", help="Give up a size that so many boxes do not prove.")
+@click.option("--boxes", type=int, metavar="N", help="Give up a size that this many boxes do not prove.")
 @click.option(
     "--picture",
     type=OutputFile(".svg", ".pdf"),

@@ -91,7 +91,7 @@ def analyze(
 @click.option("-o", "--output", "path", type=OutputFile(), default="-", metavar="FILE.html", help="Write to a file.")
 @time_limit(plus="search")
 @analysis_options
-@click.option("--3d/--no-3d", "interactive", default=True, help="Leave the 3D viewer out: a small file.")
+@click.option("--3d/--no-3d", "interactive", default=True, help="Leave the 3D viewer out, for a small file.")
 @question_options
 def report(legs: tuple[str, ...], path: str, asked: AnalysisOptions, interactive: bool, questions: Questions) -> None:
     """Write the analysis as a self-contained HTML page: formulas, figures, and for a geometry file the numbers.

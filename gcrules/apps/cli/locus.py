@@ -51,8 +51,8 @@ _VARIABLES = (
 @click.option(
     "--product/--roots",
     default=None,
-    help="Multiply over all working modes of a robot of joints, or leave the roots in that tell them apart; by default"
-    " products are left out that may be long.",
+    help="Multiply over all working modes of a robot of joints, or keep the roots that distinguish them; by default"
+    " products that may be long are left out.",
 )
 @about_option
 @click.option(
@@ -65,7 +65,7 @@ _VARIABLES = (
     "--digits",
     type=click.IntRange(1, 15),
     metavar="N",
-    help="Print decimals of N digits, up to a factor; without it of 6 where coefficients have more than 20 digits.",
+    help="Print decimals of N digits, up to a factor; by default 6 where coefficients have more than 20 digits.",
 )
 @click.option(
     "--picture",
@@ -73,7 +73,7 @@ _VARIABLES = (
     metavar="FILE.svg|FILE.pdf",
     help="Draw the zeros over one variable, or the curves over two.",
 )
-@limit_option(MAX_TERMS, "Search for factors of polynomials of so many terms, where no proof decides.")
+@limit_option(MAX_TERMS, "Search for factors of polynomials with up to this many terms, where no proof decides.")
 @time_limit()
 @output_options()
 def locus(

@@ -102,7 +102,7 @@ def map_(
     work = _work(plan, outputs, how)
     if work is not None:
         needed = bytes_of(plan.task) * (1 + any(o.lower().endswith(".nc") for o in outputs))
-        check_room(work, needed, "take a coarser grid, or --measure value, which needs less")
+        check_room(work, needed, "use a coarser grid, or --measure value, which needs less")
     with telling_what_is_kept(work), working("computing"):
         if how.part is not None:
             out.show(map_part(plan, how, work=work, restart=restart))

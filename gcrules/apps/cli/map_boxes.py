@@ -46,14 +46,14 @@ __all__ = ["boxes_", "refine"]
 @at_option
 @about_option
 @limits_option
-@click.option("--margin", type=float, default=0.0, metavar="M", help="Free poses have this margin σ at least.")
+@click.option("--margin", type=float, default=0.0, metavar="M", help="Free poses have at least this margin σ.")
 @click.option(
     "--tiles",
     type=int,
     metavar="N",
-    help="Cut each range into so many tiles; 64, 16, 8, 5, 3, 3 by the number of ranges.",
+    help="Cut each range into this many tiles; by default 64, 16, 8, 5, 3 or 3, by the number of ranges.",
 )
-@click.option("--boxes", type=int, metavar="N", help="Cut each tile into so many boxes at most; 4095 by default.")
+@click.option("--boxes", type=int, metavar="N", help="Cut each tile into at most this many boxes; 4095 by default.")
 @time_limit(None)
 @tile_options(BOX_FORMATS)
 def boxes_(
@@ -105,7 +105,10 @@ def boxes_(
 @click.argument("store", metavar="STORE")
 @click.option("-o", "--output", "refined", type=OutputFile(), required=True, metavar="FILE.zarr", help="The new store.")
 @click.option(
-    "--boxes", type=int, metavar="N", help="So many boxes in each tile at most; four times as many as before."
+    "--boxes",
+    type=int,
+    metavar="N",
+    help="At most this many boxes in each tile; by default four times as many as before.",
 )
 @click.option(
     "--over", multiple=True, metavar="RANGE", help="Another range, of whole tiles of the store, without a number."
@@ -133,7 +136,7 @@ def refine(
     wider in their first coordinate, with nodes as far apart as before.
     """
     if not refined.lower().endswith(".zarr"):
-        raise InputError(f"{refined}: no name of a store", hint="stores end in .zarr")
+        raise InputError(f"{refined}: not a name for a store", hint="stores end in .zarr")
     check_files([refined], BOX_FORMATS)
     with working("computing"):
         found = refine_map(store, refined, boxes, over or None, workers=workers, scheduler=scheduler)

@@ -26,13 +26,13 @@ __all__ = [
 _Command = Callable[..., Any]
 
 at_option = click.option(
-    "--at", metavar="POSE", help="The pose of the other coordinates, as in gcrules pose; the file's own."
+    "--at", metavar="POSE", help="The pose of the other coordinates, as in gcrules pose; by default the file's own."
 )
 limits_option = click.option(
     "--limits",
     metavar="RANGES",
-    help='What legs or actuators reach: "leg lengths 1..3", "ab 1..3, cd 2..", of joints "q1 -30..30 deg"; "none":'
-    " not those of the file.",
+    help='What legs or actuators reach: "leg lengths 1..3", "ab 1..3, cd 2..", or for joints "q1 -30..30 deg"; "none"'
+    " ignores those of the file.",
 )
 workers_option = click.option(
     "--workers",
@@ -40,7 +40,7 @@ workers_option = click.option(
     default=0,
     show_default="in this process",
     metavar="N",
-    help="Compute tiles in so many processes of this machine.",
+    help="Compute tiles in this many processes on this machine.",
 )
 scheduler_option = click.option(
     "--scheduler",
@@ -52,12 +52,12 @@ scheduler_option = click.option(
 def tile_options(formats: Iterable[str]) -> Callable[[_Command], _Command]:
     """What becomes of tiles, and of the answer, which is written in these formats."""
     options = (
-        click.option("--restart", is_flag=True, help="Throw away finished tiles of an earlier run and begin anew."),
+        click.option("--restart", is_flag=True, help="Throw away finished tiles of an earlier run and start over."),
         workers_option,
         click.option("--part", metavar="K/N", help="Compute only the K-th of N parts, as a job of an array."),
         scheduler_option,
         output_options(latex=False, file=False),
-        files_option(f"Write a file, as often as you like; its suffix says what: {' '.join(formats)}."),
+        files_option(f"Write a file, once or more often; its suffix says which kind: {' '.join(formats)}."),
     )
     return lambda command: decorated(command, options)
 

@@ -30,7 +30,7 @@ class _Tiles(click.ParamType):  # type: ignore[type-arg, unused-ignore]
         if value == ALL or isinstance(value, int):
             return str(value) if value == ALL else int(value)
         if not (value.isascii() and value.isdecimal()):
-            self.fail(f"{value!r} is no number of tiles; 0 or more, or all.", param, ctx)
+            self.fail(f"{value!r} is not a number of tiles; 0 or more, or all.", param, ctx)
         return int(value)
 
 
@@ -55,7 +55,7 @@ def status(store: str, out: Output) -> None:
     default=3,
     show_default=True,
     metavar="N|all",
-    help="Compute so many tiles again, which nobody can foresee.",
+    help="Compute this many tiles again, chosen unpredictably.",
 )
 @time_limit(None)
 @output_options(latex=False)
@@ -88,7 +88,7 @@ def merge(stores: tuple[str, ...], merged: str, as_json: bool) -> None:
     gcrules map merge a.zarr b.zarr -o map.zarr
     """
     if not merged.lower().endswith(".zarr"):
-        raise InputError(f"{merged}: no name of a store", hint="stores end in .zarr")
+        raise InputError(f"{merged}: not a name for a store", hint="stores end in .zarr")
     with working("merging"):
         found = merge_maps(stores, merged)
     Output(json=as_json).show(found)

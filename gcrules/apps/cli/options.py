@@ -101,7 +101,7 @@ def search_option(default: float) -> Callable[[_Command], _Command]:
         default=default,
         show_default=True,
         metavar="S",
-        help="Seek a factorization for so many seconds where no rule finds a condition.",
+        help="Seek a factorization for this many seconds where no rule finds a condition.",
     )
 
 

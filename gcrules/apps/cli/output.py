@@ -101,7 +101,7 @@ class Output:
         else:
             click.echo(text)
             if not streams.is_stdout(self.path):
-                click.echo(f"note: {self.path} is not written, for nothing is decided", err=True)
+                click.echo(f"note: {self.path} is not written, since nothing is decided", err=True)
 
 
 _BRIEF = "Print the answer alone, without what it rests on."

@@ -31,11 +31,11 @@ _CODES = {"way": 0, "none": 1, "undecided": 3}
 @click.option(
     "--limits",
     metavar="RANGES",
-    help='Of legs or actuators: "leg lengths 1..3", "q1 -30..30 deg"; "none": not those of the file.',
+    help='Of legs or actuators: "leg lengths 1..3", "q1 -30..30 deg"; "none" ignores those of the file.',
 )
 @click.option("--within", metavar="RANGES", help='Of coordinates from home: "z -100..50, turn ..40 deg".')
 @about_option
-@click.option("--states", default=STATES, show_default=True, metavar="N", help="Give up at so many states.")
+@click.option("--states", default=STATES, show_default=True, metavar="N", help="Give up after this many states.")
 @click.option("--seed", default=0, show_default=True, metavar="N", help="Another seed draws other poses.")
 @click.option("--csv", "table", type=OutputFile(alone=True), metavar="FILE.csv", help="Write the poses of the way.")
 @click.option(

@@ -24,7 +24,7 @@ __all__ = ["pose"]
     metavar="POSE",
     help='"z=5, roll=10deg", or "x y z; euler zyx 10 0 0 deg"; by default the pose of the file.',
 )
-@click.option("--actuators", metavar="VALUES", help='Instead of a pose, of a robot with joints: "q1=0.1, q2=5deg".')
+@click.option("--actuators", metavar="VALUES", help='Instead of a pose, for a robot of joints: "q1=0.1, q2=5deg".')
 @about_option
 @click.option(
     "--threshold",

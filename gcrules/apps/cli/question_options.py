@@ -20,7 +20,7 @@ __all__ = ["cone_option", "question_options", "tilt_option"]
 cone_option = click.option(
     "--cone", metavar="ANGLES", help='Cones of joints of rods: "40 deg", "base 30 deg, C1 40 deg".'
 )
-tilt_option = click.option("--tilt", metavar="ANGLE", help='The platform tilts so far in any direction: "40 deg".')
+tilt_option = click.option("--tilt", metavar="ANGLE", help='The platform tilts this far in any direction: "40 deg".')
 
 _ASKED = ("over", "certify", "modes", "aspects", "plan", "free")
 _NAMES = (*_ASKED, "at", "limits", "within", "cone", "tilt", "margin", "resume", "about", "threshold")
@@ -77,7 +77,7 @@ def question_options(command: Callable[..., Any]) -> Callable[..., Any]:
         click.option(
             "--at",
             metavar="POSE",
-            help="The pose of modes and free region, home without it; the rest of map and certificate.",
+            help="The pose of modes and free region, by default home; the rest of map and certificate.",
         ),
         click.option(
             "--limits",
@@ -90,7 +90,7 @@ def question_options(command: Callable[..., Any]) -> Callable[..., Any]:
             type=float,
             default=0.0,
             metavar="M",
-            help="In whole boxes and the certificate free poses have this margin σ at least.",
+            help="In whole boxes and the certificate free poses have at least this margin σ.",
         ),
         cone_option,
         tilt_option,

@@ -27,7 +27,7 @@ __all__ = ["regions"]
 @click.option("--over", metavar="RANGES", help='The lengths that are looked at: "q2 0.1..4, q3 ..4".')
 @click.option("--held", metavar="LENGTH", help='The leg that is held, and at which length: "q1=1"; by default home\'s.')
 @click.option(
-    "--slices", default=SLICES, show_default=True, metavar="N", help="With ranges of all legs: so many slices."
+    "--slices", default=SLICES, show_default=True, metavar="N", help="With ranges of all legs: this many slices."
 )
 @click.option(
     "--picture",

@@ -37,7 +37,7 @@ run_terminal = deferred("gcrules.apps.repl.terminal:run_terminal")
     metavar="N",
     help="Give up beyond this many terms.",
 )
-@time_limit(SECONDS, "Give an input up after this time.", itself=True)
+@time_limit(SECONDS, "Give up on an input after this time.", itself=True)
 @mathematics_option
 @click.option("--rules", "words", multiple=True, metavar="FILE|IDS", help=_RULES)
 @plugins_option

@@ -287,7 +287,7 @@ def new_command(robot_id: str, path: str | None) -> None:
     if kind := kind_of_id(robot_id):
         what, command = _OWNERS[kind]
         raise InputError(
-            f"{robot_id} is the id of {what} already",
+            f"{robot_id} is already the id of {what}",
             hint=f"choose another one; `gcrules {command} {robot_id}` shows what has it",
         )
     if path is None:
@@ -298,7 +298,7 @@ def new_command(robot_id: str, path: str | None) -> None:
             raise FileError(f"cannot be made: {fault.strerror}", filename=str(folder)) from None
         path = str(folder / ROBOT_FILE)
     if path != "-" and os.path.exists(path):
-        raise FileError("there is a file of this name already", filename=path)
+        raise FileError("there is already a file of this name", filename=path)
     write_file(path, text)
     if path != "-":
         click.echo(f"{path} is written; check it with: gcrules robot check {path}")

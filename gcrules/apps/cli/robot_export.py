@@ -49,7 +49,9 @@ def export(source: str, form: str | None, mode: str | None, unit: str | None, pa
     if form and named and named != form:
         raise click.UsageError(f"{path} is a name for {named}, and --format is {form}.")
     if path not in (None, "-") and (form or named) is None:
-        raise InputError(f"{path}: no name of a model file", hint=f"names of model files end in {', '.join(_ENDINGS)}")
+        raise InputError(
+            f"{path}: not a name for a model file", hint=f"names of model files end in {', '.join(_ENDINGS)}"
+        )
     form = form or named or "mjcf"
     if form == "urdf" and path in (None, "-"):
         raise click.UsageError("A model in URDF takes two files: give -o FILE.urdf.")

@@ -20,7 +20,9 @@ _import_file = deferred("gcrules.mechanisms.models.importing:import_file")  # lo
 @click.command("import", cls=OutputCommand, short_help="Write a robot file from a model: URDF, SDF, MJCF.")
 @click.argument("model", metavar="MODEL")
 @click.option("--closures", metavar="FILE", help="Beside a model in URDF: how its loops are closed, what is driven.")
-@click.option("--platform", metavar="LINK", help="The link that is the platform; by default the one with most limbs.")
+@click.option(
+    "--platform", metavar="LINK", help="The link that is the platform; by default the one with the most limbs."
+)
 @click.option("--base", metavar="LINK", help="The link that the limbs start from; by default the model's base.")
 @click.option(
     "--actuators", metavar="a,b,…", default="", help="The joints that are driven; by default as in the model."

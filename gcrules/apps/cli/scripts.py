@@ -62,7 +62,7 @@ def rewrite(expression: str, choice: Choice, assumptions: tuple[str, ...], space
 @click.command(cls=ExpressionCommand)
 @click.argument("files", metavar="FILE.gca…", nargs=-1, required=True)
 @_limit
-@time_limit(SECONDS, "Give a statement up after this time.", itself=True)
+@time_limit(SECONDS, "Give up on a statement after this time.", itself=True)
 @output_options(latex=False)
 @click.pass_context
 def run(ctx: click.Context, files: tuple[str, ...], limit: int, seconds: float, out: Output) -> None:

@@ -21,8 +21,8 @@ _in_mode = deferred("gcrules.poses.modes.choose:in_mode")  # numpy
 mode_option = click.option(
     "--mode",
     metavar="MODE",
-    help='Take it in this mode: "+-+" (gcrules modes --working), "assembly 3" (gcrules modes) or "operation 2" (gcrules'
-    " modes --operation).",
+    help='Use the robot in this mode: "+-+" (gcrules modes --working), "assembly 3" (gcrules modes) or "operation 2"'
+    " (gcrules modes --operation).",
 )
 
 

@@ -16,7 +16,7 @@ from gcrules.rules.plugins import load_rules
 __all__ = ["studio"]
 
 _PLUGINS = "Let the rules of a folder of plugins take part on the bench (its rules.py files are run)."
-_PORT = "The port, 8747 if not given; if it is taken, the next free one. 0 is any."
+_PORT = "The port, 8747 if not given; if it is taken, the next free one. 0 means any."
 
 
 @click.command()

@@ -21,7 +21,7 @@ NOT_DECIDED = 3
 @given_option
 @time_limit()
 @space_options(rank=False)
-@output_options(full="Show every reading, not the simplest only.")
+@output_options(full="Show every reading, not only the simplest.")
 @click.pass_context
 def transversals(
     ctx: click.Context,

@@ -95,7 +95,7 @@ def _read(value: Any, unit: str) -> dict[str, list[float]]:
     try:
         found = {key: [float(c) for c in value[key]] for key in ("translation", "quaternion")}
     except (TypeError, KeyError, IndexError, ValueError, OverflowError):
-        raise InputError(f"{described(value)} is no pose", hint='write "x=10, z=5, yaw=30deg"') from None
+        raise InputError(f"{described(value)} is not a pose", hint='write "x=10, z=5, yaw=30deg"') from None
     numbers = [c for cs in found.values() for c in cs]
     size = hypot(*found["quaternion"])
     if len(found["translation"]) != 3 or len(numbers) != 7 or not size or not all(map(isfinite, numbers)):

@@ -161,7 +161,7 @@ def _prove(repl: PromptSession, request: Request) -> Iterator[Answer]:
 def _analyze(repl: PromptSession, request: Request) -> Iterator[Answer]:
     at = repl.state.context
     if at.rank != 4:
-        raise request.fault(f"platforms with six legs are in rank 4, and this is rank {at.rank}", ":reset begins anew")
+        raise request.fault(f"platforms with six legs are in rank 4, and this is rank {at.rank}", ":reset starts over")
     if is_blank(request.argument):
         raise request.fault("no legs", "six legs, each its two joints:  :analyze ab af cb cd ed ef")
     folders = repl.settings.plugins
@@ -304,7 +304,7 @@ def _file(repl: PromptSession, request: Request) -> str:
     if len(name) > 1 and name[0] == name[-1] and name[0] in "\"'":
         name = name[1:-1]
     if not name:
-        raise request.fault("no name of a file", request.command.usage)
+        raise request.fault("a file name is missing", request.command.usage)
     return expanduser(name)
 
 

@@ -31,7 +31,9 @@ _MORE: Mapping[str, str] = {
         "A leg is a joint of one body and a joint of the other. Afterwards % is the condition."
     ),
     "steps": ":steps [ade][bcf]       in rank 3\nWithout an expression: of the last result.",
-    "save": "Left out is what was refuted or not decided, and expressions and equations without `show` or `claim`.",
+    "save": (
+        "What was refuted or not decided is left out, and so are expressions and equations without `show` or `claim`."
+    ),
     "latex": ":latex ab /\\ cde       as it stands, not expanded\n:latex                 of the last result",
     "undo": "Takes back one input at a time: a statement, a file that was loaded, a reset.",
 }

@@ -72,7 +72,7 @@ COMMANDS: Mapping[str, Command] = {
         Command("latex", ":latex [EXPR|on|off]", "LaTeX of an expression, or of all answers", "latex", _SWITCH),
         Command("unicode", ":unicode [on|off]", "Unicode mathematics in answers and while typing", "switch", _SWITCH),
         Command("limit", ":limit [N]", "give up beyond this many terms", "number"),
-        Command("seconds", ":seconds [S]", "give an input up after this time", "number"),
+        Command("seconds", ":seconds [S]", "give up on an input after this time", "number"),
         Command("context", ":context", "what is declared and assumed"),
         Command("rules", ":rules [ID]", "the rules so far", "rule"),
         Command("load", ":load FILE.gca", "run a script; what it declares holds from here on", "file"),
@@ -133,7 +133,7 @@ def command(name: str) -> Command:
     if len(found) == 1:
         return COMMANDS[found[0]]
     if found:
-        raise InputError(f"several commands begin so: {', '.join(f':{n}' for n in found)}")
+        raise InputError(f"several commands begin like this: {', '.join(f':{n}' for n in found)}")
     hint = near(name, COMMANDS)
     hint = _with_colons(hint) if hint else ":help lists the commands"
     raise InputError(f"there is no command :{name[:40]}", hint=hint)

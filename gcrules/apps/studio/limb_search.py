@@ -112,9 +112,9 @@ def _note(found: list[SingularPoseView], every: tuple[Heading, ...], stops: list
     said = "Found" if found else "No singular pose was found"
     all_ways = listed([str(w) for w in every])
     words = f"{said} by a search along {all_ways}, up to 60° or 0.75 times the robot's size, and in all directions at"
-    words += " once: this is no proof that nothing singular lies nearer."
+    words += " once: this does not prove that nothing singular lies nearer."
     if stops:
-        words += f" Along {listed(stops)} the robot was not followed so far."
+        words += f" Along {listed(stops)} the robot was not followed that far."
     if lost:
         words += f" There is a singular pose {listed(lost)}, to which the sliders do not lead from home."
     return words

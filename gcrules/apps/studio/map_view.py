@@ -74,7 +74,7 @@ def map_of(
     if plan.task.grid.size > MAX_NODES:
         raise LimitReached(
             f"{plan.task.grid.size:,} poses: more than {MAX_NODES:,} in a map of the page",
-            hint="take a coarser grid; `gcrules map` takes it",
+            hint="use a coarser grid; `gcrules map` takes it",
         )
     return done(plan)
 

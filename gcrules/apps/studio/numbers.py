@@ -132,7 +132,7 @@ def _by_lines(subject: Subject, pose: PoseJson, limit: Threshold) -> Numbers:
         "margin": 0.0 if always else size,
         "close": close,
         "verdict": "singular" if always else said,
-        "reason": f"Told by the six lines alone{why}.",
+        "reason": f"Computed from the six lines alone{why}.",
         "causes": [a.condition.sentence] if always else [],
         "readings": _views(readings_at((a.condition, *a.readings), points, subject.unit)),
         "constructed": scenery.constructed(places),

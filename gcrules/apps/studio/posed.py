@@ -28,7 +28,7 @@ __all__ = ["analysis_of", "analysis_there", "drawing_there", "file_there", "plat
 def analysis_of(subject: Subject) -> Analysis:
     """That of its six lines. Raises InputError where it has none."""
     if subject.analysis is None:
-        raise InputError("this robot's wrenches are no lines of its points: there is no analysis to take away")
+        raise InputError("this robot's wrenches are not lines through its points: there is no analysis to take away")
     return subject.analysis
 
 

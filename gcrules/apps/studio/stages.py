@@ -131,7 +131,7 @@ def _entities(a: Analysis, found: Recognised) -> Iterator[tuple[str, list[Item]]
     """What was recognised in the terms, kind by kind, with the terms beside it."""
     superbracket = a.structure.superbracket
     rows = table(a.shortest.polynomial, a.shortest.sign)
-    yield "tetrahedra", [*_shown(a, found.tetrahedra, "No bracket stands in every term."), rows]
+    yield "tetrahedra", [*_shown(a, found.tetrahedra, "No bracket occurs in every term."), rows]
     yield "planes", [*_shown(a, found.planes, "No three points stay together in every term."), rows]
     items = _shown(a, found.lines, "No two further points stay together in every term.")
     if found.front is not None:

@@ -203,7 +203,7 @@ def robot_of(source: SourceJson) -> Robot:
     if source["kind"] == "file":
         found = read_text(source["text"], source["name"])
     if not isinstance(found, Robot):
-        raise InputError("this is no robot of joints")
+        raise InputError("this is not a robot of joints")
     return found
 
 

@@ -55,7 +55,7 @@ def surface_of(subject: Subject, over: Sequence[str], pose: PoseJson) -> Singula
     if plan.task.grid.size > MAX_NODES:
         raise LimitReached(
             f"{plan.task.grid.size:,} poses: more than {MAX_NODES:,} in a surface of the page",
-            hint="take fewer poses along each coordinate",
+            hint="use fewer poses along each coordinate",
         )
     return done(plan)
 

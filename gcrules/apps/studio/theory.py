@@ -94,7 +94,7 @@ THEORY: Mapping[str, Theory] = {
         ),
     ),
     "tetrahedra": Theory(
-        "A bracket that stands in every term can be taken out as a factor. If it is zero, the whole sum is: then four "
+        "A bracket that occurs in every term can be taken out as a factor. If it is zero, the whole sum is: then four "
         "joints lie in one plane, and the tetrahedron that they span is flat. So each common bracket is already a "
         "singularity, seen without any further work.",
         (
@@ -106,7 +106,7 @@ THEORY: Mapping[str, Theory] = {
     ),
     "planes": Theory(
         "Three points that stay together in one bracket of every term always act together: as the plane through them. "
-        "A point that is needed in two such planes is told apart by a star (a and a*).",
+        "A point that is needed in two such planes is distinguished by a star (a and a*).",
         (
             "A bracket [abcd] can be read as the plane abc met with the point d. If the plane abc stands in every "
             "term, each in a bracket of its own, then what the sum says of the points is said of planes, and meets of "
@@ -123,7 +123,7 @@ THEORY: Mapping[str, Theory] = {
         ),
     ),
     "left-over": Theory(
-        "Every point stands in the sum as often as legs meet in it. Some of these places are taken by the planes and "
+        "Every point occurs in the sum as often as legs meet in it. Some of these places are taken by the planes and "
         "lines found so far; the points of the others are left over. They make up the last plane, or lines, and it is "
         "tested which.",
         (
@@ -134,9 +134,9 @@ THEORY: Mapping[str, Theory] = {
         ),
     ),
     "condition": Theory(
-        "The entities are put together to one expression: planes that meet, lines that meet planes. It is a guess only "
-        "until it is multiplied out again: it counts when its expansion is the superbracket, term by term, with the "
-        "right sign.",
+        "The entities are put together into one expression: planes that meet, lines that meet planes. It is a "
+        "guess only until it is multiplied out again: it counts when its expansion is the superbracket, term by term, "
+        "with the right sign.",
         (
             "In Grassmann–Cayley algebra the join ∨ of points is the line or plane through them, the meet ∧ of planes "
             "and lines is what they have in common, and an expression that ends in a number is zero exactly when its "

@@ -46,7 +46,7 @@ def token(folder: Path | None = None) -> str:
             filename=str(path),
             hint="set XDG_STATE_HOME to a folder of your own",
         ) from None
-    raise FileError("the studio's token is made anew all the time by someone else", filename=str(path))
+    raise FileError("the studio's token keeps being replaced by someone else", filename=str(path))
 
 
 def _kept(path: Path) -> str | None:

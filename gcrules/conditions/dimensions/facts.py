@@ -25,9 +25,11 @@ KINDS: Mapping[str, str] = {
     "mirrored": "base and platform are similar, as mirror images, with corresponding joints {members}",
     "affine": "an affine map takes the base to the platform, with corresponding joints {members}",
     "projective": "a projective map takes the base to the platform, with corresponding joints {members}",
-    "rotation": "a turn of order {order} takes the base to itself, and one the platform, with the legs in the cycles "
-    "{members}",
-    "mirror": "a mirror takes the base to itself, and one the platform, with the legs in the cycles {members}",
+    "rotation": "a turn of order {order} takes the base to itself, and one takes the platform to itself, with the"
+    " legs in the cycles {members}",
+    "mirror": (
+        "a mirror takes the base to itself, and one takes the platform to itself, with the legs in the cycles {members}"
+    ),
     "parallel": "the directions {members} of the {body} are parallel",
     "perpendicular": "the directions {members} of the {body} are perpendicular to each other",
     "level": "the directions {members} of the {body} are parallel to one plane",
@@ -51,7 +53,9 @@ _UNITS: Mapping[str, str] = {
 def check_tolerance(tolerance: float) -> None:
     """Raises InputError for a tolerance that is none."""
     if not 0 <= tolerance < 0.1:
-        raise InputError(f"the tolerance {tolerance:g} is not from 0 to 0.1", hint="it is a part of the robot's size")
+        raise InputError(
+            f"the tolerance {tolerance:g} is not between 0 and 0.1", hint="it is a fraction of the robot's size"
+        )
 
 
 @dataclass(frozen=True)

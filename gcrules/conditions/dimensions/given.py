@@ -40,8 +40,8 @@ def check_given(structure: Structure, points: Points, unit: str = "") -> None:
         if not _values(e, homogeneous):
             word = text(e, names=structure.names)
             raise InputError(
-                f"{word} is zero at these coordinates; what is given says nothing of such joints",
-                hint="give what holds beside, or leave it out: exact facts of the coordinates are found anyway",
+                f"{word} is zero at these coordinates; what is given says nothing about such joints",
+                hint="give what holds in addition, or leave it out: exact facts of the coordinates are found anyway",
             )
 
 
@@ -54,7 +54,7 @@ def _check_names(assumption: Assumption, names: tuple[str, ...], structure: Stru
     if len({structure.sides[name] for name in names}) > 1:
         raise _fault(
             assumption,
-            f"{assumption} is about joints of base and platform, so that it ends as the platform moves",
+            f"{assumption} is about joints of base and platform, so that it no longer holds when the platform moves",
             "give the legs without coordinates to analyse what holds in one pose",
         )
 

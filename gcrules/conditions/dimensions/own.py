@@ -60,12 +60,12 @@ def own_condition(
             with within(SECONDS):
                 found = _analysed(legs, general.structure, given)
         except (LimitReached, InputError) as limit:
-            return None, f"what the facts make of the condition was not found: {limit.message}"
+            return None, f"what the condition becomes under these facts was not found: {limit.message}"
         if _other(found, general) and _applies(found, points):
             return _told(found, points, names, given), ""
         like = found
         told = [*(["joints that coincide taken as one"] if names else []), *given]
-        tried = f"with {listed(told)} no other condition was found than that of the legs in general"
+        tried = f"with {listed(told)} no condition was found other than that of the legs in general"
     return _with_fixed_factors(general, points), tried
 
 

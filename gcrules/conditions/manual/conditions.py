@@ -154,7 +154,9 @@ def _disproved(board: Board, e: Expr, cofactor: Expr) -> ProposalOutcome:
     wanted = Counter(n for leg in structure.legs for n in leg)
     factor = _degrees(cofactor, board)
     wanted.update(factor or {})
-    said = [f"the expression is no constant times the {'' if cofactor == ONE else 'cofactor times the '}superbracket"]
+    said = [
+        f"the expression is not a constant times the {'' if cofactor == ONE else 'cofactor times the '}superbracket"
+    ]
     data: dict[str, Any] = {}
     try:
         degrees: Mapping[str, int] | None = _degrees(e, board)
@@ -162,7 +164,7 @@ def _disproved(board: Board, e: Expr, cofactor: Expr) -> ProposalOutcome:
         degrees = wanted
     if degrees is None or factor is None:
         whose = "its" if degrees is None else "the cofactor's"
-        said.append(f"{whose} terms have unlike degrees in the points")
+        said.append(f"{whose} terms have different degrees in the points")
         degrees = None
     elif degrees is not wanted:
         unlike = [n for n in structure.names if degrees.get(n, 0) != wanted[n]]

@@ -24,9 +24,9 @@ def propose_tetrahedron(board: Board, words: CommandWords) -> tuple[Board, Propo
     label = f"[{board.label(row)}]"
     fault = _broken(board, row)
     if fault is None:
-        return _with(board, row, confirmed("common", f"tetrahedron {board.label(row)}: {label} stands in every term"))
+        return _with(board, row, confirmed("common", f"tetrahedron {board.label(row)}: {label} occurs in every term"))
     if row in board.entities:
-        raise words.fault(f"tetrahedron {board.label(row)} is confirmed already; no term holds it once more")
+        raise words.fault(f"tetrahedron {board.label(row)} is already confirmed; no term contains it a second time")
     if fault.reason != "apart":
         return board, fault
     return board, _no_tetrahedron(board, row, label, fault)
@@ -67,7 +67,7 @@ def _row(board: Board, words: CommandWords, size: int, hint: str) -> Row:
 
 def _not_twice(board: Board, row: Row, words: CommandWords) -> None:
     if row in (*board.entities, *board.taken):
-        raise words.fault(f"{board.entity_text(row)} is confirmed already")
+        raise words.fault(f"{board.entity_text(row)}is already confirmed")
 
 
 def _with(board: Board, row: Row, outcome: ProposalOutcome) -> tuple[Board, ProposalOutcome]:
@@ -90,7 +90,7 @@ def _broken(board: Board, row: Row) -> ProposalOutcome | None:
         takers = [r for r in board.taken if set(r) & set(lacking)]
         by = listed([board.label(r) for r in takers])
         points = ", ".join(board.named(tuple(lacking)))
-        return refused("points-taken", f"{points}: taken already by {by}", **data, by=[board.named(r) for r in takers])
+        return refused("points-taken", f"{points}: already taken by {by}", **data, by=[board.named(r) for r in takers])
     monomial, _ = board.terms[number - 1]
     term = board.term_text(number)
     data |= {"term": number, "brackets": [board.named(b) for b in monomial]}
@@ -99,7 +99,7 @@ def _broken(board: Board, row: Row) -> ProposalOutcome | None:
         what = f"[{board.label(row)}]" if len(row) == 4 else f"bracket with {listed(board.named(row))}"
         return refused("apart", f"{term}, has no {what}", **data)
     if not board.free:
-        return refused("bracket-taken", f"{term}: each of its brackets has an entity already", **data, by=[])
+        return refused("bracket-taken", f"{term}: each of its brackets already has an entity", **data, by=[])
     takers = [r for r in board.entities if any(set(r) <= set(b) for b in holding)]
     brackets = [f"[{board.label(b)}]" for b in dict.fromkeys(holding)]
     only = agreeing(brackets, "holds", "hold")

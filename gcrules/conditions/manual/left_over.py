@@ -55,7 +55,7 @@ def propose_lines(board: Board, words: CommandWords) -> tuple[Board, ProposalOut
 def _propose(board: Board, pairs: tuple[Row, ...], words: CommandWords) -> tuple[Board, ProposalOutcome]:
     for row in pairs:
         if row in board.taken:
-            raise words.fault(f"line {board.label(row)} is on the board already")
+            raise words.fault(f"line {board.label(row)} is already on the board")
     data: dict[str, Any] = {"proposed": [board.named(row) for row in pairs]}
     gone = Counter(i for row in pairs for i in row) - Counter(board.left)
     if gone:

@@ -17,7 +17,7 @@ __all__ = ["REASONS", "Hint", "NamedValue", "ProposalOutcome", "confirmed", "pla
 REASONS = {
     # confirmed
     "form": "the form or the order of the legs was taken",
-    "common": "the bracket stands in every term",
+    "common": "the bracket occurs in every term",
     "together": "the points stay together in one bracket of every term, a bracket of their own",
     "left-over": "the left-over points are shared out among the planes' brackets",
     "swapped": "P(x,y) + P(y,x) = 0",
@@ -38,8 +38,8 @@ REASONS = {
     "no-incidence": "the incidence of the entities is not the superbracket",
     "zero": "the expression or the cofactor is zero for all positions of the points",
     "degrees": "the degree in some point differs from the superbracket's",
-    "different": "the degrees agree, but the expression is no multiple of the superbracket",
-    "no-way": "the automatic procedure finds no way on from here",
+    "different": "the degrees agree, but the expression is not a multiple of the superbracket",
+    "no-way": "the automatic procedure finds no way to continue from here",
 }
 """What `ProposalOutcome.reason` can be."""
 

@@ -38,7 +38,7 @@ def suggest(board: Board) -> Hint:
         if _fits(board, claim):
             return _next(board, claim)
     if analysis.claim is None:
-        return Hint(_condition(analysis.condition, board), "no incidence follows from entities; this one is proved")
+        return Hint(_condition(analysis.condition, board), "no incidence follows from the entities; this one is proved")
     if elsewhere and nothing_yet:
         return shorter
     return Hint("undo", "no condition of the procedure has all these entities")

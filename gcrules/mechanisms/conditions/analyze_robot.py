@@ -119,7 +119,7 @@ def _check(
         values = robot.family.member(("checked", seed))
         at = at_member(robot.family, structure, values)
         if robot.limbs and ranks(robot.family, robot.limbs, values).wrenches != full:
-            raise EngineFault(f"the wrenches of {robot.id} have no full rank at a random member")
+            raise EngineFault(f"the wrenches of {robot.id} do not have full rank at a random member")
         left, right = (at.value(ex.mul(*es))[0] for es in ((*cofactors, found.structure.superbracket), factors))
         numbers.add(left * pow(right, -1, PRIME) % PRIME)
     if len(numbers) > 1:

@@ -75,7 +75,7 @@ def _check_arguments(d: Definition, values: Values, node: Node) -> None:
     origin, *ends = (d.relation.value(d.sort, RESIDUES, values, t) for t in ([0] * size, *units))
     if RESIDUES.rank([tuple(a - b for a, b in zip(end, origin, strict=True)) for end in ends]) < wanted:
         node.fault(
-            f"the {what} on which {d.name} lies is none",
+            f"the {what} on which {d.name} should lie is undefined",
             "its points coincide, or its directions are parallel, in every member of the family",
         )
 
@@ -134,9 +134,9 @@ def _check_limb(robot: Robot, text: LimbSpec, limb: Limb, node: Node) -> None:
         axes = [_axis(limb.joints[k]) for k in (led.joint, led.leader)]
         if len({RESIDUES.dot(u, u) for u in axes}) > 1:
             node.fault(
-                f"{text.name}: {joints[0]} and {joints[1]} are coupled, but their axes are not of one length in all"
+                f"{text.name}: {joints[0]} and {joints[1]} are coupled, but their axes are not of equal length in all"
                 " members of the family",
-                "a ratio is one of rates about, or along, unit vectors: write both axes with one direction, or with"
+                "a ratio relates rates about, or along, unit vectors: write both axes with one direction, or with"
                 " x, y and z",
             )
     if len(limb.locked(RESIDUES)) - len(limb.constraints(RESIDUES)) < text.actuators:

@@ -243,7 +243,7 @@ def _check(
     aside = product([p.expression for p in parts if p.kind in ASIDE])
     rest = divided(whole, left)[0]  # cofactors · common factor
     if not _divides(live, whole) or not _divides(rest, _times(live, aside)):
-        raise EngineFault("the factors told apart by ranks are not those of the common factor of the superbrackets")
+        raise EngineFault("the factors distinguished by ranks are not those of the common factor of the superbrackets")
 
 
 def _times(f: Poly, g: Poly) -> Poly:

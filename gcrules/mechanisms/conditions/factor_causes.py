@@ -48,7 +48,7 @@ __all__ = [
 KINDS: Mapping[str, str] = {
     "actuation": "the platform can move although the actuators are locked",
     "constraint": "the platform gains a freedom that its limbs should not allow",
-    "mixed": "at some of these members constraints drop rank, at others only all wrenches together",
+    "mixed": "at some of these members the constraints lose rank, at others only all wrenches together do",
     "limb": "it vanishes only where a limb is singular by itself and the lines do not stand for its wrenches",
     "held": "constraints drop rank, but actuators beyond the freedoms hold the platform",
     "choice": "it belongs to the chosen lines: the wrenches of the limbs keep their rank there",
@@ -247,7 +247,7 @@ def causes_left(
     several: Collection[Expr] = (),
 ) -> tuple[tuple[FactorCause, ...], Poll]:
     """The factors of a robot that is given by lines: whose wrenches they are is not known."""
-    reason = "the robot is given by its lines: actuation and constraint are not told apart"
+    reason = "the robot is given by its lines: actuation and constraint are not distinguished"
     return tuple(FactorCause(e, "mixed", reason=reason) for e in dict.fromkeys(factors)), Poll()
 
 

@@ -45,7 +45,7 @@ def published(robot: Robot, structure: Equivalent, found: Analysis) -> Published
     superbracket = found.structure.superbracket
     c = constant(robot.family, structure, superbracket, e, at)
     if c is None:
-        return Published(robot.condition, "refuted", "it is no multiple of the superbracket at exact random members")
+        return Published(robot.condition, "refuted", "it is not a multiple of the superbracket at exact random members")
     held = f"the superbracket is {c} times it"
     try:
         difference = ex.sub(ex.mul(ex.Number(c.denominator), superbracket), ex.mul(ex.Number(c.numerator), e))

@@ -49,7 +49,7 @@ def _cables(structure: Equivalent) -> str:
         return " Its cables only pull, and are too few to balance each other: they need a load, such as its weight."
     return (
         " Its cables only pull: elsewhere they hold the platform where tensions that are all positive balance each"
-        " other (wrench closure), which is told for each pose."
+        " other (wrench closure), which is reported for each pose."
     )
 
 
@@ -114,10 +114,10 @@ _WHEN: Mapping[tuple[bool, bool], str] = {
 """Whether there are factors that change as the robot moves, and factors of the design -> the sentence."""
 
 _CONSTRAINTS_TOO = (
-    " It is singular too where the constraints of all limbs together lose rank, which takes two conditions or more."
+    " It is also singular where the constraints of all limbs together lose rank, which takes two conditions or more."
 )
 _CONSTRAINTS_MAYBE = (
-    " It is singular too where the constraints of all limbs together lose rank, if they do anywhere: that takes two"
+    " It is also singular where the constraints of all limbs together lose rank, if they do anywhere: that takes two"
     " conditions or more, and is not looked for."
 )
 
@@ -146,7 +146,7 @@ def _redundant(
     said = say("{} robot is singular exactly when {}", where, _dependent(structure))
     if live:
         apart = ", where the lines that were chosen for a limb do not depend on each other" if _chosen(live) else ""
-        words = "{}. One condition suffices for that{}: {}; else it takes two or more"
+        words = "{}. One condition suffices for that{}: {}; otherwise it takes two or more"
         said = say(words, said, apart, _either(live))
     elif common is not None:
         said = say("{}, which takes {} at once", said, _conditions(structure))

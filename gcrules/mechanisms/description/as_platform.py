@@ -39,7 +39,7 @@ def as_platform(robot: Robot) -> Platform:
     if len(robot.limbs) != 6 and not lines:
         reason = f"it has {len(robot.limbs) or 'no'} limbs, not six"
     elif other is not None:
-        reason = f"{other.name or 'a limb'} ({other.chain}) is no leg UP*S between two points"
+        reason = f"{other.name or 'a limb'} ({other.chain}) is not a leg UP*S between two points"
     elif robot.home is None:
         reason = "it has no home configuration"
     elif (name := _tied(robot, found)) is not None:

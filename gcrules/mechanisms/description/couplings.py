@@ -43,7 +43,7 @@ def couplings(
         if not ratio:
             raise _fault(text, match.span(3), "a ratio of 0 would hold the joint still", "leave the joint out")
         if first in groups[second]:
-            raise _fault(text, match.span(), f"{match[1]} and {match[4]} are coupled already", "leave one of them out")
+            raise _fault(text, match.span(), f"{match[1]} and {match[4]} are already coupled", "leave one of them out")
         if chain[first] != chain[second]:
             raise _fault(
                 text,
@@ -81,7 +81,7 @@ def _equations(text: str) -> Iterator[re.Match[str]]:
         match = _EQUATION.fullmatch(text, at, at + len(part))
         if not match:
             span = (at, at + len(part))
-            raise _fault(text, span, f"{part.strip()[:40]!r} is no coupling", _EXAMPLE)
+            raise _fault(text, span, f"{part.strip()[:40]!r} is not a coupling", _EXAMPLE)
         yield match
         at += len(part) + 1
 
@@ -100,20 +100,23 @@ def _joint(
             text,
             span,
             f"{name} is a joint of another limb, and only joints of one chain are coupled",
-            "limbs are told apart by what each does to the platform alone; put the coupled joints into one chain, or"
+            "limbs are distinguished only by what each does to the platform; put the coupled joints into one chain, or"
             " star both and let the drive keep the ratio",
         )
     if name not in names:
         raise _fault(
             text,
             span,
-            f"no joint of this limb bears the name {name}",
+            f"no joint of this limb is named {name}",
             near(name, names) or (f"its named joints are {listed(list(names))}" if names else _EXAMPLE),
         )
     joint = joints[names[name]]
     if len(JOINTS[joint.kind].freedoms) != 1:
         raise _fault(
-            text, span, f"{joint} has several freedoms, and joints with one are coupled", "write it as joints R and P"
+            text,
+            span,
+            f"{joint} has several freedoms, and only joints with one can be coupled",
+            "write it as joints R and P",
         )
     return names[name]
 

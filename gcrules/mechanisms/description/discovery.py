@@ -32,7 +32,7 @@ def robots(folders: Folders = ()) -> tuple[RobotFile, ...]:
         other = found.setdefault(one.id, one)
         if Path(other.path).resolve() != Path(one.path).resolve():
             raise InputError(
-                f"two plugins bring a robot {one.id}: {other.owner} ({other.path}) and {one.owner} ({one.path})",
+                f"two plugins provide a robot {one.id}: {other.owner} ({other.path}) and {one.owner} ({one.path})",
                 hint="rename the folder of one of them",
             )
     return tuple(found[name] for name in sorted(found))
@@ -51,7 +51,7 @@ def find_robot(name: str | PathLike[str], folders: Folders = ()) -> RobotFile:
     known = {one.id: one for one in robots(folders)}
     if word not in known:
         hint = near(word, known) or f"there are {', '.join(known)}."
-        raise InputError(f"there is no robot {word!r}", hint=f"{hint} A file is named with its ending .yaml")
+        raise InputError(f"there is no robot {word!r}", hint=f"{hint} A file is named with its suffix .yaml")
     return known[word]
 
 
@@ -102,5 +102,5 @@ def _files(named: Path, plugin: Plugin) -> list[Path]:
         raise FileError(f"{plugin.owner}: cannot be read as robots: {why}", filename=str(named)) from None
     if not found:
         hint = f"name files, or folders that hold a {ROBOT_FILE} or folders with one"
-        raise FileError(f"{plugin.owner}: no robots are here", filename=str(named), hint=hint)
+        raise FileError(f"{plugin.owner}: there are no robots here", filename=str(named), hint=hint)
     return found

@@ -54,7 +54,7 @@ def read_platform(node: Node, family: Family, copies: int) -> tuple[str, ...]:
         own = [n for (copy,) in numbered(item, copies, text) for n in copy.replace(",", " ").split()]
         for name in own:
             if family.sorts.get(name) != "point":
-                item.fault(f"{name[:20]} is no point", near(name, family.sorts))
+                item.fault(f"{name[:20]} is not a point", near(name, family.sorts))
         names += own
     return tuple(dict.fromkeys(names))
 
@@ -65,7 +65,7 @@ def read_facts(node: Node, family: Family, copies: int) -> Iterator[tuple[Node, 
             match = _FACT.fullmatch(text.strip()) if len(text) <= MAX_TEXT else None
             sort = family.sorts.get(match[1]) if match else None
             if not match or sort is None:
-                item.fault(f"{text[:40]!r} is no fact", "write a name and a relation: u1 perpendicular to v1")
+                item.fault(f"{text[:40]!r} is not a fact", "write a name and a relation: u1 perpendicular to v1")
                 continue
             try:
                 said = Definition(match[1], sort, relation(sort, match[2]))

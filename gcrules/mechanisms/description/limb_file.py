@@ -283,7 +283,7 @@ def read_limb(text: str) -> tuple[tuple[JointSpec, ...], tuple[Subchain, ...]]:
             hint = near(start, reached) or f"reached before it: {', '.join(sorted(reached))}"
             raise _fault(text, *head.span(1), f"no chain before this one leads to {start}", hint)
         if end in (start, BASE) or start == PLATFORM:
-            raise _fault(text, *head.span(2), f"no chain leads from {start} to {end}", "chains lead from the base on")
+            raise _fault(text, *head.span(2), f"no chain leads from {start} to {end}", "chains start from the base")
         joints += own
         chains.append(Subchain(start, end, len(own)))
         reached.add(end)
@@ -303,7 +303,7 @@ def _named_once(text: str, joints: Sequence[JointSpec]) -> None:
     seen: set[str] = set()
     for j in joints:
         if j.name in seen:
-            raise _fault(text, j.place.start, j.place.end, f"two joints of the limb bear the name {j.name}")
+            raise _fault(text, j.place.start, j.place.end, f"two joints of the limb are named {j.name}")
         seen |= {j.name} - {""}
 
 
@@ -325,7 +325,7 @@ def joint_matches(text: str, at: int = 0, end: int | None = None) -> Iterator[re
     while text[at:end].strip():
         match = _JOINT.match(text, at, end)
         if not match:
-            raise _fault(text, at, end, f"{text[at:end][:30].strip()!r} is no joint", _EXAMPLE)
+            raise _fault(text, at, end, f"{text[at:end][:30].strip()!r} is not a joint", _EXAMPLE)
         yield match
         at = match.end()
     if at == first:
@@ -337,7 +337,7 @@ def _joint(text: str, match: re.Match[str]) -> JointSpec:
     start, end = match.span(1)
     if symbol not in JOINTS:
         hint = near(symbol, JOINTS) or f"the kinds are {', '.join(JOINTS)}"
-        raise _fault(text, start, end, f"{symbol[:20]!r} is no kind of joint", hint)
+        raise _fault(text, start, end, f"{symbol[:20]!r} is not a kind of joint", hint)
     kind = JOINTS[symbol]
     parts = [part.strip() for part in inside.split(",")] if inside.strip() else []
     if len(parts) != len(kind.parts):
@@ -349,7 +349,7 @@ def _joint(text: str, match: re.Match[str]) -> JointSpec:
         names = word.split()
         if form == "number":
             if not re.fullmatch(r"-?\d{1,9}(/[1-9]\d{0,8}|\.\d{1,9})?", word):
-                raise _fault(text, match.start(4), match.end(4), f"the {part} {word[:20]!r} is no number")
+                raise _fault(text, match.start(4), match.end(4), f"the {part} {word[:20]!r} is not a number")
             args.append(Fraction(word))
         elif not _NAMES.fullmatch(word) or (form == "point" and len(names) != 1):
             needed = "a point" if form == "point" else "a direction, or two points"

@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Any, cast
 
 from gcrules.algebra.language.legs_text import leg_text
 from gcrules.core.dataclass import dataclass
+from gcrules.core.english import with_article
 from gcrules.core.errors import GcrulesError, InputError, Span
 from gcrules.core.frozen import FrozenMap
 from gcrules.core.hints import near
@@ -160,7 +161,7 @@ def _part(
     match = re.fullmatch(r"(.*?)\s*(\S*?)\.\.(\S*?)(?:\s+([^\s.]+))?", part.replace("°", " °"))
     form, every = (_RANGES[noun], (f"{noun}s", noun, "all")) if kinds else (_FORM, _ALL)
     if not match:
-        raise InputError(f"{part[:60]!r} is no range{'' if kinds else ' of lengths'}", hint=form)
+        raise InputError(f"{part[:60]!r} is not a range{'' if kinds else ' of lengths'}", hint=form)
     who, first, last, word = match.groups()
     if word and not kinds:
         check_unit(word, unit)
@@ -169,7 +170,8 @@ def _part(
         one = noun if kinds else "leg"
         general = form if who.lower() in (*_ALL, "actuators", "actuator") else None
         raise InputError(
-            f"{who[:40]!r} is no {one}", hint=general or near(who, tuple(names)) or f"the {one}s are {', '.join(names)}"
+            f"{who[:40]!r} is not {with_article(one)}",
+            hint=general or near(who, tuple(names)) or f"the {one}s are {', '.join(names)}",
         )
     if not (first or last):
         raise InputError("a range without bounds", hint=form)
@@ -188,7 +190,7 @@ def limits_of_limbs(text: str, limbs: Sequence[LimbSpec], unit: str = "", option
     """
     driven = driven_freedoms(limbs)
     if not driven:
-        raise InputError("limits are of actuators, and no joint is driven").located(text, option, Span(0, len(text)))
+        raise InputError("limits apply to actuators, and no joint is driven").located(text, option, Span(0, len(text)))
     joints: dict[str, tuple[str, ...]] = {}
     for d in driven:
         if d.joint:

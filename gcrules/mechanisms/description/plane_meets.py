@@ -31,13 +31,13 @@ def line_of_planes(
     """Two points of the line, with what is derived for them; `taken` are names of others. Raises InputError."""
     sides = MEET.split(text)
     if len(sides) != 2:
-        raise InputError(f"{text.strip()[:40]!r} is no meet of two planes", hint=_EXAMPLE)
+        raise InputError(f"{text.strip()[:40]!r} is not a meet of two planes", hint=_EXAMPLE)
     first, second = (_plane(side, family) for side in sides)
     used = {*family.sorts, *taken}
     member = family.member("planes")
     rows: dict[str, Row] = dict(family.homogeneous(member))
     if RESIDUES.rank([rows[n] for n in (*first, *second)]) < 4:
-        raise InputError(f"{text.strip()[:40]} is no line: its planes are one", hint="name two different planes")
+        raise InputError(f"{text.strip()[:40]} is not a line: its planes coincide", hint="name two different planes")
     base, one, other = second
     normal = Derived(_fresh("n", used), (_towards(base, one, family), _towards(base, other, family)))
     found = [Derived(n, ()) for n in first if n in second]  # as they are
@@ -71,7 +71,7 @@ def _plane(text: str, family: Family) -> tuple[str, str, str]:
         raise InputError(f"{text.strip()[:40]!r} does not name a plane by three points or directions", hint=_EXAMPLE)
     a, b, c = sorted(names, key=lambda n: family.sorts[n] != "point")
     if family.sorts[a] != "point":
-        raise InputError(f"the plane {text.strip()[:40]} has no point", hint="one of the three is a point at least")
+        raise InputError(f"the plane {text.strip()[:40]} has no point", hint="at least one of the three is a point")
     return a, b, c
 
 

@@ -97,7 +97,7 @@ def _platform(document: Document) -> Platform:
     top = document.root.mapping(
         required=("legs", "points"),
         optional=("title", "note", "source", "units", "limits"),
-        reserved={"limbs": "a robot with limbs is analysed by `gcrules robot analyze`, it is no geometry file"},
+        reserved={"limbs": "a robot with limbs is analysed by `gcrules robot analyze`; it is not a geometry file"},
     )
     texts = {key: top[key].string() or "" for key in ("title", "note", "source") if key in top}
     units = read_units(top)
@@ -130,7 +130,8 @@ def _points(node: Node) -> _Points:
     for key, value in node.entries():
         if len(key.text) > _MAX_NAME or not _NAME.fullmatch(key.text):
             key.fault(
-                f"{key.text[:_MAX_NAME]!r} is no name of a point", "a letter, then letters, digits or primes: a, S1, A'"
+                f"{key.text[:_MAX_NAME]!r} is not a name for a point",
+                "a letter, then letters, digits or primes: a, S1, A'",
             )
         numbers = [item.rational(UNIT_ONCE) for item in value.sequence(length=3)]
         x, y, z = numbers if len(numbers) == 3 else (None, None, None)

@@ -250,7 +250,7 @@ def _sum(sort: str, text: str) -> Term:
         match = _ADDEND.match(text, at)
         if not match or (at and not match[1]) or not SHORT_NAME.fullmatch(match[3]):
             forms = "; ".join(form.words for form in RELATIONS[sort].values())
-            raise InputError(f"{text[:60]!r} is no relation of a {sort}", hint=f"{forms}; or a sum: B1 + A2 - A1")
+            raise InputError(f"{text[:60]!r} is not a relation for a {sort}", hint=f"{forms}; or a sum: B1 + A2 - A1")
         try:
             number = Fraction(match[2] or 1)
         except ZeroDivisionError:

@@ -200,9 +200,9 @@ class _Reader:
             for name, written in numbered(key, self.copies, key.text, text):
                 before = len(self.document.faults)
                 if not SHORT_NAME.fullmatch(name) or len(name) > 12:
-                    key.fault(f"{name[:20]!r} is no name", "a letter, then digits or primes: A1, S', r12")
+                    key.fault(f"{name[:20]!r} is not a name", "a letter, then digits or primes: A1, S', r12")
                 elif name in AXES:
-                    key.fault(f"{name} is a direction of the frame in every robot", "take another name")
+                    key.fault(f"{name} is a direction of the frame in every robot", "choose another name")
                 elif name in self.places:
                     key.fault(f"{name} is defined twice ({self.places[name].place})")
                 elif len(self.places) >= MAX_NAMES:
@@ -235,7 +235,7 @@ class _Reader:
                 if place not in told:  # copies stand at one place
                     chain = ", ".join(f"{a} needs {b}" for a, b in pairwise((*circle, circle[0])))
                     place.fault(
-                        f"{circle[0]} is defined by itself, in a circle: {chain}",
+                        f"{circle[0]} is defined in terms of itself: {chain}",
                         "let each relation use only names that can be made before it",
                     )
                 told += [self.places[n] for n in circle]
@@ -262,7 +262,7 @@ class _Reader:
                 self.faulty.append(node)
                 words = " ".join(n for _, n in reversed(term))
                 node.fault(
-                    f"{words} is no {sort}", "the numbers before points add up to 1 in a point, 0 in a direction"
+                    f"{words} is not a {sort}", "the numbers before points add up to 1 in a point, 0 in a direction"
                 )
                 return False
         return True
@@ -292,7 +292,7 @@ class _Reader:
                 if limb and "couplings" in top:
                     limb = self._coupled(limb, top["couplings"], named - {j.name for j in limb.joints})
                 if limb and own in seen:
-                    item.fault(f"two limbs bear the name {own!r}")
+                    item.fault(f"two limbs are named {own!r}")
                 elif limb and len(seen) >= MAX_LIMBS:
                     item.fault(f"more than {MAX_LIMBS} limbs")
                     return

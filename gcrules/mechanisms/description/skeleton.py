@@ -62,5 +62,7 @@ home:
 def skeleton(robot_id: str) -> str:
     """The text of a file that passes `gcrules robot check`. Raises InputError for what is no id."""
     if not _ID.fullmatch(robot_id):
-        raise InputError(f"{robot_id[:40]!r} is no id of a robot", hint="small letters, digits and hyphens: my-robot")
+        raise InputError(
+            f"{robot_id[:40]!r} is not an id for a robot", hint="lower-case letters, digits and hyphens: my-robot"
+        )
     return _TEXT.format(id=robot_id)

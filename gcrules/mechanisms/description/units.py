@@ -9,7 +9,7 @@ from gcrules.screws.pose import UNITS
 
 __all__ = ["UNIT_ONCE", "read_units"]
 
-UNIT_ONCE = "the unit stands once in the file, as  units: {}"
+UNIT_ONCE = "the unit is given once in the file, as  units: {}"
 """The advice for a number that bears a unit."""
 
 

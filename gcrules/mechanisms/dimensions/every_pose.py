@@ -70,23 +70,25 @@ def _of_joints(
     for margin in _margins(robot):
         seen.append(margin)
         if margin > limit:
-            sure = _AT_HOME if held else f"seen: home or a pose near by has the margin {margin:.2g}"
+            sure = _AT_HOME if held else f"seen: home or a pose nearby has the margin {margin:.2g}"
             return Architecture("regular", sure)
     if held and len(seen) < _ENOUGH:
         return Architecture("regular", _AT_HOME)
     worst = max(seen, default=0.0)
-    near = f" and in {len(seen) - 1} random poses near by" if len(seen) > 1 else ""
-    size = "0 but for rounding" if worst <= _ROUNDING else f"at most {worst:.2g}"
+    near = f" and in {len(seen) - 1} random poses nearby" if len(seen) > 1 else ""
+    size = "0 up to rounding" if worst <= _ROUNDING else f"at most {worst:.2g}"
     where = f"at home{near} the margin is {size}" if seen else "no margin was measured"
     zero = next((p for p in parts if p.of_design and _vanishes(robot, p, values)), None) if closed else None
     if zero is not None and not held:
         factor = text(zero.expression, names=tuple(robot.family.sorts))
-        sure = f"the factor {factor} of the condition of its lines rides on one body, and is exactly 0; {where}"
+        sure = f"the factor {factor} of the condition of its lines moves with one body, and is exactly 0; {where}"
         return Architecture("singular", sure, zero.statement)
     if len(seen) < _ENOUGH:
-        return Architecture("open", f"{where}; too few other poses were reached to tell more")
+        return Architecture("open", f"{where}; too few other poses were reached to say more")
     if closed and not held and worst <= _ROUNDING:
-        return Architecture("seems singular", f"{where}, and at home it is singular in exact numbers; that is no proof")
+        return Architecture(
+            "seems singular", f"{where}, and at home it is singular in exact numbers; that is not a proof"
+        )
     return Architecture("nearly singular", where)
 
 

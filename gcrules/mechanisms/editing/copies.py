@@ -46,9 +46,9 @@ def around(sheet: Sheet, place: int, count: int) -> Sheet:
     """So many limbs around z in place of one; as `copies` of the file, where it has none of another number."""
     limb = sheet.limbs[place]
     if not 2 <= count <= MAX_COPIES:
-        raise InputError(f"{count} limbs around z", hint=f"2 to {MAX_COPIES} can be")
+        raise InputError(f"{count} limbs around z", hint=f"from 2 to {MAX_COPIES} are possible")
     if limb.numbered:
-        raise InputError(f"{limb.name} stands for {sheet.copies} limbs already", hint="make single limbs of it first")
+        raise InputError(f"{limb.name}already stands for {sheet.copies} limbs", hint="make single limbs of it first")
     check_room(sheet, count - 1)
     if sheet.copies in (0, count):
         return _numbered(replace(sheet, copies=count), place, count)
@@ -60,7 +60,7 @@ def around(sheet: Sheet, place: int, count: int) -> Sheet:
 def recounted(sheet: Sheet, count: int) -> Sheet:
     """With another number of copies; the first stays, and the others are turned on from it."""
     if not 2 <= count <= MAX_COPIES:
-        raise InputError(f"{count} limbs around z", hint=f"2 to {MAX_COPIES} can be")
+        raise InputError(f"{count} limbs around z", hint=f"from 2 to {MAX_COPIES} are possible")
     made = replace(sheet, copies=count)
     check_room(made, 0)
     home: dict[str, Place] = {}
@@ -156,7 +156,7 @@ def _numbered(sheet: Sheet, place: int, count: int) -> Sheet:
     made, all_names = _turned_axes(replace(free, home=FrozenMap(home)), limb, "%", names, angles)
     copy = limb.renamed(all_names)
     if "%" not in copy.text:
-        raise InputError(f"all of {limb.name} lies on z", hint="put one of its points beside z")
+        raise InputError(f"all of {limb.name} lies on z", hint="put one of its points off the z axis")
     taken = {n for k, row in enumerate(sheet.limbs) if k != place for n in sheet.numbers(row.name)}
     own_label = _NUMBER.sub("%", limb.name)
     labels = (own_label if "%" in own_label else f"{own_label} %", "limb %", *(f"limb {c} %" for c in "bcdefghijkl"))

@@ -101,7 +101,7 @@ def _move_limb(sheet: Sheet, edit: Edit) -> Sheet:
 def _rename_limb(sheet: Sheet, edit: Edit) -> Sheet:
     limb, name = _limb(sheet, edit), " ".join(edit.text.split())
     if not name or len(name) > 60 or not _LIMB_NAME.fullmatch(name):
-        raise InputError(f"{name[:30]!r} is no name of a limb", hint="letters, digits and spaces: leg 1")
+        raise InputError(f"{name[:30]!r} is not a name for a limb", hint="letters, digits and spaces: leg 1")
     if limb.numbered and "%" not in name:
         name = f"{name} %"
     return sheet.with_limb(edit.limb, replace(limb, name=name if limb.numbered else name.replace("%", "")))
@@ -111,7 +111,7 @@ def _change_cable(sheet: Sheet, edit: Edit) -> Sheet:
     limb, name = _limb(sheet, edit), edit.text.strip()
     ends = limb.cable.split()
     if edit.part >= len(ends) or not _PART.fullmatch(name) or len(name.split()) != 1:
-        raise InputError(f"{name[:30]!r} is no end of a cable", hint="the name of a point: A1")
+        raise InputError(f"{name[:30]!r} is not an end of a cable", hint="the name of a point: A1")
     ends[edit.part] = name
     return sheet.with_limb(edit.limb, replace(limb, cable=" ".join(ends)))
 
@@ -155,7 +155,7 @@ def _put(sheet: Sheet, edit: Edit, joints: Sequence[JointRow]) -> Sheet:
 def _unit(sheet: Sheet, edit: Edit) -> Sheet:
     """With another unit of all lengths, whose numbers stay."""
     if edit.text and edit.text not in UNITS:
-        raise InputError(f"{edit.text[:20]!r} is no unit of length", hint=f"one of {', '.join(UNITS)}")
+        raise InputError(f"{edit.text[:20]!r} is not a unit of length", hint=f"one of {', '.join(UNITS)}")
     others = {key: value for key, value in sheet.others.items() if key != "units"}
     return replace(sheet, others=FrozenMap({**others, "units": edit.text} if edit.text else others))
 
@@ -168,7 +168,7 @@ def _add_joint(sheet: Sheet, edit: Edit) -> Sheet:
 def _remove_joint(sheet: Sheet, edit: Edit) -> Sheet:
     joints, _ = _joint(sheet, edit)
     if len(joints) == 1:
-        raise InputError("a limb has one joint at least", hint="take the limb away")
+        raise InputError("a limb has at least one joint", hint="remove the limb")
     return _put(sheet, edit, [*joints[: edit.joint], *joints[edit.joint + 1 :]])
 
 
@@ -211,7 +211,7 @@ def _change_part(sheet: Sheet, edit: Edit) -> Sheet:
     text = " ".join(edit.text.split())
     if not 0 <= edit.part < len(own.parts) or not text or len(text) > 40 or not _PART.fullmatch(text):
         hint = "a name, A1, or two points for a direction, A1 B1"
-        raise InputError(f"{text[:30]!r} is no part of a joint", hint=hint)
+        raise InputError(f"{text[:30]!r} is not a part of a joint", hint=hint)
     parts = list(own.parts)
     parts[edit.part] = text
     joints[edit.joint] = replace(own, parts=tuple(parts))

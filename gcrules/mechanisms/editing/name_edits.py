@@ -25,7 +25,7 @@ _NUMBER = re.compile(r"-?(\d{1,9}(/[1-9]\d{0,8})?|\d{0,9}\.\d{1,15})")
 def defined(sheet: Sheet, name: str, sort: str) -> Sheet:
     """With a further point or direction, that is free; home gets a place for it where it can."""
     if sort not in ("point", "direction"):
-        raise InputError(f"{sort[:20]!r} is no sort of name", hint="a point or a direction")
+        raise InputError(f"{sort[:20]!r} is not a kind of name", hint="a point or a direction")
     _check(sheet, name)
     return with_name(sheet, name, sort, "free")
 
@@ -36,7 +36,7 @@ def renamed(sheet: Sheet, name: str, to: str) -> Sheet:
     if to == row.name:
         return sheet
     if ("%" in row.name) != ("%" in to):
-        raise InputError(f"{to[:20]!r} is no name for {row.name}", hint="% stands for the numbers of copies")
+        raise InputError(f"{to[:20]!r} is not a name for {row.name}", hint="% stands for the numbers of copies")
     _check(replace(sheet, names=tuple(n for n in sheet.names if n != row)), to)
     names = {row.name: to, **dict(zip(sheet.numbers(row.name), sheet.numbers(to), strict=True))}
     others = {
@@ -61,7 +61,7 @@ def made_from(sheet: Sheet, name: str, relation: str) -> Sheet:
     """With another relation that makes a name."""
     row, text = _row(sheet, name), " ".join(relation.split())
     if not text or len(text) > 200 or not _RELATION.fullmatch(text):
-        raise InputError(f"{text[:30]!r} is no relation", hint="free, on line A B, in plane A perpendicular to u …")
+        raise InputError(f"{text[:30]!r} is not a relation", hint="free, on line A B, in plane A perpendicular to u …")
     return replace(sheet, names=tuple(replace(n, relation=text) if n == row else n for n in sheet.names))
 
 
@@ -92,11 +92,11 @@ def _row(sheet: Sheet, name: str) -> NameRow:
 def _check(sheet: Sheet, name: str) -> None:
     plain = name.replace("%", "1")
     if not SHORT_NAME.fullmatch(plain) or len(name) > 12 or name.count("%") > 1 or ("%" in name and not sheet.copies):
-        raise InputError(f"{name[:20]!r} is no name", hint="a letter, then digits or primes: A1, S', r12")
+        raise InputError(f"{name[:20]!r} is not a name", hint="a letter, then digits or primes: A1, S', r12")
     if name in AXES:
-        raise InputError(f"{name} is a direction of the frame in every robot", hint="take another name")
+        raise InputError(f"{name} is a direction of the frame in every robot", hint="choose another name")
     if twice := set(sheet.numbers(name)) & sheet.every_name:
-        raise InputError(f"there is a name {min(twice)} already", hint="take another name")
+        raise InputError(f"there is a name {min(twice)} already", hint="choose another name")
 
 
 def _coordinates(texts: Sequence[str]) -> Place:
@@ -105,6 +105,6 @@ def _coordinates(texts: Sequence[str]) -> Place:
         raise InputError("a place has three coordinates")
     for word in words:
         if not _NUMBER.fullmatch(word):
-            raise InputError(f"{word[:20]!r} is no number", hint="numbers are written 3, -0.25 or 1/3")
+            raise InputError(f"{word[:20]!r} is not a number", hint="numbers are written 3, -0.25 or 1/3")
     x, y, z = (str(Fraction(w)) if "/" in w else w for w in words)
     return x, y, z

@@ -77,7 +77,9 @@ def _with_row(sheet: Sheet, stem: str, chains: tuple[ChainRow, ...] = ()) -> She
 def joint_kind(text: str) -> str:
     """The symbol of a kind of joints. Raises InputError for another."""
     if text not in JOINTS:
-        raise InputError(f"{text[:20]!r} is no kind of joint", hint=near(text, JOINTS) or f"one of {', '.join(JOINTS)}")
+        raise InputError(
+            f"{text[:20]!r} is not a kind of joint", hint=near(text, JOINTS) or f"one of {', '.join(JOINTS)}"
+        )
     return text
 
 
@@ -113,7 +115,7 @@ def _chain(text: str) -> list[tuple[str, str]]:
         match = _LINK.match(text, at)
         if match is None:
             raise InputError(
-                f"{text[at:][:20]!r} is no joint", hint="letters of joints, with a star where one is driven: UP*S"
+                f"{text[at:][:20]!r} is not a joint", hint="letters of joints, with a star where one is driven: UP*S"
             )
         found.append((joint_kind(match[1]), match[2] or ""))
         at = match.end()

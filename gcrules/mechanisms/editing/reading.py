@@ -109,7 +109,7 @@ class _Reader:
     def _limb(self, place: int, item: Node) -> LimbRow:
         parts = {key.text: value for key, value in item.entries()} if item.kind == "mapping" else {}
         if parts.keys().isdisjoint(("joints", "cable")) or not parts.keys() <= _OF_LIMB:
-            raise self._fault(item, "this limb is no list of joints", "- joints: R(A1, r1) P*(A1 S1) S(S1)")
+            raise self._fault(item, "this limb is not a list of joints", "- joints: R(A1, r1) P*(A1 S1) S(S1)")
         ends = [value.children[-1].span if value.children else value.span for value in parts.values()]
         self.places["limb", place] = Span(item.span.start, max((s.end for s in ends), default=item.span.end))
         joints, cable = parts.get("joints"), parts.get("cable")

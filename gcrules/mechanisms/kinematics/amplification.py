@@ -272,13 +272,13 @@ INDICES: Mapping[str, Index] = MappingProxyType(
             lambda a: a.turns.max(axis=1),
         ),
         "shift_error": Index(
-            "bound of the shift of the centre for errors of all actuators up to one unit",
+            "bound on the shift of the centre for errors of all actuators up to one unit",
             False,
             ("", "{}/rad"),
             lambda a: a.speeds.sum(axis=1),
         ),
         "turn_error": Index(
-            "bound of the turn of the platform for errors of all actuators up to one unit",
+            "bound on the turn of the platform for errors of all actuators up to one unit",
             False,
             ("rad/{}", ""),
             lambda a: a.turns.sum(axis=1),
@@ -320,13 +320,13 @@ INDICES: Mapping[str, Index] = MappingProxyType(
             lambda a: a.passing.constraints.min(axis=1),
         ),
         "clearance_shift": Index(
-            "bound of the shift of the centre for joints with clearances of one unit, and no tilts",
+            "bound on the shift of the centre for joints with clearances of one unit, and no tilts",
             False,
             ("", ""),
             lambda a: a.passing.clearance_shifts,
         ),
         "clearance_turn": Index(
-            "bound of the turn of the platform for joints with clearances of one unit, and no tilts",
+            "bound on the turn of the platform for joints with clearances of one unit, and no tilts",
             False,
             ("rad/{}", "rad/{}"),
             lambda a: a.passing.clearance_turns,

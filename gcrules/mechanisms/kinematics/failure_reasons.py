@@ -32,7 +32,7 @@ def in_two_places(m: Linkage, name: str, two: Sequence[Attachment]) -> NotClosed
     """For a name that two links carry apart."""
     one, other = (carrier(m.robot, a) for a in two)
     return NotClosed(
-        f"{name} would be in two places: it rides on {one} and on {other}",
+        f"{name} would be in two places: it is carried by {one} and by {other}",
         f"give a name of its own to one of them, with the coordinates of {name} at home",
     )
 
@@ -40,9 +40,9 @@ def in_two_places(m: Linkage, name: str, two: Sequence[Attachment]) -> NotClosed
 def off_its_relation(m: Linkage, name: str) -> NotClosed:
     """For a name that its link, or those it is made from, carry away from its relation."""
     text = next(d.text for d in m.robot.family.definitions if d.name == name)
-    rides = f": it rides on {carrier(m.robot, m.attachments[name][0])}" if name in m.attachments else ""
+    rides = f": it is carried by {carrier(m.robot, m.attachments[name][0])}" if name in m.attachments else ""
     return NotClosed(
-        f"{name} would leave its relation, {text}{rides}",
+        f"{name} would violate its relation, {text}{rides}",
         f"give a name of its own to what moves along with the joints, with the coordinates of {name} at home, or"
         " relations that hold in every pose",
     )
@@ -66,7 +66,7 @@ def stopped(m: Linkage, here: Configuration, wanted: Target, part: float, told: 
         message = f"{m.robot.id} cannot move from home towards {wanted.text}: {reason}"
     else:
         message = (
-            f"{m.robot.id} was not followed from home to {wanted.text}: it comes {100 * part:.3g}% of the way"
+            f"{m.robot.id} was not followed from home to {wanted.text}: it gets {100 * part:.3g}% of the way"
             f" ({place}), where {reason}"
         )
     return InputError(message, hint=_HINT if small else fault.hint)

@@ -128,7 +128,7 @@ def _solved(course: Course, here: Configuration, part: float) -> Joints:
     """The joints near a configuration at a part of the course. Raises NotClosed."""
     joints = close_loops(course, Configurations.of([here]), course.goal(np.array([part])))
     if not joints.closed[0]:
-        raise NotClosed("joints go far in a small step" if joints.far[0] else "the loops do not close")
+        raise NotClosed("joints move far in a small step" if joints.far[0] else "the loops do not close")
     return joints
 
 

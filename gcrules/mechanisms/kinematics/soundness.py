@@ -49,7 +49,7 @@ def sound(
         raise NotClosed(fault.message) from None
     loose, name, _ = _worst(unfixed(m, before, links, chains))
     if not loose <= _SOUND:
-        raise NotClosed(f"{name} would not stay fixed in its links: other limbs move what it is named by")
+        raise NotClosed(f"{name} would not stay fixed in its links: other limbs move the points that define it")
     return there, chains, max(apart, off, loose)
 
 

@@ -62,7 +62,7 @@ def _refuse(name: str, held: bool, twists: int, wrenches: int, power: float) -> 
     what = "with its actuators locked" if held else "with its actuators free"
     more = f"; largest power of one on the other {power:.2g}" if power else ""
     raise InputError(
-        f"{name} {what} does not come out as the model has it: its joints allow {twists} twists,"
+        f"{name} {what} does not agree with the model: its joints allow {twists} twists,"
         f" the robot file has {wrenches} wrenches{more}",
         hint="the model may be singular at its home, or its decimals too coarse: try another --tolerance",
     )

@@ -86,7 +86,9 @@ def _read(document: Document) -> Closures:
         names = [n.string() or "" for n in pair.sequence(2)]
         kind = _LOOPS.get(((types[k].string() or "") if types else "6d").lower())
         if kind is None:
-            types[k].fault(f"{types[k].text[:20]!r} is no type of a loop", "write 3d for a point, 6d for a whole frame")
+            types[k].fault(
+                f"{types[k].text[:20]!r} is not a type of loop", "write 3d for a point, 6d for a whole frame"
+            )
         if len(names) == 2:
             loops.append(Loop(names[0], names[1], kind or "fixed", YamlPlace(pair)))
     motors = {n.string() or "": YamlPlace(n) for n in (top["name_mot"].sequence() if "name_mot" in top else ())}

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from gcrules.core.english import counted
 from gcrules.core.errors import InputError
 from gcrules.core.hints import near
 from gcrules.mechanisms.models.graph import Graph
@@ -48,9 +49,10 @@ def check_driven(
     if len(driven) >= mobility:
         return
     said = f"{', '.join(driven)} only" if driven else "none"
+    number = f"{counted(len(driven), 'joint')} {'is' if len(driven) == 1 else 'are'}"
     able = [m.joint for m in motions if m.kind in "RPHC" and m.joint not in ratios]
     raise InputError(
-        f"the platform {platform} has mobility {mobility}, and driven in the model are {len(driven)} joints ({said})",
+        f"the platform {platform} has mobility {mobility}, and {number} driven in the model ({said})",
         hint=f"name what is driven: --actuators {','.join(_guess(motions, mobility) or able[:mobility])}",
     )
 

@@ -148,6 +148,6 @@ def _words(wishes: Sequence[Wish], taken: Sequence[Wish]) -> Iterator[str]:
     left = sum(w not in taken for w in wishes)
     if left:
         yield (
-            f"{left} more nearly hold, and were left: with the others they contradict themselves, or would move a joint"
-            " by more than the tolerance"
+            f"{left} more hold nearly, and were left out: together with the others they contradict each other, or would"
+            " move a joint by more than the tolerance"
         )

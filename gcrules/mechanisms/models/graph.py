@@ -101,7 +101,7 @@ class Graph:
             raise InputError(self._why_no_platform(start), hint=self._offers() or None)
         by_name = [b for b, n in counts.items() if n > 1 and self._is_platform(b)]
         best = by_name if len(by_name) == 1 else [b for b, n in counts.items() if n == most]
-        why = "by its name" if len(by_name) == 1 else "the link with most limbs"
+        why = "by its name" if len(by_name) == 1 else "the link with the most limbs"
         if len(best) > 1:
             listed = sorted(counts, key=lambda b: (-counts[b], -self._joints_at(b)))
             said = ", ".join(f"{b} ({counts[b]} chains)" for b in listed[:_LISTED])
@@ -143,9 +143,10 @@ class Graph:
             return f"no joints lead from {start} to {end}"
         if not self._blocks:
             return (
-                f"{end} is no platform with limbs: one chain alone leads to it from {start}, and the model has no loops"
+                f"{end} is not a platform with limbs: only one chain leads to it from {start}, and the"
+                " model has no loops"
             )
-        return f"{end} is no platform with limbs: all ways from {start} to it go through one link or joint"
+        return f"{end} is not a platform with limbs: all ways from {start} to it go through one link or joint"
 
     def _why_no_platform(self, start: str) -> str:
         if not self._blocks:

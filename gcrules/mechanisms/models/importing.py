@@ -181,8 +181,8 @@ class _Import:
         for joint, (leader, _) in self.ratios.items():
             if not any({joint, leader} <= {m.joint for m in motions} for motions in own):
                 raise InputError(
-                    f"joint {joint} follows joint {leader} of another limb, which no robot file says",
-                    hint="each limb is told apart by what it does to the platform alone",
+                    f"joint {joint} follows joint {leader} of another limb, which a robot file cannot express",
+                    hint="each limb is distinguished only by what it does to the platform",
                 )
         return self._written(drawn, own, moving, values, mobility)
 
@@ -250,7 +250,7 @@ class _Import:
             kinds, count = " and ".join(sorted({p.kind for p in bars})), len(bars[0].slots[0].values)
             self.notes.append(
                 f"{kinds} are bars that stay parallel, as they do in the {count} configurations that were computed;"
-                " what is said of the robot holds while they do"
+                " what is said about the robot holds while they do"
             )
         limbs = tuple(
             ImportedLimb(spec.name, spec.chain, tuple((p.kind + p.driven, p.joints) for p in d.parts))

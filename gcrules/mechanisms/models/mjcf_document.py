@@ -78,7 +78,7 @@ class Compiler:
         numbers = np.array(element.read_numbers(element.attributes[written[0]], _COUNTS[written[0]], written[0]))
         found = self._turn(written[0], numbers)
         if found is None:
-            raise element.error(f"{written[0]} is no turn: a direction has no length", written[0])
+            raise element.error(f"{written[0]} is not a turn: a direction has no length", written[0])
         return found
 
     def _turn(self, written: str, n: Floats) -> Floats | None:

@@ -91,7 +91,7 @@ def _amounts(source: Robot | Platform, limbs: Sequence[LimbSpec]) -> Iterator[tu
 
 def _known(unit: str) -> str:
     if unit not in METRES:
-        raise InputError(f"{unit[:20]!r} is no unit of length", hint=f"one of {', '.join(METRES)}")
+        raise InputError(f"{unit[:20]!r} is not a unit of length", hint=f"one of {', '.join(METRES)}")
     return unit
 
 

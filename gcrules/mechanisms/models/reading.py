@@ -44,11 +44,11 @@ def parse_model(text: str, filename: str = "<input>") -> Model:
     _check(root)
     for element in root.below():
         if element.tag == "include":
-            raise element.error("a model that is given as text includes no files", hint="give the file by its name")
+            raise element.error("a model that is given as text cannot include files", hint="give the file by its name")
     return READERS[root.tag](root)
 
 
 def _check(root: Element) -> None:
     if root.tag not in READERS:
         hint = "files of models have <robot> (URDF), <sdf> (SDF) or <mujoco> (MJCF) at their root"
-        raise root.error(f"the root element is <{quoted(root.tag)[1:-1]}>: this is no model of a robot", hint=hint)
+        raise root.error(f"the root element is <{quoted(root.tag)[1:-1]}>: this is not a model of a robot", hint=hint)

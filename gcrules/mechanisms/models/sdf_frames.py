@@ -209,7 +209,7 @@ def read_pose(pose: Element) -> Floats:
         x, y, z, qx, qy, qz, qw = pose.read_numbers(pose.text, (7,))
         turn = from_quaternion(qw, qx, qy, qz)
         if turn is None:
-            raise pose.error("a quaternion of length 0 is no turn")
+            raise pose.error("a quaternion of length 0 is not a turn")
         return frame((x, y, z), turn)
     x, y, z, *angles = pose.read_numbers(pose.text, (6,))
     unit = np.pi / 180 if pose.attributes.get("degrees") in ("true", "1") else 1.0

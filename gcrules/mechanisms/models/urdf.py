@@ -126,7 +126,8 @@ class _Urdf:
             )
         if len(roots) > 1:
             raise self.made.links[roots[1]].error(
-                f"{quoted(roots[0])} and {quoted(roots[1])} are both no child of any joint: which is the base?", "name"
+                f"neither {quoted(roots[0])} nor {quoted(roots[1])} is the child of a joint: which is the base?",
+                "name",
             )
         return roots[0]
 
@@ -154,7 +155,7 @@ class _Urdf:
         for name, element in self.made.links.items():
             if name not in self.frames:
                 raise element.error(
-                    f"link {quoted(name)} is not reached from the base {quoted(base)}: its joints go round", "name"
+                    f"link {quoted(name)} is not reached from the base {quoted(base)}: its joints form a circle", "name"
                 )
         for j in self.joints.values():
             self._add(j, closing=first[j.child] is not j)
@@ -269,7 +270,7 @@ def _origin(element: Element | None) -> Floats:
         x, y, z, w = element.numbers("quat_xyzw", (0.0, 0.0, 0.0, 1.0))
         found = from_quaternion(w, x, y, z)
         if found is None:
-            raise element.error("a quaternion of length 0 is no turn", "quat_xyzw")
+            raise element.error("a quaternion of length 0 is not a turn", "quat_xyzw")
         turn = found
     return frame(element.numbers("xyz", (0.0, 0.0, 0.0)), turn)
 

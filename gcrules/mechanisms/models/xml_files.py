@@ -151,7 +151,7 @@ class Element:
         word = self.needed(attribute)
         if word not in words:
             hint = near(word, words) or f"known: {', '.join(words)}"
-            raise self.error(f"{attribute}={quoted(word)} is not known of <{self.tag}>", attribute, hint)
+            raise self.error(f"{attribute}={quoted(word)} is not known for <{self.tag}>", attribute, hint)
         return word
 
     def number(self, attribute: str, default: float) -> float:
@@ -185,12 +185,12 @@ class Element:
             return -math.inf if endless[1] == "-" else math.inf
         if len(word) > MAX_NUMBER or not _NUMBER.fullmatch(word):
             finite = "finite " if endless or word.lstrip("+-").lower() == "nan" else ""
-            raise self.error(f"{what}: {quoted(word)} is no {finite}number", attribute)
+            raise self.error(f"{what}: {quoted(word)} is not a {finite}number", attribute)
         value = float(word)
         if unlimited and abs(value) >= NO_LIMIT:
             return math.copysign(math.inf, value)
         if abs(value) > LARGEST:
-            raise self.error(f"{what}: {quoted(word)} is beyond any machine", attribute, "lengths are metres")
+            raise self.error(f"{what}: {quoted(word)} is beyond any machine", attribute, "lengths are in metres")
         return value
 
 

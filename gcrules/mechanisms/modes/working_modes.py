@@ -97,7 +97,7 @@ class LimbChoices:
             if not 0 <= part < len(own):
                 ways = "only this one way" if len(own) == 1 else f"{len(own)} ways"
                 raise InputError(
-                    f"{text} is no working mode of {robot.id}: at home {ways} of {limb.name} to hold the platform"
+                    f"{text} is not a working mode of {robot.id}: at home {ways} of {limb.name} to hold the platform"
                     f" {'was' if len(own) == 1 else 'were'} found",
                     hint=self._examples(),
                 )
@@ -135,7 +135,9 @@ def in_working_mode(choices: LimbChoices, mode: Sequence[int]) -> Robot:
     try:
         here = choices.configuration(mode)
     except NotClosed as fault:
-        raise InputError(f"{robot.id} is none of its family in the mode {name}: {fault}", hint=fault.hint) from None
+        raise InputError(
+            f"{robot.id}is not a member of its family in the mode {name}: {fault}", hint=fault.hint
+        ) from None
     return at_places(choices.linkage, here.values, f"working mode {name}", driven=True)
 
 
@@ -157,7 +159,7 @@ def reached_at(m: Linkage, platform: Floats) -> Configuration:
     try:
         return configuration_at(m, amounts)
     except NotClosed as fault:
-        raise InputError(f"{m.robot.id} is none of its family in that pose: {fault}", hint=fault.hint) from None
+        raise InputError(f"{m.robot.id}is not a member of its family in that pose: {fault}", hint=fault.hint) from None
 
 
 def at_places(m: Linkage, places: Values, words: str, *, driven: bool = False) -> Robot:

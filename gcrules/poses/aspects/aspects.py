@@ -50,7 +50,7 @@ _DRAWN = 64  # at once
 _ROUNDS = 60  # of draws, until it is given up to find as many poses as were asked for
 _SPREAD = 0.5  # sizes, and rad: of half the poses around home
 _SINGULAR = "singular, or too close to it"
-_BESIDE = "outside of the region or the limits"
+_BESIDE = "outside the region or the limits"
 
 
 def aspects(
@@ -101,7 +101,7 @@ def aspects_of(
     starts = _Starts.of(domain, every)
     starts.draw(random, poses)
     if not starts.places:
-        raise InputError("no pose was met that keeps to what is asked for", hint="widen --within, or ask for less")
+        raise InputError("no pose was found that satisfies what is asked for", hint="widen --within, or ask for less")
     if len(starts.places) > states:
         raise InputError(f"{len(starts.places)} poses are more than the {states:,} states of the search")
     joiner = Joiner(domain, starts.places, starts.without_spare_signs())

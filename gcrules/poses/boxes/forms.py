@@ -78,7 +78,7 @@ def _of_limbs(m: Limbs, names: tuple[str, ...]) -> BoxForms:
     if found is None:
         raise InputError(
             f"the wrenches of {m.robot.id} have no closed form in {listed(names)} that is known here",
-            hint="a map over nodes (with a number in each range), gcrules free and gcrules path do without",
+            hint="a map over nodes (with a number in each range), gcrules free and gcrules path do without one",
         )
     return BoxForms(found.checked, found.plain, found.lines, found.reached)
 

@@ -78,7 +78,9 @@ def question(m: Mechanism, over: Sequence[str | GridAxis], at: Any, limits: str 
     foreign = next((a for a in axes if a.name not in (*TRANSLATION, *TURNS)), None)
     if foreign is not None:
         more = "; gcrules free --over actuators proves ranges of actuators" if foreign.kind == ACTUATOR else ""
-        raise InputError(f"whole boxes are not over {foreign.name}", hint=f"take x, y, z, roll, pitch or yaw{more}")
+        raise InputError(
+            f"whole boxes cannot range over {foreign.name}", hint=f"take x, y, z, roll, pitch or yaw{more}"
+        )
     check_turns(axes)
     found = method(_QUESTION, m, "a map of whole boxes")(axes, at, limits)
     far = next((a for a in axes if a.name in TRANSLATION and max(-a.start, a.stop) > FAR * found.size), None)
@@ -119,7 +121,10 @@ def _check_whole_turns(reach: LengthLimits) -> None:
         if angle and max((abs(c) for c in (low, high) if math.isfinite(c)), default=0.0) > math.tau + 1e-9:
             raise InputError(
                 f"the limits of {name} are more than a turn from home",
-                hint="whole turns are not told apart here: write them between -360 and 360 deg",
+                hint=(
+                    "turns that differ by whole revolutions are not distinguished here: write them between"
+                    " -360 and 360 deg"
+                ),
             )
 
 

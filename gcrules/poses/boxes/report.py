@@ -97,7 +97,7 @@ class BoxMap(HoldsArrays, Shown):
         and the status of each (N,) by its number, free 0, crossed 1, undecided 2, outside 3.
         """
         if status is not None and status not in MEANINGS:
-            raise InputError(f"{status!r} is no status", hint=f"there are {', '.join(MEANINGS)}")
+            raise InputError(f"{status!r} is not a status", hint=f"there are {', '.join(MEANINGS)}")
         for tile in range(self.task.number):
             leaves = self.leaves(tile)
             some = slice(None) if status is None else leaves.status == MEANINGS.index(status)

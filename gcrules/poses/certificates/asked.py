@@ -115,5 +115,5 @@ def share_of(text: str | float) -> float:
     number = read_number(given.rstrip("% "))
     found = number / 100 if given.endswith("%") else number
     if not 0 < found <= 1:
-        raise InputError(f"the target {given[:40]} is no share of the range", hint='as in "99.9%", or 0.999')
+        raise InputError(f"the target {given[:40]} is not a share of the range", hint='as in "99.9%", or 0.999')
     return float(found)

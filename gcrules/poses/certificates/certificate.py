@@ -188,7 +188,7 @@ def check_suffix(path: str) -> str:
     if kind in PICTURES or path.lower().endswith((".json", ".json.gz")):
         return kind
     raise FileError(
-        "no name of a certificate",
+        "not a name for a certificate",
         filename=path,
         hint=f"certificates end in .json or .json.gz, pictures of them in {', '.join(f'.{p}' for p in PICTURES)}",
     )
@@ -215,11 +215,9 @@ def read_certificate(path: str | PathLike[str]) -> dict[str, Any]:
     except OSError as fault:
         raise FileError(f"cannot be read: {fault.strerror or fault}", filename=name) from None
     except (ValueError, EOFError, RecursionError) as fault:
-        raise FileError("no certificate: not JSON", filename=name) from fault
+        raise FileError("not a certificate: not JSON", filename=name) from fault
     if not isinstance(found, dict) or found.get("format") != FORMAT:
-        raise FileError(
-            "no certificate of a format that is known", filename=name, hint="gcrules certify … -o FILE.json"
-        )
+        raise FileError("not a certificate in a known format", filename=name, hint="gcrules certify … -o FILE.json")
     return found
 
 
@@ -243,7 +241,7 @@ def restored(search: Search, kept: dict[str, Any], question: dict[str, Any], nam
         if waiting:
             raise InputError("it ends too soon")
     except (KeyError, TypeError, ValueError, IndexError, StopIteration, InputError) as fault:
-        raise FileError("no certificate: its tree of boxes is not complete", filename=name) from fault
+        raise FileError("not a certificate: its tree of boxes is not complete", filename=name) from fault
 
 
 def _side(sign: str, search: Search) -> int:

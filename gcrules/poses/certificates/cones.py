@@ -90,7 +90,7 @@ def cones(text: str, option: str = "--cone") -> Cones:
         for part in map(str.strip, text.split(",")):
             match = re.fullmatch(rf"(?:(all joints|all|\S+)\s+)?({_ANGLE.pattern})", part)
             if match is None:
-                raise InputError(f"{part[:60]!r} is no cone", hint=_FORM)
+                raise InputError(f"{part[:60]!r} is not a cone", hint=_FORM)
             who = match[1]
             found.append(("" if who in (None, "all", "all joints") else who, _half_angle(match[2], "cone")))
     except GcrulesError as fault:
@@ -109,7 +109,7 @@ def tilt_of(text: str, option: str = "--tilt") -> float:
 def _half_angle(text: str, what: str) -> float:
     match = _ANGLE.fullmatch(text)
     if match is None:
-        raise InputError(f"{text[:40]!r} is no angle with its unit", hint='as in "40 deg"')
+        raise InputError(f"{text[:40]!r} is not an angle with its unit", hint='as in "40 deg"')
     found = float(read_number(match["number"])) * (1.0 if match["unit"] == "rad" else math.radians(1.0))
     if not 0 < found < math.pi:
         raise InputError(f"a {what} of {text}", hint="it is between 0 and 180 deg")
@@ -142,7 +142,9 @@ def _chosen(rods: list[tuple[tuple[str, str], tuple[bool, bool]]], given: Cones 
     wrong = next((who for who, _ in given.given if who not in ("", "base", "platform", *points)), None)
     if wrong is not None:
         known = f"they are {', '.join(sorted(points))}" if points else "this robot has none"
-        raise InputError(f"{wrong!r} is no ball or universal joint of a rod", hint=near(wrong, tuple(points)) or known)
+        raise InputError(
+            f"{wrong!r} is not a ball or universal joint of a rod", hint=near(wrong, tuple(points)) or known
+        )
     if not found:
         raise InputError("this robot has no ball or universal joints of rods between two points")
     return tuple(found)

@@ -121,7 +121,7 @@ def output(batch: Batch, out: Any) -> Floats:
     if out is None:
         return np.empty(batch.number)
     if not isinstance(out, np.ndarray) or out.dtype != np.float64 or out.shape != (batch.number,):
-        raise InputError("out is no array of floats for these poses", hint=f"np.empty({batch.number})")
+        raise InputError("out is not an array of floats for these poses", hint=f"np.empty({batch.number})")
     if not out.flags.writeable or any(np.may_share_memory(out, a) for a in batch.arrays):
         raise InputError("out cannot be written to, or shares its memory with the poses")
     return out

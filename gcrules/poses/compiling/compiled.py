@@ -185,7 +185,7 @@ def _of_limbs(
     if expression is not None:
         raise InputError(
             "an expression is compiled for platforms on six legs only",
-            hint="leave it out: of a robot of joints the factors of its condition are compiled",
+            hint="leave it out: for a robot of joints the factors of its condition are compiled",
         )
     return compiled_limbs(m, coordinates, engine)
 
@@ -219,5 +219,5 @@ def _scalar(expression: str | Expr, names: tuple[str, ...]) -> Expr:
         raise InputError("only scalars in space are compiled", hint="an expression of step 0 in rank 4")
     unknown = [n for n in points_of(e) if n not in names]
     if unknown:
-        raise InputError(f"{', '.join(unknown)} are no joints of the robot", hint=f"its joints are {', '.join(names)}")
+        raise InputError(f"{', '.join(unknown)} are not joints of the robot", hint=f"its joints are {', '.join(names)}")
     return e

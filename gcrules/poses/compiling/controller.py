@@ -147,7 +147,7 @@ def _tests_of_legs(m: SixLegs, poses: Floats) -> list[Test]:
 def _of_limbs(m: Limbs, coordinates: str | Sequence[str] | None) -> Controller:
     value = compiled_limbs(m, coordinates)
     if value.driven:
-        raise InputError("code takes coordinates of the platform", hint="of actuators gc.compiled gives the numbers")
+        raise InputError("code takes coordinates of the platform", hint="for actuators gc.compiled gives the numbers")
     target = Target(value.coordinates, np.zeros(len(value.coordinates)), False)
     poses = _drawn([m.linkage.size if n in SHIFTS else 1.0 for n in value.coordinates])
     places, there = proved_at(m, target, poses)

@@ -37,7 +37,7 @@ def traced_factors(m: Limbs, places: Places) -> tuple[Ring, ...]:
     """
     analysis = m.analysis
     if analysis.lines is None:
-        raise NoForm("wrenches that are no lines of the file's points")
+        raise NoForm("wrenches that are not lines through the file's points")
     structure, parts = analysis.lines.structure, analysis.parts
     live = [part.expression for part in parts if part.kind not in ASIDE]
     used = dict.fromkeys(n for part in parts for n in points_of(part.expression))

@@ -118,7 +118,7 @@ def plain_wrenches(m: Limbs, places: LimbPlaces, more: Sequence[Ring] = ()) -> P
 
 def _lines_of(limb: Any) -> tuple[Any, ...]:
     if limb.lines is None or limb.derived:
-        raise NoForm("wrenches that are no lines of the file's points")
+        raise NoForm("wrenches that are not lines through the file's points")
     return tuple(limb.lines)
 
 

@@ -55,7 +55,7 @@ class Section:
             raise InputError(
                 f"{legs.title}: an end of the range of {legs.names[free[1]]} is singular for all lengths of"
                 f" {legs.names[free[0]]}",
-                hint="take another range",
+                hint="use another range",
             )
         return cls(legs, free, held, square, found, scale)
 

@@ -89,7 +89,10 @@ class ThreeLegs:
         found = SingularCurve.of(value, max(1, int(most * scale * scale) // _PARTS))
         if found is None or found.elimination is None:
             raise InputError(
-                f"{self.title}: the singular lengths are no curve without multiple parts, the dimensions are special",
+                (
+                    f"{self.title}: the singular lengths are not a curve without multiple parts: the dimensions"
+                    " are special"
+                ),
                 hint="hold another leg, or change the dimensions or the length that is held by a little",
             )
         return found, scale * scale
@@ -111,7 +114,7 @@ def three_legs(m: Mechanism) -> ThreeLegs:
     legs = [_leg(limb) for limb in robot.limbs]
     other = next((limb for limb, leg in zip(robot.limbs, legs, strict=True) if leg is None), None)
     if not reason and other is not None:
-        reason = f"{other.name or 'a limb'} ({other.chain}) is no leg RP*R whose ends the slide joins"
+        reason = f"{other.name or 'a limb'} ({other.chain}) is not a leg RP*R whose ends the slide joins"
     if reason:
         raise InputError(f"{what}; {robot.id}: {reason}", hint=_HINT)
     values = robot.values_at()

@@ -142,7 +142,7 @@ def _open(found: FirstSingular) -> str:
     """What is not decided, in words."""
     words = [f"{100 * a:.4g}% to {100 * b:.4g}%" for a, b in found.undecided]
     if found.doubt is not None and not words:
-        return f"from {100 * found.doubt:.4g}% on its branch is not proved"
+        return f"beyond {100 * found.doubt:.4g}% its branch is not proved"
     return f"at {listed(words)} of the way it is not decided"
 
 
@@ -171,7 +171,9 @@ def target_of(m: Linkage, at: Any, actuators: Any, degrees: bool = False) -> Tar
         case Sequence() if len(at) == 3:
             x, y, z = (exact(c, "the translation") for c in at)
             return pose_target(m, Pose((x, y, z)))
-    raise InputError(f"{str(at)[:60]!r} is no pose", hint='write "z=0.2, roll=5deg", or "x y z; euler zyx a b c deg"')
+    raise InputError(
+        f"{str(at)[:60]!r} is not a pose", hint='write "z=0.2, roll=5deg", or "x y z; euler zyx a b c deg"'
+    )
 
 
 def _driven(m: Linkage, given: Any, degrees: bool) -> Target:
@@ -251,7 +253,7 @@ def _verdict(m: Linkage, near: LimbMargin, own: Sequence[float], limit: Threshol
         words += " not bound how far a singular configuration is"
     else:
         certain = "It is only certain that,"
-        words = "the limbs' own singularities apart, no configuration is singular while the wrenches of every limb"
+        words = "apart from the limbs' own singularities, no configuration is singular while the wrenches of every limb"
         words += f" turn by less than {degrees(turn)} relative to the platform"
     if word == "regular":
         return word, f"{_capital(words)} (threshold {limit.text})."
@@ -304,8 +306,8 @@ def _closure(j: WrenchJacobian) -> tuple[str, ...]:
 
 def _notes(m: Linkage, own: Sequence[float]) -> tuple[str, ...]:
     return tuple(
-        f"{limb.name} is nearly singular by itself (least singular value of its twists {c:.2g}), so that what is said"
-        " of the platform holds near here only"
+        f"{limb.name} is nearly singular by itself (least singular value of its twists {c:.2g}), so what is said"
+        " about the platform holds only near here"
         for limb, c in zip(m.robot.limbs, own, strict=True)
         if SOLVED < c <= 0.01
     )

@@ -59,7 +59,7 @@ class WayFromHome:
         if self.at_home:
             return "that of home"
         if self.doubt is not None:
-            return f"not known: from {_at_least(self.doubt)} of the way from home on its branch is not proved"
+            return f"not known: its branch is not proved beyond {_at_least(self.doubt)} of the way from home"
         if self.crossings:
             where = listed([_percent(c) for c in self.crossings])
             return (
@@ -87,7 +87,7 @@ class WayFromHome:
             return "home itself"
         if self.doubt is None:
             return "proved: one continuous solution leads here from home, and no other one comes near it"
-        return f"not proved from {_at_least(self.doubt)} of the way from home on: this may be another solution"
+        return f"not proved beyond {_at_least(self.doubt)} of the way from home: this may be another solution"
 
     def to_json(self) -> dict[str, Any]:
         return {

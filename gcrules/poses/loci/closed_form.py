@@ -143,7 +143,7 @@ def _names(m: Limbs) -> tuple[str, ...]:
 def why_none(m: Limbs) -> str:
     """Why it has no locus as a polynomial, whatever the coordinates; "" where it may have one."""
     if m.analysis.lines is None:
-        return "the wrenches of its limbs are no lines of its points, so that it has no condition"
+        return "the wrenches of its limbs are not lines through its points, so that it has no condition"
     if m.robot.redundant:
         return "with more actuators than freedoms it takes two conditions at once, not one polynomial"
     if all(part.kind in ASIDE for part in m.analysis.parts):

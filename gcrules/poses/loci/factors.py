@@ -105,7 +105,7 @@ def _irreducible(p: Any, limit: int) -> Iterator[tuple[Any, int]]:
     if len(p) > limit:
         raise LimitReached(
             f"a factor of {len(p)} terms may be reducible (on a line: degrees {', '.join(map(str, on_lines))})",
-            hint=f"search for its factors with --limit {len(p)}, which may take very long",
+            hint=f"search for its factors with --limit {len(p)}, which may take a very long time",
         )
     long = bits(Fraction(int(c.numerator), int(c.denominator)) for c in p.coeffs())
     if long > FACTORED_BITS:

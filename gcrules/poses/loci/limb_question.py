@@ -137,5 +137,5 @@ def _half_tangent(angle: Amount) -> Fraction:
         return Fraction((0, 1, 0, -1)[int(angle.number // 90) % 4])
     half = float(angle) / 2
     if abs(math.cos(half)) < 1e-9:
-        raise InputError("half a turn has no half-tangent", hint="take another home, or a smaller angle")
+        raise InputError("half a turn has no half-tangent", hint="use another home, or a smaller angle")
     return Fraction(math.tan(half)).limit_denominator(_DENOMINATORS)

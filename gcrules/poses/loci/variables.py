@@ -97,7 +97,7 @@ def question(
         return Question(rotation, tuple(free), fixed, pose.quaternion)
     fixed |= {n: c for n, c in _parameters(pose, rotation, turning, rest).items() if n in rest}
     if rotation == "quaternion" and not any(fixed.get(n, 1) for n in turning):
-        raise InputError("e0, e1, e2 and e3 are all 0, which is no turn", hint="no turn at all is e0=1")
+        raise InputError("e0, e1, e2 and e3 are all 0, which is not a turn", hint="no turn at all is e0=1")
     return Question(rotation, tuple(free), fixed, None)
 
 
@@ -120,7 +120,7 @@ def _known(name: str, names: Sequence[str]) -> str:
         apart = run_together(name, names)
         known = f"the variables are {', '.join(names)}"
         hint = f'separate them: "{", ".join(apart)}"; {known}' if apart else near(name, names) or known
-        raise InputError(f"{name[:40]!r} is no variable of a pose", hint=hint)
+        raise InputError(f"{name[:40]!r} is not a variable of a pose", hint=hint)
     return name
 
 

@@ -219,7 +219,7 @@ def read_ranges(
     axes = tuple(a if isinstance(a, GridAxis) else parse_axis(a, unit, actuators, number) for a in listed)
     every = math.prod(a.number - 1 for a in axes)
     if every > MOST_TILES:
-        raise LimitReached(f"{every:,} tiles: more than {MOST_TILES:,} in one map", hint="take fewer along each range")
+        raise LimitReached(f"{every:,} tiles: more than {MOST_TILES:,} in one map", hint="use fewer along each range")
     return _together(axes)
 
 
@@ -242,7 +242,7 @@ def check_turns(axes: Sequence[GridAxis]) -> None:
     """Raises InputError for a range of angles that goes more than once around."""
     for a in axes:
         if a.unit in _ANGLES.values() and float(a.stop - a.start) * a.scale > math.tau:
-            raise InputError(f"{a.name} goes more than once around", hint="take a range of one turn at most")
+            raise InputError(f"{a.name} goes round more than once", hint="use a range of at most one turn")
 
 
 def _together(axes: tuple[GridAxis, ...]) -> tuple[GridAxis, ...]:
@@ -250,19 +250,17 @@ def _together(axes: tuple[GridAxis, ...]) -> tuple[GridAxis, ...]:
     meant = [(a.kind, a.place) for a in axes]
     twice = next((a.name for i, a in enumerate(axes) if meant[i] in meant[:i]), None)
     if twice is not None:
-        raise InputError(f"the coordinate {twice} is given twice", hint="each axis is another coordinate")
+        raise InputError(f"the coordinate {twice} is given twice", hint="each axis is a different coordinate")
     driven = [a.name for a in axes if a.kind == ACTUATOR]
     if driven:
         if len(driven) < len(axes):
-            raise InputError(
-                f"{driven[0]} is an actuator, and others are coordinates of the pose", hint="take one kind"
-            )
+            raise InputError(f"{driven[0]} is an actuator, and others are coordinates of the pose", hint="use one kind")
         return axes
     turns = [a for a in axes if a.kind != "translation"]
     if len({a.kind for a in turns}) > 1:
         raise InputError(
             f"several kinds of turns: {', '.join(a.name for a in turns)}",
-            hint="take angles of one kind: rx, ry, rz, or Euler angles of one sequence, or azimuth, tilt, torsion",
+            hint="use angles of one kind: rx, ry, rz, or Euler angles of one sequence, or azimuth, tilt, torsion",
         )
     if len({a.unit for a in turns}) > 1:
         raise InputError(f"mixed units: deg and rad for {', '.join(a.name for a in turns)}")
@@ -290,7 +288,7 @@ def _axis(words: list[str], unit: str, actuators: Mapping[str, bool], nodes: int
     if not 2 <= len(words) <= 3:
         apart = run_together(words[0], (*TRANSLATION, *VECTOR, *TILT, *TURNS)) if words else None
         more = f", one --over for each of {' and '.join(apart)}" if apart else ""
-        raise InputError("this is no coordinate with its range", hint=f"{form}{more}; the coordinates are {_NAMES}")
+        raise InputError("this is not a coordinate with its range", hint=f"{form}{more}; the coordinates are {_NAMES}")
     name, bounds = words[:2]
     angle = actuators.get(name, name not in TRANSLATION)
     euler = _EULER.fullmatch(name)
@@ -298,13 +296,13 @@ def _axis(words: list[str], unit: str, actuators: Mapping[str, bool], nodes: int
         check_sequence(euler[1])
     elif name not in (*TRANSLATION, *VECTOR, *TILT, *TURNS, *actuators):
         if _DRIVE.fullmatch(name):
-            some = f"the actuators are {', '.join(actuators)}" if actuators else "take coordinates of the pose"
+            some = f"the actuators are {', '.join(actuators)}" if actuators else "use coordinates of the pose"
             raise InputError(f"there is no actuator {name} to map over", hint=some)
-        raise InputError(f"{name[:40]!r} is no coordinate of a pose", hint=f"the coordinates are {_NAMES}")
+        raise InputError(f"{name[:40]!r} is not a coordinate of a pose", hint=f"the coordinates are {_NAMES}")
     parts = _BETWEEN.split(bounds)
     if len(parts) != (3 if nodes is None else 2):
         other = _OTHER_RANGES.get((nodes is None, len(parts)), form)
-        raise InputError(f"{bounds[:60]!r} is no range", hint=other)
+        raise InputError(f"{bounds[:60]!r} is not a range", hint=other)
     start, stop = read_number(parts[0]), read_number(parts[1])
     number = _number(parts[2]) if nodes is None else nodes
     if start == stop:
@@ -325,10 +323,10 @@ def _axis(words: list[str], unit: str, actuators: Mapping[str, bool], nodes: int
 
 def _number(word: str) -> int:
     if not re.fullmatch(r"\d{1,12}", word):
-        raise InputError(f"{word[:40]!r} is no number of nodes", hint=_FORM)
+        raise InputError(f"{word[:40]!r} is not a number of nodes", hint=_FORM)
     number = int(word)
     if number < 2:
         raise InputError(f"{number} node{'s' * (number != 1)} on an axis", hint="give two or more")
     if number > MAX_NODES:
-        raise LimitReached(f"{number:,} nodes on one axis are more than {MAX_NODES:,}", hint="take a coarser grid")
+        raise LimitReached(f"{number:,} nodes on one axis are more than {MAX_NODES:,}", hint="use a coarser grid")
     return number

@@ -176,7 +176,9 @@ def grid(rig: MovingPlatform, axes: tuple[GridAxis, ...], at: Any = None) -> Gri
     layer = number if len(axes) == 2 else number // axes[0].number
     if number > MAX_POSES or layer > MAX_FLAT:
         most = MAX_FLAT if layer > MAX_FLAT else MAX_POSES
-        raise LimitReached(f"{number:,} poses: more than {most:,} in one map", hint="take a coarser grid, or two maps")
+        raise LimitReached(
+            f"{number:,} poses: more than {most:,} in one map", hint="use a coarser grid, or make two maps"
+        )
     turning = next((a for a in axes if a.kind != "translation"), None)
     rest: tuple[Fraction, ...] = (Fraction(0),) * 3
     notes = pose.notes

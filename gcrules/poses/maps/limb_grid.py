@@ -85,7 +85,7 @@ def coordinates_of(
     given = {} if at is None else _given(m, at, driven)
     twice = [n for n in given if n in over]
     if twice:
-        raise InputError(f"{twice[0]} is an axis of the map, and given as well", hint="leave it out of --at")
+        raise InputError(f"{twice[0]} is an axis of the map, and is given as well", hint="leave it out of --at")
     if driven:
         names = tuple(a.name for a in leading(m))
         return names, tuple(given.get(n, 0.0) for n in names)
@@ -108,7 +108,7 @@ def coordinates_of(
         known = listed([n for n in named if n != missing[0]])
         beside = f" beside {known}" if known else ""
         raise InputError(
-            f"{missing[0]} tells nothing of the pose of {m.robot.id} near home{beside}",
+            f"{missing[0]} says nothing about the pose of {m.robot.id} near home{beside}",
             hint=f"independent there are, for example, {', '.join(free_coordinates(m))}",
         )
     return names, tuple(given.get(n, 0.0) for n in names)

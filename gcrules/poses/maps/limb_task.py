@@ -96,7 +96,7 @@ class LimbsTask(InLayers, HoldsArrays):
         if first.doubt is not None:
             raise InputError(
                 f"it is not proved that {m.robot.id} is on home's branch at {target.text}, from which the map starts",
-                hint="take a range nearer to home",
+                hint="use a range closer to home",
             )
         node = int(np.ravel_multi_index(tuple(place[0].astype(int)), g.shape))
         course = Course(m, replace(target, values=np.zeros(len(g.names))))
@@ -222,7 +222,7 @@ class LimbsTask(InLayers, HoldsArrays):
             return "the surface is drawn between the nodes, where the determinant changes its sign"
         return (
             "curves are traced from the signs of the determinant at the nodes, zeros on edges found by halving; pieces "
-            "smaller than a cell may be missed, but in undecided cells only"
+            "smaller than a cell may be missed, but only in undecided cells"
         )
 
     @property
@@ -299,7 +299,7 @@ def limbs_task(m: Limbs, over: Any, at: Any = None, limits: str | None = None, m
     )
     if grid.size > MAX_POSES:
         raise LimitReached(
-            f"{grid.size:,} poses: more than {MAX_POSES:,} in one map of a robot of joints", hint="take a coarser grid"
+            f"{grid.size:,} poses: more than {MAX_POSES:,} in one map of a robot of joints", hint="use a coarser grid"
         )
     check_turns(axes)
     check_target(k, Target(names, np.zeros(len(names)), driven, text="home"))

@@ -96,7 +96,7 @@ def done(
     if work is None and how == HERE and task.grid.size > MAX_HELD:
         raise LimitReached(
             f"{task.grid.size:,} poses: more than {MAX_HELD:,} are not kept in memory",
-            hint='name a store for them, work="map.zarr" (the command does so for -o map.nc), or take a coarser grid',
+            hint='name a store for them, work="map.zarr" (the command does so for -o map.nc), or use a coarser grid',
         )
     store = store_of(tiles, how, work, restart=restart)
     summary = _computed(tiles, store, plan.limit)

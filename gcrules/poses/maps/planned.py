@@ -46,7 +46,7 @@ def planned(found: Mechanism, over: Any, at: Any, limits: str | None, threshold:
     """What is to be computed, all faults of the input told."""
     limit = angle_threshold(threshold, "in a map")
     if measure not in MEASURES:
-        raise InputError(f"{str(measure)[:40]!r} is no measure", hint=f"measures are {', '.join(MEASURES)}")
+        raise InputError(f"{str(measure)[:40]!r} is not a measure", hint=f"measures are {', '.join(MEASURES)}")
     plan = method(_PLANNED, found, "a map")(over, at, limits, limit, measure)
     if why := found.drives.missing(measure):
         there = ", ".join(found.drives.indices)

@@ -86,7 +86,7 @@ def sheet(value: Value, layers: Layers, shape: tuple[int, ...], before: int = 0)
         vertex = np.asarray(found, dtype=np.float64) + np.array([first, 0, 0])
         triangles += len(corners)
         if triangles > MAX_TRIANGLES:
-            raise LimitReached(f"the surface has more than {MAX_TRIANGLES:,} triangles", hint="take a coarser grid")
+            raise LimitReached(f"the surface has more than {MAX_TRIANGLES:,} triangles", hint="use a coarser grid")
         keys = _keys(vertex)
         vertex, sure = _onto(value, vertex, keys)
         # Vertices that are the same edge of the grid are one, here and in the slab before.

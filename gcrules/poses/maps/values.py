@@ -109,7 +109,7 @@ class LegsTask(InLayers, HoldsArrays):
         """How curves are found that are no zeros of a polynomial."""
         return (
             "curves are traced from the signs at the nodes, zeros on edges found by halving; pieces smaller than a "
-            "cell may be missed, but in undecided cells only"
+            "cell may be missed, but only in undecided cells"
         )
 
     @property

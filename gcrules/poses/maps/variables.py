@@ -84,7 +84,7 @@ def variables(task: MapTask) -> dict[str, Variable]:
         },
         "sign": {
             "long_name": "sign of the determinant of all wrenches, 0 where it is not known",
-            "comment": "that of the first node is 1; singular poses part the signs",
+            "comment": "that of the first node is 1; singular poses separate the signs",
         },
         "leg_length": {"long_name": "lengths of the legs", **unit_of(unit)},
         "actuator": {"long_name": "amounts of the actuators from home, angles in radians"},

@@ -57,7 +57,7 @@ def in_mode(loaded: Loaded, name: str) -> Loaded:
         return _analysed_anew(loaded, _in_working_mode(loaded.robot, name))
     if not isinstance(loaded, Robot):
         raise InputError(
-            "legs between two points have one way to hold the platform, and so one working mode",
+            "legs between two points have only one way to hold the platform, and so one working mode",
             hint='working modes are those of robots that are described by their joints, such as delta; "assembly 2" is'
             " an assembly mode",
         )

@@ -44,7 +44,7 @@ _ROUNDING = 1e-12  # rad, and sizes
 _ZERO = 1e-9  # of a factor, where the platform is singular, in parts of its value in the pose of the file
 _METHOD = "exactly one solution in its box (Krawczyk's operator)"
 _MULTIPLE = "singular: its box cannot hold exactly one regular solution"
-_UNPROVED = "not proved: floats do not tell that its box holds exactly one solution"
+_UNPROVED = "not proved: floats do not show that its box holds exactly one solution"
 
 
 def modes_of_legs(m: SixLegs, at: Pose | None, actuators: Any, threshold: Threshold) -> AssemblyModes:
@@ -184,7 +184,7 @@ def _number(word: str) -> float:
         return float(Fraction(word))
     except (ValueError, ZeroDivisionError):
         raise InputError(
-            f"{word[:40]!r} is no length", hint='give six lengths, "1 1 1 1 1 1", or some by name, "ab=1.2"'
+            f"{word[:40]!r} is not a length", hint='give six lengths, "1 1 1 1 1 1", or some by name, "ab=1.2"'
         ) from None
 
 

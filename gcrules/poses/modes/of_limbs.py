@@ -187,7 +187,7 @@ def _sought(robot: _HeldRobot) -> Found:
     found = search(robot.linkage, robot.held)
     notes = [f"{n} of the starts led out of the robot's family: {why}" for why, n in found.outside.items()]
     if found.many:
-        notes.append("the search found ever new configurations: solutions lie on curves or surfaces (self-motion)")
+        notes.append("the search kept finding new configurations: solutions lie on curves or surfaces (self-motion)")
     return (
         [(c, 1) for c in found.found],
         [],

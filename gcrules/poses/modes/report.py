@@ -183,8 +183,8 @@ class Completeness:
         if self.dependent:
             return (
                 "the actuators' conditions depend on each other, within rounding: no solution is isolated, and"
-                " whatever solution there is lies on a curve or a surface of solutions; those told were sought from the"
-                " given pose and from random ones"
+                " whatever solution there is lies on a curve or a surface of solutions; those listed were sought"
+                " from the given pose and from random ones"
             )
         if self.method == "search":
             return (
@@ -250,7 +250,7 @@ class AssemblyModes(Shown):
         number = len(self.modes)
         words = f"{number or 'no'} real {'solution' if number == 1 else 'solutions'}"
         if self.completeness.missed:
-            words += ", beside the given pose, to which no path led"
+            words += ", besides the given pose, to which no path led"
         if self.curves:
             curves = "a curve" if len(self.curves) == 1 else f"{len(self.curves)} curves"
             met = f"{curves} of solutions (self-motion), which may lie on a surface of them"

@@ -144,7 +144,7 @@ def working_modes(
     m = mechanism(source, about=about, plugins=plugins)
     if not isinstance(m, Limbs):
         raise InputError(
-            "legs between two points have one way to hold the platform, and so one working mode",
+            "legs between two points have only one way to hold the platform, and so one working mode",
             hint="they are those of robots that are described by their joints, such as delta",
         )
     choices = choices_of(m.robot)

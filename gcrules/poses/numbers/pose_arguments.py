@@ -57,7 +57,7 @@ def one_pose(at: Any, turns: Mapping[str, Any], in_degrees: bool, unit: str) -> 
     given = {kind: t for kind, t in turns.items() if t is not None}
     if isinstance(at, (str, Pose, Mapping)):
         if given:
-            raise InputError("a pose that holds its turn, and a turn beside it")
+            raise InputError("a pose that contains its turn, and a turn as well")
         return read_one(at, unit, in_degrees)
     if is_many(at, given):
         return None

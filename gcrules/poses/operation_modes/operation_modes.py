@@ -126,7 +126,7 @@ def _parts(robot: Robot, place: int, moves: Sequence[Motion], whole: LimbConstra
     if not found:
         raise LimitReached(
             f"the poses of {whole.name} ({robot.limbs[place].chain}) are given by no equations linear in y0 … y3 of a"
-            f" degree up to {DEGREE}, so the modes are not taken apart",
+            f" degree up to {DEGREE}, so the modes are not decomposed",
             hint="gcrules robot pose follows the mode in which home is",
         )
     return [part for part in found if part.dimension == largest]

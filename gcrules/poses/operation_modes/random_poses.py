@@ -55,7 +55,7 @@ def _orientation(one: Stratum, random: Random) -> tuple[int, ...] | None:
     if not curved:
         return tuple(x)
     if len(curved) > 1:
-        raise LimitReached(f"the orientations {one.orientations.text} are not taken apart further")
+        raise LimitReached(f"the orientations {one.orientations.text} are not decomposed further")
     step = drawn()
     t = _root(_on_line(curved[0], x, step))
     return None if t is None else tuple((a + t * b) % PRIME for a, b in zip(x, step, strict=True))

@@ -52,8 +52,8 @@ def motions(limb: LimbSpec, values: Mapping[str, Any]) -> tuple[Motion, ...]:
     """
     if limb.subchains:
         raise InputError(
-            f"{limb.name} has bodies of its own: its poses are no product of single motions",
-            hint="loops inside of a limb are not taken apart; gcrules robot pose follows the mode in which home is",
+            f"{limb.name} has bodies of its own: its poses are not a product of single motions",
+            hint="loops inside a limb are not decomposed; gcrules robot pose follows the mode in which home is",
         )
     every = [list(_motions(joint, values)) for joint in limb.joints]
     leaders = {c.joint: c.leader for c in limb.couplings}
@@ -84,8 +84,8 @@ def _check_coupling(limb: LimbSpec, joint: int, own: Steps, leader: Steps, ratio
     if turning == {False} or (turning == {True} and abs(ratio) == 1):
         return
     raise InputError(
-        f"{limb.joints[joint]} of {limb.name} follows another joint by the ratio {ratio}, and operation modes know"
-        " turns that are geared 1 : 1 only",
+        f"{limb.joints[joint]} of {limb.name} follows another joint by the ratio {ratio}, and operation modes handle"
+        " only turns that are geared 1 : 1",
         hint="slides may follow slides by any ratio",
     )
 

@@ -85,7 +85,7 @@ def read_columns(header: list[Cell], unit: str, line: Span) -> tuple[Columns, tu
     for name, (_, span) in units.items():
         if names[name] not in used and (meant := _meant(name)):
             raise InputError(
-                f"the column {name[:40]!r} names nothing, and a pose would lack what it holds",
+                f"the column {name[:40]!r} is not recognised, and a pose would lack what it holds",
                 span=span,
                 hint=f"did you mean {meant}? A column of something else needs another name",
             )

@@ -16,7 +16,7 @@ def per_segment(samples: Any, segments: int, most: int) -> int:
     of samples, LimitReached for more than `most`.
     """
     if isinstance(samples, bool) or not isinstance(samples, int) or samples < 1:
-        raise InputError(f"the number of samples is {samples!r}, expected a whole number from 1 on")
+        raise InputError(f"the number of samples is {samples!r}, expected a whole number, 1 or more")
     found = -(-samples // segments)
     if found * segments > most:
         raise LimitReached(

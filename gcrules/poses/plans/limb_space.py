@@ -97,7 +97,7 @@ class LimbSpace:
         driven = [c.joint_values[a.place][a.coordinate] for a in m.actuators]
         if not (good[0] and near and np.allclose(there.actuators[0], driven, rtol=0.0, atol=close)):
             raise InputError(
-                "the straight way of the coordinates from home leads to another configuration than that of the pose",
+                "the straight way of the coordinates from home leads to a configuration other than that of the pose",
                 hint="choose start and goal nearer to home, or another --mode",
             )
         return np.asarray(row[0])

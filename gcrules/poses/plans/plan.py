@@ -150,7 +150,10 @@ def asked_margin(margin: float | None) -> float:
     """The least margin that is asked for, or that of regular poses. Raises InputError."""
     asked = CLOSE if margin is None else exact_float(margin, "the margin")
     if not 0 < asked < 1:
-        raise InputError(f"the margin {asked:g} does not lie between 0 and 1", hint="0 is singular, 1 as far as can be")
+        raise InputError(
+            f"the margin {asked:g} does not lie between 0 and 1",
+            hint="0 is singular, 1 as far from singular as possible",
+        )
     return asked
 
 
@@ -270,9 +273,9 @@ def _found(proved: Proved, way: Sequence[Waypoint]) -> str:
 
 
 def _doubted(proved: Proved, way: Sequence[Waypoint], asked: float, *, close: bool) -> str:
-    why = ", as start or goal have hardly more" if close else ""
+    why = ", since the start or the goal has hardly more" if close else ""
     return (
-        f"Not decided: of no way that was found a margin of {asked:.4g} is proved everywhere{why}. The best one:"
+        f"Not decided: for no way that was found is a margin of {asked:.4g} proved everywhere{why}. The best one:"
         f" {_found(proved, way)}"
     )
 
@@ -286,7 +289,7 @@ def _undecided(road: Roadmap, first: Proved | None) -> str:
     if first is not None:
         return f"Not decided: the ways that were found are not proved. {first.path.reason}"
     return (
-        f"Not decided: of the {len(road.rows):,} states that were reached none joins start and goal, and no sign tells"
+        f"Not decided: of the {len(road.rows):,} states that were reached none joins start and goal, and no sign shows"
         " that there is no way."
     )
 

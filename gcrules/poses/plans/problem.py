@@ -51,9 +51,9 @@ def margin_kept(space: Space, ends: Floats, asked: float) -> float:
     least = asked * _SPARE
     for state, name in zip(ends, ("start", "goal"), strict=False):
         if not space.region.holds(space.coordinates(state[None]))[0]:
-            raise InputError(f"the {name} lies outside of the region: {space.region.text()}", hint=_WIDEN)
+            raise InputError(f"the {name} lies outside the region: {space.region.text()}", hint=_WIDEN)
         if space.limits is not None and not space.limits.allow(space.reach(state[None]))[0]:
-            raise InputError(f"the {name} does not keep to the limits: {space.limits.text}", hint="widen them")
+            raise InputError(f"the {name} is not within the limits: {space.limits.text}", hint="widen them")
         sigma = float(space.margins(state[None])[0])
         if sigma < asked:
             raise InputError(

@@ -53,11 +53,11 @@ def parse_extents(text: str, angles: Mapping[str, bool], size: float, unit: str)
 def _extent(part: str, angles: Mapping[str, bool], size: float, unit: str) -> Extent:
     match = re.fullmatch(r"(\S+)(?:\s+(\S+?))?(?:\s*(deg|°|rad|[a-zA-Zµ]+))?", part)
     if match is None:
-        raise InputError(f"{part[:40]!r} is no coordinate with its width", hint=_FORM)
+        raise InputError(f"{part[:40]!r} is not a coordinate with its width", hint=_FORM)
     name, number, word = match.groups()
     if name not in angles:
         known = ", ".join(angles)
-        raise InputError(f"{name[:40]!r} is no coordinate", hint=near(name, tuple(angles)) or f"there are {known}")
+        raise InputError(f"{name[:40]!r} is not a coordinate", hint=near(name, tuple(angles)) or f"there are {known}")
     angle = angles[name]
     if number is None:
         return Extent(name, 1.0 if angle else size)

@@ -26,8 +26,8 @@ def extended(old: TileStore, known: GridTiles, output: str, over: str, how: Runn
     """
     if known.task.stage is not None:
         raise InputError(
-            "a robot described by its joints is led from home over the whole grid: a wider map has other tiles",
-            hint="compute the wider map anew; maps of whole boxes are extended for all robots",
+            "a robot described by its joints is led from home over the whole grid: a wider map has different tiles",
+            hint="compute the wider map from scratch; maps of whole boxes are extended for all robots",
         )
     first, *others = known.task.grid.axes
     axis, shift = _moved(first, over, known.task)
@@ -48,7 +48,7 @@ def _moved(first: GridAxis, over: str, task: MapTask) -> tuple[GridAxis, int]:
     new = parse_axis(over, task.grid.unit, number=2)
     if new.name != first.name or new.unit != first.unit:
         raise InputError(
-            f"tiles are whole layers along {first.name}: it alone is extended",
+            f"tiles are whole layers along {first.name}: only it can be extended",
             hint=f'as in --over "{first.name} start:stop{f" {first.unit}" if first.unit else ""}"',
         )
     before, nodes = (new.start - first.start) / first.step, (new.stop - new.start) / first.step

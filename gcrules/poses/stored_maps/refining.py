@@ -50,7 +50,9 @@ def refine_map(
     """
     how = running(workers, None, scheduler)
     if os.path.abspath(store) == os.path.abspath(output):
-        raise FileError("a store is not refined into itself", filename=fspath(output), hint="give the new one a name")
+        raise FileError(
+            "a store cannot be refined into itself", filename=fspath(output), hint="give the new one a name"
+        )
     old = TileStore.existing(store)
     known = task_of(old)
     if isinstance(known, GridTiles):

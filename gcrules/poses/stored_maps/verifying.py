@@ -80,7 +80,7 @@ def verify_map(store: str | PathLike[str], tiles: int | str = _TILES) -> MapVeri
     cannot be made anew: by another version, for example.
     """
     if tiles != ALL and (not isinstance(tiles, int) or isinstance(tiles, bool) or tiles < 0):
-        raise InputError(f"{str(tiles)[:40]!r} is no number of tiles", hint='0 or more, or "all"')
+        raise InputError(f"{str(tiles)[:40]!r} is not a number of tiles", hint='0 or more, or "all"')
     found = TileStore.existing(store)
     task = task_of(found)
     bad: list[BadTile] = []

@@ -56,7 +56,7 @@ def by_cluster(task: TileTask, store: TileStore, tiles: list[int], progress: Pro
                     _check(distributed, future)
                     progress.add()
         except (OSError, distributed.CancelledError) as fault:
-            raise LimitReached(f"the cluster has gone: {fault}", hint="finished tiles are kept; run it again") from None
+            raise LimitReached(f"the cluster is gone: {fault}", hint="finished tiles are kept; run it again") from None
         finally:
             with suppress(OSError, distributed.CancelledError):
                 client.cancel(list(running), force=True)

@@ -82,7 +82,7 @@ def parse_part(text: str) -> tuple[int, int]:
     if found is None or int(found[1]) > int(found[2]):
         raise InputError(
             f"'K/N' is a part and how many there are, K from 1 to N: found {text[:40]!r}",
-            hint="of a job array of 100 jobs the first one is 1/100",
+            hint="in a job array of 100 jobs the first one is 1/100",
         )
     return int(found[1]), int(found[2])
 

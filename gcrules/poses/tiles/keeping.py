@@ -63,7 +63,7 @@ def computed_part(task: TileTask, how: Running, work: Name | None, *, restart: b
     if work is None:
         raise InputError("a part of a job array keeps its tiles in a store", hint='name one: work="map.zarr"')
     if restart:
-        raise InputError("a part does not begin anew", hint="the other parts may be at work; remove the store before")
+        raise InputError("a part cannot start over", hint="the other parts may be at work; remove the store first")
     store = TileStore.open(work, task)
     run(task, store, how)
     return status_of(store, fspath(work))
@@ -102,5 +102,5 @@ def _check_kept(task: TileTask, store: TileStore, number: int) -> None:
         raise FileError(
             f"tile {number} is not what is computed now; its files were changed",
             filename=str(store.path),
-            hint="begin anew with --restart (in Python restart=True), or take another store",
+            hint="start over with --restart (in Python restart=True), or use another store",
         )

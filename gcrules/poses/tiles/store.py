@@ -93,7 +93,7 @@ class TileStore:
                 return TileStore(folder, arrays_in(found))
         except (KeyError, TypeError, IndexError, EngineFault):
             pass
-        raise FileError("no store of a map in tiles", filename=str(path), hint="gcrules map … -o map.zarr makes one")
+        raise FileError("not a store of a map in tiles", filename=str(path), hint="gcrules map … -o map.zarr makes one")
 
     def _made(self, task: TileTask) -> Mapping[str, Any]:
         """The metadata of a new store, which appears complete or not at all; of another's where one was quicker."""
@@ -127,7 +127,7 @@ class TileStore:
         """What the store is of: its attributes."""
         found = attributes(self.path)
         if found is None:
-            raise FileError("the store has gone", filename=str(self.path))
+            raise FileError("the store is gone", filename=str(self.path))
         known: Mapping[str, Any] = found["attributes"]
         return known
 
@@ -354,7 +354,9 @@ def _folder(path: str | os.PathLike[str]) -> Path:
 
 def written(fault: OSError, path: str) -> InputError:
     """The fault of a file that cannot be written, with advice where the disk is full."""
-    return unwritable(fault, path, "make room; finished tiles are kept, and the same command goes on from there")
+    return unwritable(
+        fault, path, "free some space; finished tiles are kept, and the same command continues from there"
+    )
 
 
 def _own() -> str:
@@ -369,7 +371,7 @@ def _check_problem(found: Mapping[str, Any], task: TileTask, layout: Layout, pat
     raise FileError(
         f"the tiles there are of another map: {', '.join(changed) or 'something'} differs",
         filename=path,
-        hint="--restart begins anew (in Python restart=True); or give the map another name",
+        hint="--restart starts over (in Python restart=True); or give the map another name",
     )
 
 

@@ -81,7 +81,7 @@ def _check_deaths(tile: int, number: int, worker: _Worker) -> None:
         raise LimitReached(
             f"{number} workers ended while they computed tile {tile} (the last one with exit code "
             f"{worker.process.exitcode})",
-            hint="the memory may not be enough for so many workers; a script that starts workers has to stand behind "
+            hint="the memory may not be enough for so many workers; a script that starts workers has to be guarded by "
             'if __name__ == "__main__":',
         )
 

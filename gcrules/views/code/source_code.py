@@ -113,16 +113,16 @@ def _header(robot: Controller, spelt: Language) -> Iterator[str]:
     if isinstance(robot.forms, LoopTables):
         yield from _wrapped(
             "The loops are closed by Newton's method, from home straight to the pose in steps of 0.1 (rad, or parts of"
-            " the robot's size) at most; a step that fails is halved, down to a thousandth. Numbers are not numbers"
+            " the robot's size) at most; a step that fails is halved, down to a thousandth. Values are not numbers"
             " (nan) where this does not get there: the robot does not assemble, or the way leads through a singular"
             " pose. Nothing proves that the steps stay on one branch of solutions, as gcrules pose does; nothing is"
             " said of joint limits, nor of limbs that are singular by themselves."
         )
     elif robot.mode:
-        yield from _wrapped("Numbers are not numbers (nan) where it does not exist: the robot does not assemble there.")
+        yield from _wrapped("Values are not numbers (nan) where it does not exist: the robot does not assemble there.")
         yield from _wrapped(
             "The closed forms agree with the joints, solved by Newton's method, in poses drawn at random, within 1e-9:"
-            " a check by sampling, no proof. They say nothing of joint limits, nor of limbs that are singular by"
+            " a check by sampling, not a proof. They say nothing of joint limits, nor of limbs that are singular by"
             " themselves."
         )
     yield from _wrapped(f"Test: {spelt.tested}")

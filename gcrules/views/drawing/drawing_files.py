@@ -25,7 +25,7 @@ def save(drawing: Drawing, path: str | PathLike[str]) -> None:
     writer = _WRITERS.get(target.suffix.lower())
     if writer is None:
         found = f"the suffix {target.suffix!r}" if target.suffix else "a name without suffix"
-        raise InputError(f"{target}: {found} is no figure format", hint="figures are written as .svg or .pdf")
+        raise InputError(f"{target}: {found} is not a figure format", hint="figures are written as .svg or .pdf")
     write_file(fspath(path), writer(drawing))
 
 

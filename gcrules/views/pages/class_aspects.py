@@ -38,6 +38,6 @@ def _why(a: Analysis, found: LeastAspects) -> str:
     line = "".join(found.line)
     return (
         f"In the translation of the platform {one} has degree 1 and {two} degree 2. The leading form of the latter"
-        f" vanishes along {line} and changes its sign there; turned round, a translation keeps it and changes the sign"
+        f" vanishes along {line} and changes its sign there; reversing a translation keeps it and changes the sign"
         " of the former. So far away all 4 patterns of signs occur."
     )

@@ -28,7 +28,7 @@ def gallery(analyses: Sequence[RobotAnalysis], names: Mapping[str, str], drawn: 
         "",
         f"{len(analyses)} robots, described by their joints. Each page shows the wrenches that the limbs apply, the"
         " lines that stand for them, the condition with its proof, and singular configurations that are exact."
-        " [How a robot is described](../robots.md) says what stands in a robot file.",
+        " [How a robot is described](../robots.md) says what a robot file contains.",
         "",
     ]
     by_mobility: dict[int, list[RobotAnalysis]] = {}

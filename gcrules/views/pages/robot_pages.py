@@ -36,8 +36,9 @@ __all__ = ["FIGURES", "HEAD", "robot_pages"]
 _WIDTH = 72
 _ALONE = "The robot at home, with those wrenches of its limbs that are lines of its points."
 _CAPTION = (
-    "Left the robot at home, with the wrenches that its limbs apply when the actuators are locked; right the lines that"
-    " stand for them. Both are seen from one place, and what belongs to a limb has its colour."
+    "On the left, the robot at home, with the wrenches that its limbs apply when the actuators are locked;"
+    " on the right, the lines that stand for them. Both are seen from the same viewpoint, and what belongs to a limb"
+    " has its colour."
 )
 
 
@@ -110,7 +111,7 @@ def _sentence(line: str) -> str:
 def _facts(a: RobotAnalysis) -> Iterator[str]:
     robot, s = a.robot, a.structure
     if robot.limbs:
-        yield f"* Limbs: {inline(robot.chain)} (a star at what is driven)"
+        yield f"* Limbs: {inline(robot.chain)} (a star marks what is driven)"
         more = f", actuators beyond the freedoms {s.redundant}" if s.redundant else ""
         numbers = f"overconstraints {s.overconstraints}, idle freedoms in limbs {s.idle}{more}"
         yield f"* Mobility of the platform {s.mobility}, {numbers}"

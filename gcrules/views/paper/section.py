@@ -96,7 +96,7 @@ def _of_joints(s: Subject, a: RobotAnalysis, shown: str) -> Iterator[str]:
     yield f"{words}.{_works(s)} With the actuators locked its limbs apply these wrenches:"
     yield itemized(map(_limb, t.limbs))
     if a.wrenches:
-        yield "Wrenches at home that are no such lines:"
+        yield "Wrenches at home that are not such lines:"
         yield itemized(latex_words(str(one)) for one in a.wrenches)
     if s.lines is not None:
         chosen = ", chosen among those of all limbs," * _chosen(a)
@@ -248,7 +248,7 @@ _TOLD = (
     LINES,
     CONDITION,
     FACTORS,
-    "Wrenches that are no such lines, at home",
+    "Wrenches at home that are not such lines",
     TITLES["dimensions"],
     "Certificate",
 )

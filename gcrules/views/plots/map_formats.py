@@ -56,7 +56,7 @@ def check_files(paths: Sequence[str], formats: Mapping[str, MapFormat]) -> None:
     for path in paths:
         form = formats.get(suffix(path))
         if form is None:
-            raise InputError(f"{path}: no kind of output", hint=f"outputs end in {', '.join(formats)}")
+            raise InputError(f"{path}: not a kind of output", hint=f"outputs end in {', '.join(formats)}")
         for library, words in form.needs:
             need(library, words)
         check_target(path)

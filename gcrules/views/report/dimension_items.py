@@ -78,4 +78,7 @@ def _own(own: OwnCondition) -> Iterator[Item]:
     if own.fixed and own.free:
         what, keeps = ("factor", "keeps") if len(own.fixed) == 1 else ("factors", "keep")
         free = own.free[0] if len(own.free) == 1 else f"one of {listed(own.free)}"
-        yield f"The {what} {listed(own.fixed)} {keeps} a value other than 0 in every pose; left to vanish is {free}."
+        yield (
+            f"The {what} {listed(own.fixed)} {keeps} a value other than 0 in every pose; what can still"
+            f" vanish is {free}."
+        )

@@ -32,7 +32,7 @@ def path_html(r: PathReport | RobotPath, m: SixLegs | Limbs, *, live: bool, titl
     page that is `live` a 3D view that goes along it.
     """
     a: PathAccount = shown(r, "account")
-    words = "The margin along the path" + ("; singular places bear the numbers of the table." if a.places else ".")
+    words = "The margin along the path" + ("; singular places carry the numbers of the table." if a.places else ".")
     figure = f'<figure class="plot">{shown(r, "svg")}<figcaption>{words}</figcaption></figure>'
     head = f'<h2>{escape(title)}</h2><p class="verdict">{escape(a.verdict.capitalize())}</p>'
     reason = f'<p class="why">{escape(a.reason)}</p>'

@@ -94,7 +94,7 @@ class Scenery:
     def of(cls, a: Analysis) -> Scenery:
         """Raises InputError for lines that are no legs between finite joints, and where there is no leg."""
         if not drawable(a):
-            raise InputError("there is no robot to draw: these are no legs between finite joints in space")
+            raise InputError("there is no robot to draw: these are not legs between finite joints in space")
         s = a.structure
         if a.platform:
             home = {n: a.platform.points[n] for n in s.names}

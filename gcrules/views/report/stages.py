@@ -140,7 +140,7 @@ _WITH_COFACTOR = "An incidence whose expansion equals the cofactor times the sup
 _WHY = {
     "always-singular": "The superbracket is zero for all positions of the joints.",
     "linear-complex": "No incidence was found; the superbracket itself is the condition.",
-    "bracket-factors": "Brackets that divide the superbracket; what they leave is no incidence that was found.",
+    "bracket-factors": "Brackets that divide the superbracket; no incidence was found for what they leave.",
 }
 
 
@@ -210,7 +210,7 @@ def recognised(a: Analysis) -> Recognised | None:
 
 def _entity_stages(a: Analysis, found: Recognised) -> Iterator[tuple[str, str, list[Item]]]:
     yield "tetrahedra", "Brackets common to all terms.", [_listed(found.tetrahedra)]
-    why = "Triples of points that stay together in one bracket of every term; stars tell repeated points apart."
+    why = "Triples of points that stay together in one bracket of every term; stars distinguish repeated points."
     yield "planes", why, [_listed(found.planes)]
     items: list[Item] = [_listed(found.lines)]
     if found.front is not None:

@@ -25,7 +25,7 @@ def view_html(s: Standing | None, title: str) -> str:
     if s is None or not s.picture:
         return ""
     if not s.picture.startswith("data:image/"):
-        raise EngineFault("the picture of a report is no data address of an image")
+        raise EngineFault("the picture of a report is not a data address of an image")
     image = f'<img alt="{escape(title)}, as it stood in the view" src="{escape(s.picture)}">'
     return f'<figure class="view">{image}<figcaption>The view, as it stood.</figcaption></figure>'
 

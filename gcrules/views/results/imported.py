@@ -32,7 +32,7 @@ def as_latex(r: Imported) -> str:
 
 def account(r: Imported) -> ResultAccount:
     """What there is to say of it."""
-    said = f"{r.robot.title} ({r.format.upper()}) is read as {r.robot.chain}: {r.platform} moves against {r.base}"
+    said = f"{r.robot.title} ({r.format.upper()}) is read as {r.robot.chain}: {r.platform} moves relative to {r.base}"
     return ResultAccount(f"{said}, mobility {r.robot.mobility}.", (Facts(tuple(_rows(r))),))
 
 

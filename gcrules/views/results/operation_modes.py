@@ -83,7 +83,7 @@ def _mode(m: OperationMode, unicode: bool) -> Iterator[tuple[str, str]]:
     if not m.proper:
         yield "open", "whether it is a part of a larger mode"
     if not m.irreducible:
-        yield "open", "whether its orientations fall apart further"
+        yield "open", "whether its orientations decompose further"
 
 
 def _transitions(found: OperationModes) -> Iterator[tuple[str, str]]:
@@ -129,7 +129,7 @@ def _sure(found: OperationModes) -> Iterator[str]:
         names = listed([c.name for c in found.limbs if not c.enough])
         yield (
             f"{names}: no equations linear in y up to degree {DEGREE}; only poses in which two turns about parallel"
-            " axes are coupled were taken apart, so there may be further modes"
+            " axes are coupled were decomposed, so there may be further modes"
         )
     if a.outside:
         yield (

@@ -73,7 +73,7 @@ def sections(a: RobotAnalysis, unicode: bool) -> Iterator[tuple[str, list[str]]]
         yield LIMBS, [_limb(limb) for limb in a.structure.limbs]
     if a.structure.limbs and any(limb.lines is None for limb in a.structure.limbs):
         none = ["not known: the file has no home configuration"]
-        yield "Wrenches that are no such lines, at home", [str(one) for one in a.wrenches] or none
+        yield "Wrenches at home that are not such lines", [str(one) for one in a.wrenches] or none
     if a.structure.lines is not None:
         yield LINES, [_structure(a)]
     if a.condition is not None and a.lines is not None:

@@ -26,22 +26,22 @@ __all__ = ["account", "as_latex", "as_text", "headline", "numbered", "part_rows"
 
 _HEAD = (
     "Each polynomial is the product of a factor of the condition over all {modes}. Every singular pose is a zero"
-    " of one of them, as far as no limb is singular by itself; a zero is singular in one of the working modes, unless"
+    " of one of them, unless a limb is singular by itself; a zero is singular in one of the working modes, unless"
     " its root is not real there{}."
 )
 _ALONE = (
-    "Each polynomial is a factor of the condition. A pose is singular exactly where one of them is 0, as far as no limb"
+    "Each polynomial is a factor of the condition. A pose is singular exactly where one of them is 0, unless a limb"
     " is singular by itself{}."
 )
 _KEPT = (
     "Each polynomial is a factor of the condition, in the coordinates and in roots whose signs are the working mode. A"
-    " pose is singular in a mode exactly where one of them is 0, as far as no limb is singular by itself{}."
+    " pose is singular in a mode exactly where one of them is 0, unless a limb is singular by itself{}."
 )
 _TANGENTS = (
     "tangents of half the fixed angles are fractions with denominators up to a million, within 1e-12 of the exact ones:"
     " what is exact here holds for these fractions"
 )
-_EXCEPT = ", but where other signs are told"
+_EXCEPT = ", except where other signs are stated"
 _CHOSEN = ", or lines that were chosen for a limb depend on each other"
 
 
@@ -180,7 +180,7 @@ def _modes(seen: Sightings, roots: Sequence[str], others: Sequence[str]) -> str:
     of = f"its {seen.zeros} real zeros" if seen.every else f"{counted(seen.zeros, 'zero')} met near home"
     every = "its one real zero" if alone else f"all of {of}"
     if not seen.assembled:
-        return f"at {every} the robot is not assembled" if alone else f"at none of {of} the robot is assembled"
+        return f"at {every} the robot is not assembled" if alone else f"at none of {of} is the robot assembled"
     signs = f"signs of {listed(roots)}, home's are +; {listed(others)} as at home" if others else ""
     modes = f"{', '.join(seen.modes)} ({signs or _SIGNS})"
     where = every if seen.assembled == seen.zeros else f"{seen.assembled} of {of}"

@@ -130,7 +130,7 @@ def _nearest(n: NearestConfiguration, unit: str) -> Iterator[str]:
         yield from _free_box(n, unit)
         return
     yield "Nearest singular configuration, by a search in all directions"
-    stopped = f"; in {n.stopped} of them the robot cannot be followed so far" if n.stopped else ""
+    stopped = f"; in {n.stopped} of them the robot cannot be followed that far" if n.stopped else ""
     measure = f"shifts as parts of the robot's size, {_length(n.size, unit)}, and angles in radians"
     if n.changes:
         where = ", ".join(f"{name} {_change(name, v, unit)}" for name, v in n.changes.items())

@@ -51,7 +51,7 @@ def _status(s: MapStatus) -> Iterator[tuple[str, str]]:
     if s.complete:
         return
     if s.rate:
-        yield "rate", f"{s.rate:.3g} tiles a second, of the last ones"
+        yield "rate", f"{s.rate:.3g} tiles a second, for the latest ones"
     if s.left is not None:
         yield "left", f"{_duration(s.left)} at this rate"
     if s.last is not None:

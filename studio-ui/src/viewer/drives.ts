@@ -55,7 +55,7 @@ export function drivesOf(viewer: Viewer, scene: Scene & { linkage: Linkage }, te
     const found = driveTo(m, at, amounts);
     at = found.at;
     const margin = settle();
-    note.textContent = found.reached ? "" : `The robot was followed no farther: ${stopped()}.`;
+    note.textContent = found.reached ? "" : `The robot was followed no further: ${stopped()}.`;
     return { reached: found.reached, margin };
   }
 

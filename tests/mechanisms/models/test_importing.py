@@ -37,7 +37,7 @@ def test_the_condition_is_that_of_the_robot(name: str) -> None:
 
 def test_a_delta_by_hand() -> None:
     found = import_model(delta())
-    assert (found.base, found.platform, found.why) == ("base", "plate", "the link with most limbs")
+    assert (found.base, found.platform, found.why) == ("base", "plate", "the link with the most limbs")
     assert found.robot.chain == "3-R*4S"
     assert found.robot.mobility == 3
     assert found.limits == tuple((f"motor{k}", -1.0, 0.5) for k in range(3))
@@ -230,9 +230,9 @@ def long_chains() -> Model:
         (delta, {"base": "floor"}, "there is no link 'floor' to be the base"),
         (delta, {"platform": "base"}, "is the base itself"),
         (delta, {"actuators": ("moto0",)}, "there is no joint 'moto0' to be driven"),
-        (delta, {"actuators": ("motor0",)}, "the platform plate has mobility 3, and driven in the model are 1 joints"),
+        (delta, {"actuators": ("motor0",)}, "the platform plate has mobility 3, and 1 joint is driven in the model"),
         (delta, {"actuators": ("elbow00_e0",)}, "is a ball joint, and cannot be driven"),
-        (lambda: replace(delta(), actuated=()), {}, r"driven in the model are 0 joints \(none\)"),
+        (lambda: replace(delta(), actuated=()), {}, r"0 joints are driven in the model \(none\)"),
         (
             lambda: replace(delta(), couplings=(ModelCoupling("motor0", "motor1", 1.0),)),
             {"actuators": ("motor0", "motor1", "motor2")},
@@ -258,4 +258,4 @@ def test_an_import_is_a_value() -> None:
     assert isinstance(one.robot, Robot)
     assert one.to_json()["platform"] == "plate"
     assert "3-R*4S" not in one.latex()
-    assert "plate, the link with most limbs; mobility 3" in one.text()
+    assert "plate, the link with the most limbs; mobility 3" in one.text()

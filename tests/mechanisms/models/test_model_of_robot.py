@@ -169,7 +169,7 @@ def test_lengths_in_a_unit() -> None:
     made, in_mm = model_of(all_kinds()), model_of(all_kinds(), "mm")
     assert np.allclose([j.at for j in in_mm.joints], np.array([j.at for j in made.joints]) / 1000)
     assert [c.ratio for c in in_mm.couplings] == [0.0005, -2.0]
-    with pytest.raises(InputError, match="no unit of length"):
+    with pytest.raises(InputError, match="not a unit of length"):
         gc.export_model("3-rps", unit="furlong")
 
 

@@ -138,7 +138,7 @@ FAULTS = {
     "a ring of frames": ('attached_to="crank"', 'attached_to="tip"', "itself, by way of others"),
     "unknown frame": ('relative_to="tip"', 'relative_to="top"', "there is no frame 'top'"),
     "five numbers": ("0 0 0 0 0.5 0", "0 0 0 0.5 0", "<pose> has 5 numbers, expected 6"),
-    "not finite": ("0 0 0 0 0.5 0", "0 0 0 0 nan 0", "'nan' is no finite number"),
+    "not finite": ("0 0 0 0 0.5 0", "0 0 0 0 nan 0", "'nan' is not a finite number"),
     "no axis": ("<axis><xyz>0 1 0</xyz></axis>", "", "<joint name='a'> has no <axis>"),
     "no direction": ("<xyz>0 1 0</xyz>", "<xyz>0 0 0</xyz>", "has no direction"),
     "a link of nothing": ("<link name=\"rod\">", "<link name=\"x\"/><link name=\"rod\">", "link 'x' is not joined"),

@@ -141,7 +141,7 @@ def test_what_has_no_limits(tmp_path: Path) -> None:
 
 FAULTS = {  # what is put in the place of what, and what is said, and where
     "unknown parent": ('<parent link="crank"/>', '<parent link="cronk"/>', "there is no link 'cronk'"),
-    "unknown kind": ('type="continuous"', 'type="hinge"', "type='hinge' is not known of <joint>"),
+    "unknown kind": ('type="continuous"', 'type="hinge"', "type='hinge' is not known for <joint>"),
     "a link twice": ('<link name="crank"/>', '<link name="rod"/>', "a second link named 'rod'"),
     "a joint twice": ('<joint name="b"', '<joint name="a"', "a second joint named 'a'"),
     "no name": ('<link name="crank"/>', "<link/>", "the attribute name of <link> is missing"),
@@ -150,11 +150,11 @@ FAULTS = {  # what is put in the place of what, and what is said, and where
     "two children": ('<child link="rod"/>', '<child link="rod"/><child link="base"/>', "a second <child>"),
     "no direction": ('<axis xyz="0 1 0"/>', '<axis xyz="0 0 0"/>', "the axis of joint 'a' has no direction"),
     "two numbers": ('<origin xyz="0 0 2"/>', '<origin xyz="0 2"/>', "xyz has 2 numbers, expected 3"),
-    "infinite": ('<origin xyz="0 0 2"/>', '<origin xyz="0 0 inf"/>', "'inf' is no finite number"),
+    "infinite": ('<origin xyz="0 0 2"/>', '<origin xyz="0 0 inf"/>', "'inf' is not a finite number"),
     "too large": ('<origin xyz="0 0 2"/>', '<origin xyz="0 0 1e400"/>', "'1e400' is beyond any machine"),
     "a joint with itself": ('<child link="rod"/>', '<child link="crank"/>', "joins 'crank' with itself"),
     "a link of nothing": ('<link name="crank"/>', '<link name="crank"/><link name="x"/>', "which is the base?"),
-    "no turn": ('<origin xyz="0 0 2"/>', '<origin quat_xyzw="0 0 0 0"/>', "no turn"),
+    "no turn": ('<origin xyz="0 0 2"/>', '<origin quat_xyzw="0 0 0 0"/>', "not a turn"),
     "mimics no one": ("</joint>", '<mimic joint="x"/></joint>', "there is no joint 'x'"),
     "mimics itself": ("</joint>", '<mimic joint="a"/></joint>', "follows itself"),
     "drives no one": ("</robot>", '<transmission><joint name="x"/></transmission></robot>', "there is no joint 'x'"),
@@ -181,13 +181,13 @@ def test_links_that_go_round(tmp_path: Path) -> None:
     )
     assert "every link is the child" in str(fault(tmp_path, ring + "</robot>"))
     island = ring + '<link name="base"/><link name="z"/>' + hinge("r", "base", "z", "0 0 0") + "</robot>"
-    assert "its joints go round" in str(fault(tmp_path, island))
+    assert "its joints form a circle" in str(fault(tmp_path, island))
 
 
 CLOSURE_FAULTS = {
     "unknown frame": ("closed_loop: [[A, C]]", "there is no link or joint 'C'"),
     "three frames": ("closed_loop: [[A, B, A]]", "a list of 3, expected 2"),
-    "unknown type": ("closed_loop: [[A, B]]\ntype: [4d]", "is no type of a loop"),
+    "unknown type": ("closed_loop: [[A, B]]\ntype: [4d]", "is not a type of loop"),
     "too few types": ("closed_loop: [[A, B]]\ntype: []", "a list of 0, expected 1"),
     "unknown motor": ("name_mot: [q]", "there is no joint 'q'"),
     "a fixed motor": ("name_mot: [A_frame]", "is fixed, and cannot be driven"),

@@ -30,14 +30,14 @@ def decoded(message: str | bytes, longest: int) -> dict[str, Any]:
     except RecursionError:
         raise InputError("the message is nested too deeply") from None
     except ValueError as fault:
-        raise InputError(f"the message is no JSON: {fault}") from None
+        raise InputError(f"the message is not JSON: {fault}") from None
     if not isinstance(found, dict):
-        raise InputError("the message is no object")
+        raise InputError("the message is not an object")
     return found
 
 
 def _not_finite(word: str) -> NoReturn:
-    raise ValueError(f"{word} is no number")
+    raise ValueError(f"{word} is not a number")
 
 
 def _expected(what: str, value: Any, where: str) -> InputError:
@@ -56,7 +56,7 @@ def text(longest: int, *, empty: bool = False) -> Check:
         if not empty and not value.strip():
             raise InputError(f"{where} is empty")
         if "\0" in value or any("\ud800" <= c <= "\udfff" for c in value):
-            raise InputError(f"{where} holds characters that are no text")
+            raise InputError(f"{where} holds characters that are not text")
         return value
 
     return check

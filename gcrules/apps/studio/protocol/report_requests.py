@@ -39,7 +39,7 @@ _Title = Annotated[str, text(LONGEST_TITLE)]
 
 def _object(value: Any, where: str) -> Any:
     if not isinstance(value, dict):
-        raise InputError(f"{where} is no object")
+        raise InputError(f"{where} is not an object")
     return value
 
 
@@ -74,14 +74,14 @@ class NoteJson(TypedDict):
 def _image(value: Any, where: str) -> Any:
     found = text(LARGEST_PICTURE, empty=True)(value, where)
     if found and not re.fullmatch(r"data:image/(png|svg\+xml);base64,[A-Za-z0-9+/]+={0,2}", found):
-        raise InputError(f"{where} is no picture: no data address of PNG or SVG in base64")
+        raise InputError(f"{where} is not a picture: no data address of PNG or SVG in base64")
     return found
 
 
 def _link(value: Any, where: str) -> Any:
     found = text(LONGEST_LINK + _ADDRESS, empty=True)(value, where)
     if found and not re.fullmatch(r"http://[\w.\[\]:-]+/?(#[sz]=[\w-]+)?", found):
-        raise InputError(f"{where} is no address of a state of the studio")
+        raise InputError(f"{where} is not an address of a state of the studio")
     return found
 
 

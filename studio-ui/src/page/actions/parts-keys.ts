@@ -26,7 +26,7 @@ export const PARTS: readonly PartKeys[] = [
     rows: [
       ["ArrowUp", "One step up; ↓ down"],
       ["PageUp", "Ten steps up; Page ↓ down"],
-      ["Enter", "Take the number over"],
+      ["Enter", "Accept the number"],
       ["Escape", "Leave it as it was"],
     ],
   },
@@ -37,7 +37,7 @@ export const PARTS: readonly PartKeys[] = [
     rows: [
       ["Arrows", "Move a point"],
       ["Enter", "Join two points by a leg"],
-      ["Delete", "Take a point away"],
+      ["Delete", "Remove a point"],
     ],
   },
   {

@@ -117,7 +117,7 @@ function poseActions(store: Store): Action[] {
       act: () => (timeline.playing.peek() ? timeline.pause() : timeline.play()),
     },
     { id: "way-add", title: "Add this pose to the way", group: "Pose and way", keys: ["a"], fits: () => !client.alone && moves(), act: timeline.add },
-    { id: "way-clear", title: "Begin the way anew here", group: "Pose and way", fits: () => !client.alone && moves(), act: timeline.clear },
+    { id: "way-clear", title: "Start the way over from here", group: "Pose and way", fits: () => !client.alone && moves(), act: timeline.clear },
     {
       id: "motion",
       title: "Play the gained motion, or stop it",
@@ -181,7 +181,7 @@ function pageActions(store: Store): Action[] {
     { id: "glossary", title: "Glossary", group: "Page", keys: ["g"], words: "terms words meaning help", act: () => front.glossary() },
     {
       id: "hide-term",
-      title: "Put the meaning of a word away",
+      title: "Close the explanation of a word",
       group: "Page",
       keys: ["Escape"],
       fits: () => front.term.value !== null,

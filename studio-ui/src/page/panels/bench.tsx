@@ -139,7 +139,7 @@ export function Bench({ store }: PanelProps) {
   );
 }
 
-const stoppedNote = (answers: number): string => `Stopped${answers > 0 ? ` with ${counted(answers, "answer")}` : ""}. Evaluate begins anew.`;
+const stoppedNote = (answers: number): string => `Stopped${answers > 0 ? ` with ${counted(answers, "answer")}` : ""}. Evaluate starts over.`;
 
 const NONE: readonly BenchResult[] = [];
 

@@ -9,6 +9,6 @@ export const StoreProvider = StoreContext.Provider;
 
 export function useStore(): Store {
   const store = useContext(StoreContext);
-  if (!store) throw new Error("this part stands outside of the page");
+  if (!store) throw new Error("this part is outside the page");
   return store;
 }

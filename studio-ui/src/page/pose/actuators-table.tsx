@@ -70,7 +70,7 @@ const unitOf = ({ unit }: Actuator): string => (unit === "deg" ? "°" : unit);
 function reachWords(actuators: readonly Actuator[], legs: boolean): string {
   const out = actuators.filter((a) => beyond(a) > 0);
   const noun = legs ? "leg" : "actuator";
-  if (actuators.every((a) => Number.isNaN(beyond(a)))) return `The file says nothing of what ${noun}s reach.`;
+  if (actuators.every((a) => Number.isNaN(beyond(a)))) return `The file says nothing about what ${noun}s reach.`;
   if (out.length === 0) return `All ${noun}s are within the limits of the file.`;
   const words = out.map((a) => `${a.name} by ${short(beyond(a))} ${unitOf(a)}`);
   return `Beyond the limits of the file: ${words.join(", ")}.`;

@@ -81,4 +81,4 @@ export function ModeView() {
 }
 
 const meaning = ({ verdict }: Mode, index: number): string =>
-  `${index === 0 ? "As the file has it" : "Limbs stand otherwise"}, ${verdict ?? "without numbers"} at home`;
+  `${index === 0 ? "As the file has it" : "Limbs are placed differently"}, ${verdict ?? "without numbers"} at home`;

@@ -34,7 +34,7 @@ export function Stops() {
         <Tables />
         <span class="space" />
         <button type="button" class="quiet" data-testid="way-clear" disabled={list.length < 2 && !given.value} onClick={() => (settle(), timeline.clear())}>
-          Begin anew here
+          Start over here
         </button>
       </div>
       {list.length > 1 && (

@@ -30,7 +30,7 @@ export function TopBar() {
               </span>
             )}
             {!drawn && store.sharing.active.value && (
-              <span class="tag" title="Python moves this robot too, and hears of its moves here" data-testid="shared">
+              <span class="tag" title="Python moves this robot too, and follows its moves here" data-testid="shared">
                 shared with Python
               </span>
             )}

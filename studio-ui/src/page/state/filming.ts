@@ -17,7 +17,7 @@ export async function filmed(store: Store, what: Film, signal: AbortSignal, tell
   const type = typeof MediaRecorder === "undefined" ? undefined : TYPES.find((one) => MediaRecorder.isTypeSupported(one));
   const canvas = document.createElement("canvas");
   const frameAt = FRAMES[what](store);
-  if (!viewer || !type || !viewer.film(canvas, null)) throw new Error("this browser records no films of the picture");
+  if (!viewer || !type || !viewer.film(canvas, null)) throw new Error("this browser cannot record films of the picture");
 
   const stream = canvas.captureStream(RATE);
   const recorder = new MediaRecorder(stream, { mimeType: type, videoBitsPerSecond: 8e6 });

@@ -62,8 +62,8 @@ export function readProject(text: string, name: string): { project: Project } | 
 function read(text: string): Project {
   if (text.length > LONGEST) throw new Unfit(`it is larger than ${LONGEST / 1e6} MB`);
   const x = object(parsed(text), "the file", ["kind", "format", "title", "note", "robots"]);
-  if (x.kind !== KIND) throw new Unfit("it is no project of the studio", `its "kind" would be "${KIND}"`);
-  if (typeof x.format !== "number") throw new Unfit("it has no number of its format", `"format": ${FORMAT}`);
+  if (x.kind !== KIND) throw new Unfit("it is not a project of the studio", `its "kind" would be "${KIND}"`);
+  if (typeof x.format !== "number") throw new Unfit("it does not give the number of its format", `"format": ${FORMAT}`);
   if (x.format !== FORMAT) throw new Unfit(`its format is ${x.format}, and this studio reads ${FORMAT}`, "a newer gcrules has written it");
   return { title: words(x.title, "title"), note: words(x.note, "note"), robots: list(x.robots, "robots").map(robot) };
 }
@@ -72,7 +72,7 @@ function parsed(text: string): unknown {
   try {
     return JSON.parse(text);
   } catch (error) {
-    throw new Unfit(`it is no JSON: ${error instanceof Error ? error.message : String(error)}`);
+    throw new Unfit(`it is not JSON: ${error instanceof Error ? error.message : String(error)}`);
   }
 }
 
@@ -108,18 +108,18 @@ function whole(given: object, found: object, at: string): void {
 }
 
 function object(x: unknown, at: string, keys?: readonly string[]): Record<string, unknown> {
-  if (typeof x !== "object" || x === null || Array.isArray(x)) throw new Unfit(`${at} is no object`);
+  if (typeof x !== "object" || x === null || Array.isArray(x)) throw new Unfit(`${at} is not an object`);
   const other = keys && Object.keys(x).find((key) => !keys.includes(key));
   if (other !== undefined) throw new Unfit(`${at} has "${other}", which is not known`, `known are ${keys?.join(", ")}`);
   return x as Record<string, unknown>;
 }
 
 function list(x: unknown, at: string): unknown[] {
-  if (!Array.isArray(x)) throw new Unfit(`${at} is no list`);
+  if (!Array.isArray(x)) throw new Unfit(`${at} is not a list`);
   return x;
 }
 
 function words(x: unknown, at: string): string {
-  if (typeof x !== "string") throw new Unfit(`${at} is no text`);
+  if (typeof x !== "string") throw new Unfit(`${at} is not text`);
   return x;
 }

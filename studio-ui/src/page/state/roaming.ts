@@ -14,7 +14,7 @@ export interface Roaming {
   free: Runner<"free">;
   boxes: Runner<"boxes">;
   certify: Runner<"certify">;
-  /** What is asked of whole ranges; begins anew when something else is opened. */
+  /** What is asked of whole ranges; starts over when something else is opened. */
   whole$: Signal<Whole>;
 }
 

@@ -23,13 +23,13 @@ const show =
 export const STOPS: readonly Stop[] = [
   {
     title: "When does a robot lose control?",
-    words: "A platform on six legs is stiff, but for some poses: there it can move although every leg keeps its length. The studio tells when, and why, as geometry. The tour takes one robot from the start page; your own comes after.",
+    words: "A platform on six legs is stiff, but for some poses: there it can move although every leg keeps its length. The studio says when, and why, as geometry. The tour takes one robot from the start page; your own comes after.",
     at: null,
     lead: (store) => store.go({ panel: "start" }),
   },
   {
     title: "From six legs to a sentence",
-    words: "Each step says what it does and why: the legs, their determinant (the superbracket), its shortest form, the planes in it. Next step leads on; n and b do it by keys.",
+    words: "Each step says what it does and why: the legs, their determinant (the superbracket), its shortest form, the planes in it. Next step leads on; the keys n and b do the same.",
     at: "stage-structure",
     lead: show("guided", "structure"),
   },
@@ -47,7 +47,7 @@ export const STOPS: readonly Stop[] = [
   },
   {
     title: "Move it",
-    words: "Sliders, handles and keys move the platform. Here it is driven 380 mm down, and it does not come there unharmed: the way crosses singular poses, which is said at once.",
+    words: "Sliders, handles and keys move the platform. Here it is driven 380 mm down, and it does not get there unharmed: the way crosses singular poses, which is reported at once.",
     at: "crossed",
     lead(store) {
       show("guided", "statement")(store);

@@ -63,7 +63,7 @@ export function createRuleChecks({ client, rules$, edit, settle }: Store): RuleC
     open(name, text) {
       const files = rules$.peek();
       if (text.length > LONGEST_RULES) return `${name} has more than ${LONGEST_RULES.toLocaleString("en")} characters.`;
-      if (text.includes("\0")) return `${name} holds characters that are no text; it is not opened.`;
+      if (text.includes("\0")) return `${name} holds characters that are not text; it is not opened.`;
       const file: RuleFile = { name: name.slice(0, 200), text: text.replaceAll("\r\n", "\n"), off: [] };
       const others = files.filter((other) => other.name !== file.name);
       if (others.length >= MOST_RULE_FILES) return `At most ${MOST_RULE_FILES} files of rules are open at a time.`;

@@ -184,7 +184,7 @@ function Plugins({ checks, used, write }: { checks: RuleChecks; used: Used; writ
         <h3>Plugins</h3>
       </header>
       <p class="told">
-        Rules in Python are code, and this page takes in none. They stand in folders, or in installed packages, that are there when the studio is started:{" "}
+        Rules in Python are code, and this page does not load any. They are in folders, or in installed packages, that are present when the studio is started:{" "}
         <code>gcrules studio --plugins DIR</code>.
       </p>
       {now?.state === "busy" && (

@@ -24,7 +24,7 @@ export function Comparison({ study }: { study: Study }) {
             <button type="button" onClick={comparing.swap} data-testid="beside-swap">
               Change places
             </button>
-            <button type="button" class="tool" aria-label="Put the other robot away" title="Put it away" onClick={comparing.close} data-testid="beside-close">
+            <button type="button" class="tool" aria-label="Close the other robot" title="Put it away" onClick={comparing.close} data-testid="beside-close">
               <Icon name="close" size={16} />
             </button>
           </span>
@@ -37,7 +37,7 @@ export function Comparison({ study }: { study: Study }) {
           <MiniViewer scene={scene} label={`${other.name}, ${place}`} testid="beside-picture" />
           <p class="tip">
             {other.name}, {place}
-            {comparing.together.value ? "." : ": its poses are others than those of this robot."}
+            {comparing.together.value ? "." : ": its poses are not those of this robot."}
           </p>
           <div class="scrolled">
             <table class="readings beside" data-testid="beside">

@@ -20,7 +20,7 @@ export const PROPOSALS: readonly Proposal[] = [
     kind: "tetrahedron",
     title: "Tetrahedron",
     size: 4,
-    words: "Four points whose bracket stands in every monomial: it can be taken out as a factor.",
+    words: "Four points whose bracket occurs in every monomial: it can be taken out as a factor.",
     drawn: "tetrahedron",
   },
   {

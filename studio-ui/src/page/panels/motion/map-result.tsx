@@ -111,7 +111,7 @@ function Robot({ axes, at, elsewhere }: { axes: MapAnswer["axes"]; at: readonly 
   const [left, bottom] = inside.map((part) => `${100 * part}%`);
   const [right = 0, up = 0] = parts.map((part, i) => Math.sign(part - (inside[i] ?? part)));
   const outside = right !== 0 || up !== 0;
-  const words = outside ? "The robot is outside of this map" : elsewhere ? "The robot, which is not in this map" : "The robot";
+  const words = outside ? "The robot is outside this map" : elsewhere ? "The robot, which is not in this map" : "The robot";
   const turn = outside ? `${(Math.atan2(0 - up, right) * 180) / Math.PI}deg` : "0deg";
   const shape = outside ? ARROW : DIAMOND;
   return (

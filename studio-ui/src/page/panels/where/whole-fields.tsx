@@ -39,7 +39,7 @@ export function WholeFields({ study, ranges }: { study: Study; ranges: readonly 
         ))}
       </fieldset>
       <div class="row">
-        <label title="Free poses are to have this margin σ at least">
+        <label title="Free poses are to have at least this margin σ">
           <span class="label">margin σ</span>
           <NumberField value={whole.margin} step={0.01} digits={2} label="margin" testid="boxes-margin" onChange={(margin) => set({ margin })} />
         </label>
@@ -58,7 +58,7 @@ export function WholeFields({ study, ranges }: { study: Study; ranges: readonly 
       {whole.kind === "certificate" && (
         <>
           <Words label="cones" example="40 deg, or base 30 deg, platform 40 deg" name="cone" title="Joints at the ends of rods keep to cones around the rods' directions at home, as the bodies there carry them" />
-          {tilts && <Words label="tilt" example="25 deg" name="tilt" title="The platform tilts so far in any direction" />}
+          {tilts && <Words label="tilt" example="25 deg" name="tilt" title="The platform tilts this far in any direction" />}
         </>
       )}
     </>
