@@ -1,5 +1,5 @@
-"""Turns by angles are rational or rounded, and exact answers say which: a robot that is singular at all poses of a slice
-is not called regular there because the turn was rounded.
+"""Turns by angles are rational or rounded, and exact answers say which: a robot that is singular at all poses of a
+slice is not called regular there because the turn was rounded.
 """
 
 from __future__ import annotations
