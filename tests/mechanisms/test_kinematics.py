@@ -430,6 +430,6 @@ def test_limbs_move_together_as_each_by_itself(name: str) -> None:
     expected = start.after(amounts, alone)
     for one, other in zip(links, alone, strict=True):
         assert one == pytest.approx(other, abs=1e-14)
-    for one, other in zip(there.chains, expected.chains, strict=True):
-        assert one.screws == pytest.approx(other.screws, abs=1e-14 * machine(name).size)
+    for chain, known in zip(there.chains, expected.chains, strict=True):
+        assert chain.screws == pytest.approx(known.screws, abs=1e-14 * machine(name).size)
     assert there.platform == pytest.approx(expected.platform, abs=1e-14 * machine(name).size)
