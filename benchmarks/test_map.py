@@ -105,6 +105,26 @@ def test_a_robot_of_joints(ratio: Callable[..., Any]) -> None:
     ratio(swept, {"each from home": alone}, agree=agree, at_least={"each from home": 4}, rounds=2, others_rounds=1)
 
 
+def test_a_surface_of_a_robot_of_joints(ratio: Callable[..., Any]) -> None:
+    """Orthoglide over 7 × 7 × 7 poses of which many are out of reach, its cells proved, beside those in reach solved
+    from home one by one.
+    """
+    found = Limbs.of(read_robot("orthoglide"))
+    over = [f"{name} -3:3:7" for name in "xyz"]
+
+    def swept() -> int:
+        return int((~np.isnan(margins_of(limbs_task(found, over)))).sum())
+
+    def alone() -> int:
+        t, m = limbs_task(found, over), found.linkage
+        origin, steps = t.grid.linear
+        nodes = np.flatnonzero(t._branch.owner >= 0)
+        goals = origin + np.stack(np.unravel_index(nodes, t.grid.shape), axis=1) @ steps
+        return int(np.isfinite([margin(m, solve(m, Target(t.grid.names, g)).configuration).sigma for g in goals]).sum())
+
+    ratio(swept, {"those in reach, from home": alone}, agree=int.__eq__, within=10, rounds=1, others_rounds=1)
+
+
 def margins_of(t: Any) -> Any:
     return np.concatenate([t.compute(k)["margin"] for k in range(t.number)])
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
+from functools import lru_cache
 from itertools import combinations
 
 from gcrules.algebra.evaluate import evaluate
@@ -18,6 +19,7 @@ Vector = tuple[Fraction, ...]
 Points = Mapping[str, Sequence[int | Fraction]]
 
 
+@lru_cache(maxsize=256)
 def factors(e: Expr) -> tuple[Expr, ...]:
     """The factors of a scalar, numbers and signs left out, each one once."""
     return tuple({str(f): f for f in _factors(e)}.values())

@@ -85,7 +85,7 @@ class MovingPlatform:
             place = self.points[name]
             if self.structure.sides[name] == "platform":
                 arm = [c - m for c, m in zip(place, self.centre, strict=True)]
-                turned = [sum((r * c for r, c in zip(row, arm, strict=True)), Fraction(0)) for row in turn]
+                turned = [r * arm[0] + s * arm[1] + t * arm[2] for r, s, t in turn]
                 place = _vector([a + m + t for a, m, t in zip(turned, self.centre, pose.translation, strict=True)])
             found[name] = (*place, Fraction(1))
         for a, b in self.legs:

@@ -10,6 +10,7 @@ import math
 import re
 from collections.abc import Sequence
 from fractions import Fraction
+from functools import cached_property
 from typing import Any
 
 from gcrules.core.dataclass import dataclass
@@ -75,7 +76,7 @@ class Pose:
     quaternion: Quaternion = IDENTITY
     notes: tuple[str, ...] = ()
 
-    @property
+    @cached_property
     def rotation(self) -> Matrix:
         """The 3×3 matrix R, exactly orthogonal."""
         return rotation(self.quaternion)

@@ -19,6 +19,7 @@ from gcrules.mechanisms.description.discovery import robots
 from gcrules.mechanisms.description.limb_file import LimbSpec, read_joints
 from gcrules.mechanisms.description.robot_file import parse_robot
 from gcrules.mechanisms.kinematics.chains import _by_twists, chain_of, shape_of
+from gcrules.mechanisms.kinematics.configurations import Configurations
 from gcrules.mechanisms.kinematics.coordinates import coordinates
 from gcrules.mechanisms.kinematics.leading import leading
 from gcrules.mechanisms.kinematics.linkage import Linkage, linkage
@@ -414,3 +415,21 @@ def test_limbs_by_themselves_are_left_out_of_the_guarantee() -> None:
 def test_degrees_of_text() -> None:
     here = gc.pose("3-rpr", {"x": "0.1", "y": 0, "yaw": "5"}, degrees=True, nearest=False)
     assert here.coordinates["yaw"] == pytest.approx(np.deg2rad(5))
+
+
+# --- many at once -----------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("name", ["delta", "tricept", "capaman", "reachy-mini-head", "h4", "5-rpur"])
+def test_limbs_move_together_as_each_by_itself(name: str) -> None:
+    start = Configurations.of([machine(name).home])
+    rng = np.random.default_rng(7)
+    amounts = [rng.uniform(-0.3, 0.3, (5, len(c.turns))) for c in start.chains]
+    links, there = start.moved(amounts)
+    alone = [c.links(a) for c, a in zip(start.chains, amounts, strict=True)]
+    expected = start.after(amounts, alone)
+    for one, other in zip(links, alone, strict=True):
+        assert one == pytest.approx(other, abs=1e-14)
+    for chain, known in zip(there.chains, expected.chains, strict=True):
+        assert chain.screws == pytest.approx(known.screws, abs=1e-14 * machine(name).size)
+    assert there.platform == pytest.approx(expected.platform, abs=1e-14 * machine(name).size)

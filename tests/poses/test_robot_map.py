@@ -23,7 +23,9 @@ from gcrules.mechanisms.kinematics.solve import Solution, solve
 from gcrules.mechanisms.kinematics.targets import Target
 from gcrules.mechanisms.limbs import Limbs
 from gcrules.mechanisms.mechanism import mechanism
+from gcrules.poses.limbs import lattice as lattice_module
 from gcrules.poses.limbs.factors import factors
+from gcrules.poses.limbs.straight import number_of_steps
 from gcrules.poses.maps.cells import CROSSED, FREE, OUTSIDE, UNDECIDED
 from gcrules.poses.maps.limb_task import LimbsTask, limbs_task
 from gcrules.poses.maps.maps import singular_map
@@ -318,3 +320,24 @@ def test_statuses_are_all_there() -> None:
     found = {int(s) for name in CASES for s in np.unique(arrays(name)["cell_status"])}
     found |= {int(s) for name in DRIVEN for s in np.unique(arrays(name, True)["cell_status"])}
     assert found == {FREE, CROSSED, UNDECIDED, OUTSIDE}
+
+
+def test_only_steps_that_are_too_long_for_their_proof_are_halved(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A way whose last step fails is not gone again from its beginning."""
+    t = limbs_task(robot("delta"), ("x -2:2:5", "y -2:2:5"))
+    lattice, node = t._start
+    before, place = lattice.places(np.array([node])), lattice.places(np.array([node])) + np.array([[0.0, 1.0]])
+    parts = int(number_of_steps(lattice.course, lattice.steps[1:]).max())
+    tried: list[float] = []
+
+    def follow(m: Any, target: Any, steps: Any) -> Any:
+        tried.append(float(np.abs(steps.grown).max()))
+        return np.array([len(tried) != parts])  # the last one of the whole steps is not proved
+
+    monkeypatch.setattr(lattice_module, "follow_branch", follow)
+    found = lattice.solved(np.zeros((1, len(lattice.units))), before, place, halvings=3)
+    whole = float(np.abs(lattice.steps[1]).max()) / parts
+    assert parts > 1
+    assert tried == pytest.approx([whole] * parts + [whole / 2] * 2)
+    alone = solve(t.linkage, Target(t.grid.names, (lattice.origin + place @ lattice.steps)[0]))
+    assert lattice.at(found).platform[0] == pytest.approx(alone.configuration.platform, abs=1e-9)

@@ -65,7 +65,8 @@ def _of_legs(m: SixLegs, subject: Subject, pose: PoseJson, threshold: str | None
     limit = threshold_of(threshold, m.unit)
     if subject.moving is None or subject.scenery is None:
         return _by_lines(subject, pose, limit)
-    found = report_of_legs(m, exact_pose(pose), threshold=limit, nearest=False, quick=True)
+    here = exact_pose(pose)
+    found = report_of_legs(m, here, threshold=limit, nearest=False, quick=True)
     at = arrays([pose])
     j = jacobian(m.rig.base, m.rig.ends(*at))
     places = {n: (float(x), float(y), float(z)) for n, ((x, y, z, _),) in homogeneous(m.rig, *at).items()}
@@ -93,8 +94,7 @@ def _of_legs(m: SixLegs, subject: Subject, pose: PoseJson, threshold: str | None
         "actuators": actuator_views(m, lengths, found.jacobian),
         "jacobian": jacobian_facts(found.jacobian, m.unit),
         "signs": [
-            {"expression": s.expression, "sign": s.sign, "statement": s.statement}
-            for s in signs_of_legs(m, exact_pose(pose))
+            {"expression": s.expression, "sign": s.sign, "statement": s.statement} for s in signs_of_legs(m, here)
         ],
     }
 

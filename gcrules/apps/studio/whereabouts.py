@@ -27,7 +27,7 @@ from gcrules.poses.limbs.around import actuator_values
 from gcrules.poses.limbs.many import numbers_at
 from gcrules.poses.limbs.pose_report import target_of
 from gcrules.screws.pose import Pose
-from gcrules.screws.pose_text import ANGLES, COORDINATES, HOME, VECTOR, pose_of
+from gcrules.screws.pose_text import ANGLES, HOME, pose_of
 
 __all__ = [
     "SHORT",
@@ -124,31 +124,21 @@ def all_reached(
     are given up: as a rule they do not to the rest either, and trying takes long.
     """
     m = limbs.linkage
-    whole, proved = np.zeros((len(wanted), len(COORDINATES))), np.zeros(len(wanted), dtype=bool)
+    motions, proved = np.zeros((len(wanted), 4, 4)), np.zeros(len(wanted), dtype=bool)
     with suppress(InputError):
         check_target(m, target := actuators_target(m, amounts[-1].tolist()))
-        several = numbers_at(limbs, target, amounts, ("coordinates", "proved"))
-        whole, proved = several["coordinates"], several["proved"]
-    near = _is_near(limbs, names, whole[:, [COORDINATES.index(n) for n in names]] - wanted)
+        several = numbers_at(limbs, target, amounts, ("motions", "proved"))
+        motions, proved = several["motions"], several["proved"]
+    near = _is_near(limbs, names, coordinates(names, motions, m.centre) - wanted)
     found: list[Reached | None] = []
     lost = 0
     for k, given in enumerate(amounts):
         checkpoint()
         if proved[k]:
-            platform = displacement(m, _motion(whole[k], m.centre), about)
-            found.append(Reached(posed(limbs, given), platform) if near[k] else None)
+            found.append(Reached(posed(limbs, given), displacement(m, motions[k], about)) if near[k] else None)
         else:
             found.append(reached(limbs, given, names, wanted[k], about) if lost < _LOST else None)
         lost = 0 if found[-1] else lost + 1
-    return found
-
-
-def _motion(whole: Floats, centre: Floats) -> Floats:
-    """The motion (4, 4) from home that leads to all coordinates (coordinates,)."""
-    pose = pose_of({n: c for n, c in zip(COORDINATES, whole.tolist(), strict=True) if n not in VECTOR})
-    found = np.eye(4)
-    found[:3, :3] = turn = np.array(pose.rotation, dtype=np.float64)
-    found[:3, 3] = centre + np.array(pose.translation, dtype=np.float64) - turn @ centre
     return found
 
 

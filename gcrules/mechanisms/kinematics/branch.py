@@ -11,6 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
@@ -34,6 +35,7 @@ __all__ = ["Cells", "Steps", "are_regular", "can_be_followed", "follow_and_are_r
 Truths = NDArray[np.bool_]
 
 _ROOM = 1.0 + 1e-9  # for rounding of values within a cell
+_KEPT = 16  # robots of which it is known what moves
 
 
 @dataclass(frozen=True, eq=False)
@@ -99,19 +101,19 @@ def follow_and_are_regular(m: Linkage, wanted: Target, steps: Steps) -> tuple[Tr
     follow = np.asarray(np.isfinite(around[0]).all(axis=-1))
     arms = _arms(m, steps.here, steps.amounts)
     reach = [np.abs(a.amounts) / 2 + t for a, t in zip(arms, around, strict=False)]
-    return follow, follow & keeps_rank(spreads(arms), _undriven(m), _idle(m, _undriven(m)), reach)
+    return follow, follow & keeps_rank(spreads(arms), _undriven(m).free, _undriven(m).idle, reach)
 
 
 def tubes(m: Linkage, wanted: Target, steps: Steps) -> tuple[Floats, ...]:
     """How far the coordinates of each limb are from the straight way at most; infinite where nothing is proved."""
     if wanted.driven:
         arms = _arms(m, steps.here, steps.amounts)
-        return follows(spreads(arms), _following(m), _idle(m, _following(m)))
+        return follows(spreads(arms), _following(m).free, _following(m).idle)
     if not can_be_followed(m, wanted):
         return tuple(np.full(a.shape, np.inf) for a in steps.amounts)
     pose, grown, free = _pose_chain(m, _without_vector(m, wanted), steps)
     arms = _arms(m, steps.here, steps.amounts, (pose, grown))
-    return follows(spreads(arms), [free, *_unlocked(m)], _idle(m, _unlocked(m)))[1:]
+    return follows(spreads(arms), [free, *_unlocked(m).free], _unlocked(m).idle)[1:]
 
 
 @dataclass(frozen=True, eq=False)
@@ -136,7 +138,7 @@ class Cells:
         if wanted.driven:
             for n, a in enumerate(leading(m)):
                 known[a.place][:, a.coordinate] = widths[:, n] * _ROOM / (1.0 if a.angle else m.size)
-            tubes = holds(limbs, _following(m), _idle(m, _following(m)), known)
+            tubes = holds(limbs, _following(m).free, _following(m).idle, known)
             reach = [k + t for k, t in zip(known, tubes, strict=True)]
         else:
             wanted = _without_vector(m, wanted)
@@ -147,8 +149,8 @@ class Cells:
             for n, name in enumerate(wanted.names):
                 far[:, order.index(name)] = widths[:, n] * _ROOM / (m.size if name in SHIFTS else 1.0)
             chains = spreads(_arms(m, here, still, (pose, grown)))
-            reach = list(holds(chains, [free, *_unlocked(m)], _idle(m, _unlocked(m)), [far, *known])[1:])
-        return cls(tuple(reach), keeps_rank(limbs, _undriven(m), _idle(m, _undriven(m)), reach))
+            reach = list(holds(chains, [free, *_unlocked(m).free], _unlocked(m).idle, [far, *known])[1:])
+        return cls(tuple(reach), keeps_rank(limbs, _undriven(m).free, _undriven(m).idle, reach))
 
     @property
     def one_branch(self) -> Truths:
@@ -169,26 +171,39 @@ def _centre(m: Linkage, here: Configurations) -> Floats:
     return np.asarray(here.platform[:, :3, :3] @ m.centre + here.platform[:, :3, 3])
 
 
-def _unlocked(m: Linkage) -> list[Choice]:
+@dataclass(frozen=True, eq=False)
+class _Moving:
+    """Which coordinates of each limb move, and how many of their motions inside the limbs leave the platform at rest
+    in the whole family.
+    """
+
+    free: tuple[Choice, ...]
+    idle: int
+
+    @classmethod
+    def of(cls, m: Linkage, free: Sequence[Choice]) -> _Moving:
+        places = [np.flatnonzero(own).tolist() for own in free]
+        idle = sum(len(own) - limb.rank_of(own, RESIDUES) for own, limb in zip(places, m.generic, strict=True))
+        return cls(tuple(free), idle)
+
+
+@lru_cache(maxsize=_KEPT)
+def _unlocked(m: Linkage) -> _Moving:
     """The coordinates that may move."""
-    return [~h for h in _coordinates(m, ((place, k) for place, k, _ in m.locked))]
+    return _Moving.of(m, [~h for h in _coordinates(m, ((place, k) for place, k, _ in m.locked))])
 
 
-def _undriven(m: Linkage) -> list[Choice]:
+@lru_cache(maxsize=_KEPT)
+def _undriven(m: Linkage) -> _Moving:
     """The coordinates that may move at once with the actuators locked, those that have to stay at 0 among them."""
-    return [~d for d in _coordinates(m, ((a.place, a.coordinate) for a in m.actuators))]
+    return _Moving.of(m, [~d for d in _coordinates(m, ((a.place, a.coordinate) for a in m.actuators))])
 
 
-def _following(m: Linkage) -> list[Choice]:
+@lru_cache(maxsize=_KEPT)
+def _following(m: Linkage) -> _Moving:
     """The coordinates that follow when the robot is driven: they may move, and lead not."""
     lead = _coordinates(m, ((a.place, a.coordinate) for a in leading(m)))
-    return [u & ~a for u, a in zip(_unlocked(m), lead, strict=True)]
-
-
-def _idle(m: Linkage, moving: Sequence[Choice]) -> int:
-    """How many motions of these coordinates inside the limbs leave the platform at rest in the whole family."""
-    places = [np.flatnonzero(own).tolist() for own in moving]
-    return sum(len(own) - limb.rank_of(own, RESIDUES) for own, limb in zip(places, m.generic, strict=True))
+    return _Moving.of(m, [u & ~a for u, a in zip(_unlocked(m).free, lead, strict=True)])
 
 
 def _coordinates(m: Linkage, places: Iterator[tuple[int, int]]) -> list[Choice]:

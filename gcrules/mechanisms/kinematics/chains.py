@@ -28,7 +28,7 @@ from gcrules.mechanisms.kinematics.rigid_motions import Floats, carried, crossed
 from gcrules.screws import FLOATS, JOINTS, RATIONALS, JointKind
 from gcrules.screws.fields import Row
 
-__all__ = ["Chain", "ElementaryMotion", "Run", "Shape", "chain_of", "geometry_of", "products", "shape_of"]
+__all__ = ["Chain", "ElementaryMotion", "Run", "Shape", "chain_of", "geometry_of", "moved", "products", "shape_of"]
 
 Values = Mapping[str, Floats]
 """Places of names, (3,) each; of many configurations at once where there are axes before."""
@@ -317,6 +317,26 @@ class Chain:
         found = np.zeros((len(self.uses), len(self.turns)))
         found[np.arange(len(self.uses)), list(self.uses)] = self.signs
         return found
+
+
+def moved(chains: Sequence[Chain], amounts: Sequence[Floats]) -> tuple[list[Floats], list[Chain]]:
+    """What `links` and `after` give of each chain for its amounts: chains with as many motions are moved at once."""
+    links, screws = [np.empty(0)] * len(chains), [np.empty(0)] * len(chains)
+    alike: dict[int, list[int]] = {}
+    for k, chain in enumerate(chains):
+        if chain.runs:
+            links[k] = chain.links(amounts[k])
+            screws[k] = chain.after(links[k]).screws
+        else:
+            alike.setdefault(len(chain.uses), []).append(k)
+    for places in alike.values():
+        every = np.stack([chains[k].screws for k in places], axis=-3)
+        far = np.stack([chains[k].signs * amounts[k][..., list(chains[k].uses)] for k in places], axis=-2)
+        made = products(exponential(every, far))
+        there = carried(made[..., :-1, :, :], every)
+        for n, k in enumerate(places):
+            links[k], screws[k] = made[..., n, :, :, :], there[..., n, :, :]
+    return links, [c.placed(s) for c, s in zip(chains, screws, strict=True)]
 
 
 def products(steps: Floats) -> Floats:

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gcrules.core.dataclass import dataclass
-from gcrules.mechanisms.kinematics.chains import Chain
+from gcrules.mechanisms.kinematics.chains import Chain, moved
 from gcrules.mechanisms.kinematics.linkage import Configuration
 from gcrules.mechanisms.kinematics.rigid_motions import Floats
 
@@ -51,6 +51,12 @@ class Configurations:
         order = np.arange(len(self))
         order[places] = len(self) + np.arange(len(others))
         return Configurations.together([self, others])[order]
+
+    def moved(self, amounts: Sequence[Floats]) -> tuple[list[Floats], Configurations]:
+        """How the links move where the coordinates grow by these amounts, and the configurations then."""
+        links, chains = moved(self.chains, amounts)
+        values = tuple(a + b for a, b in zip(self.joint_values, amounts, strict=True))
+        return links, Configurations(tuple(chains), values, links[0][:, -1] @ self.platform)
 
     def after(self, amounts: Sequence[Floats], links: Sequence[Floats]) -> Configurations:
         """Those to which the coordinates grow by these amounts, the links moving like this."""

@@ -131,16 +131,17 @@ def close_loops(course: Course, start: Configurations, goal: Floats) -> Joints:
     whole = np.zeros((number, len(units)))
     best, residual = np.full(number, np.inf), np.zeros(number)
     closed, far = np.zeros(number, dtype=bool), np.zeros(number, dtype=bool)
-    ends = tuple(np.broadcast_to(np.eye(4), (number, c.count, 4, 4)).copy() for c in start.chains)
+    ends = [np.broadcast_to(np.eye(4), (number, c.count, 4, 4)).copy() for c in start.chains]
     active, iterations = np.arange(number), -1
+    closing = 6 * (len(start.chains) - 1 + sum(len(c.loops) for c in start.chains))
     while len(active) and iterations < _ITERATIONS:
         checkpoint()
         iterations += 1
         here = start if len(active) == number else start[active]
-        amounts = np.split(whole[active], cuts, axis=1)
-        links = [c.links(a) for c, a in zip(here.chains, amounts, strict=True)]
-        there = here.after(amounts, links)
-        gaps = loop_gaps(here.chains, links, here.platform, m)
+        links, there, gaps = ends, start, np.zeros((number, closing))  # at first nothing has moved
+        if iterations:
+            links, there = here.moved(np.split(whole[active], cuts, axis=1))
+            gaps = loop_gaps(here.chains, links, here.platform, m)
         r = np.concatenate([gaps, course.error(goal[active], there.platform, there.joint_values)], axis=1)
         size = np.sqrt((r * r).sum(axis=1))
         done = (size <= _ENOUGH) | ((size <= _ACCURACY / 100) & (size >= best[active] / 4))
@@ -162,7 +163,7 @@ def close_loops(course: Course, start: Configurations, goal: Floats) -> Joints:
         whole[active] += change * units * np.minimum(1.0, _FARTHEST / 2 / np.where(reach > 0, reach, 1.0))
         far[active] = np.abs(whole[active] / units).max(axis=1) > _FARTHEST
         active = active[~far[active]]
-    return Joints(tuple(np.split(whole, cuts, axis=1)), ends, residual, closed, far, max(iterations, 0))
+    return Joints(tuple(np.split(whole, cuts, axis=1)), tuple(ends), residual, closed, far, max(iterations, 0))
 
 
 def _steps(rows: Floats, r: Floats, size: Floats) -> Floats:
@@ -184,17 +185,17 @@ def loop_gaps(chains: Sequence[Chain], links: Sequence[Floats], platform: Floats
     """How the other limbs' platforms lie off that of the first one, and then a limb's bodies off themselves where its
     own loops close: the twists that would bring them there.
     """
-    centre = platform[:, :3, :3] @ m.centre + platform[:, :3, 3]
+    centre = (platform[:, :3, :3] @ m.centre + platform[:, :3, 3])[:, None]
     back = inverse(links[0][:, -1])
-    found = [np.zeros((len(platform), 0))]
     motions = [own[:, -1] @ back for own in links[1:]]
     motions += [own[:, a] @ inverse(own[:, b]) for c, own in zip(chains, links, strict=True) for a, b in c.loops]
-    for motion in motions:
-        motion[:, :3, 3] += (motion[:, :3, :3] @ centre[..., None])[..., 0] - centre
-        twist = logarithm(motion)
-        twist[:, 3:] /= m.size
-        found.append(twist)
-    return np.concatenate(found, axis=1)
+    if not motions:
+        return np.zeros((len(platform), 0))
+    every = np.stack(motions, axis=1)
+    every[..., :3, 3] += (every[..., :3, :3] @ centre[..., None])[..., 0] - centre
+    found = logarithm(every)
+    found[..., 3:] /= m.size
+    return found.reshape(len(platform), -1)
 
 
 def loop_rows(twists: Sequence[Floats], platform: Floats, m: Linkage) -> Floats:
@@ -203,14 +204,19 @@ def loop_rows(twists: Sequence[Floats], platform: Floats, m: Linkage) -> Floats:
     starts = np.cumsum([0, *(t.shape[-1] for t in twists)])
     inner = np.cumsum([len(twists) - 1, *(t.shape[1] - 1 for t in twists)])
     found = np.zeros((len(platform), inner[-1], 6, starts[-1]))
+    whole = _about(np.concatenate([own[:, 0] for own in twists], axis=-1), centre, m.size)
+    found[:, : len(twists) - 1, :, : starts[1]] = -whole[:, None, :, : starts[1]]
     for k, own in enumerate(twists):
         columns = slice(starts[k], starts[k + 1])
-        w, v = np.swapaxes(own[..., :3, :], -1, -2), np.swapaxes(own[..., 3:, :], -1, -2)
-        local = np.concatenate([w, (v + crossed(w, centre[:, None, None])) / m.size], axis=-1)
-        blocks = np.swapaxes(local, -1, -2)
         if k:
-            found[:, k - 1, :, columns] = blocks[:, 0]
-        else:
-            found[:, : len(twists) - 1, :, columns] = -blocks[:, :1]
-        found[:, inner[k] : inner[k + 1], :, columns] = blocks[:, 1:]
+            found[:, k - 1, :, columns] = whole[..., columns]
+        if own.shape[1] > 1:
+            found[:, inner[k] : inner[k + 1], :, columns] = _about(own[:, 1:], centre[:, None], m.size)
     return found.reshape(len(platform), 6 * inner[-1], starts[-1])
+
+
+def _about(twists: Floats, centre: Floats, size: float) -> Floats:
+    """Twists (..., 6, n) with the velocity of a point (..., 3), lengths in parts of the size."""
+    w, v = np.swapaxes(twists[..., :3, :], -1, -2), np.swapaxes(twists[..., 3:, :], -1, -2)
+    moved = np.concatenate([w, (v + crossed(w, centre[..., None, :])) / size], axis=-1)
+    return np.asarray(np.swapaxes(moved, -1, -2))

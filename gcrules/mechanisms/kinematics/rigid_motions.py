@@ -73,9 +73,10 @@ def exponential(screws: Floats, amounts: Floats | float) -> Floats:
     a = np.sqrt(square)
     small = a < _SMALL
     b = np.where(small, 1.0, a)
-    sine = np.where(small, 1 - square / 6, np.sin(b) / b)
-    cosine = np.where(small, 0.5 - square / 24, (1 - np.cos(b)) / (b * b))
-    rest = np.where(small, 1 / 6 - square / 120, (b - np.sin(b)) / (b * b * b))
+    turning, twice = np.sin(b), b * b
+    sine = np.where(small, 1 - square / 6, turning / b)
+    cosine = np.where(small, 0.5 - square / 24, (1 - np.cos(b)) / twice)
+    rest = np.where(small, 1 / 6 - square / 120, (b - turning) / (twice * b))
     found = np.zeros((*square.shape, 4, 4))
     turned, bent, moved = sine * w, cosine * w, cosine * v
     kept, stretched, along = 1 - cosine * square, 1 - rest * square, rest * along

@@ -29,6 +29,7 @@ bounds are derived here.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from contextlib import suppress
 from functools import cached_property
 from itertools import pairwise
 
@@ -300,12 +301,13 @@ def _loops(chains: Sequence[Spread]) -> list[tuple[int, int]]:
 
 
 def _inverted(matrices: Floats) -> Floats:
-    """Left inverses, of matrices that have one."""
-    if matrices.shape[-1] == matrices.shape[-2]:
-        try:
+    """Left inverses, of matrices that have one; what tall ones lose in normal equations is bounded with the rest."""
+    turned = np.swapaxes(matrices, -1, -2)
+    with suppress(np.linalg.LinAlgError):
+        if matrices.shape[-1] == matrices.shape[-2]:
             return np.asarray(np.linalg.inv(matrices))
-        except np.linalg.LinAlgError:
-            pass
+        if matrices.shape[-1] < matrices.shape[-2]:
+            return np.asarray(np.linalg.inv(turned @ matrices) @ turned)
     return np.asarray(np.linalg.pinv(matrices))
 
 

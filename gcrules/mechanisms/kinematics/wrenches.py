@@ -2,6 +2,7 @@ r"""The Jacobian of actuations and constraints as numbers, with the characterist
 
 from __future__ import annotations
 
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -42,7 +43,7 @@ class WrenchJacobian(HoldsArrays):
     transmission: Transmission | None = None
     chosen_length: float | None = None
 
-    @property
+    @cached_property
     def amplification(self) -> Amplification:
         """What the actuators make of their rates, with the chosen length if there is one."""
         n, length = len(self.actuators), self.chosen_length or self.length

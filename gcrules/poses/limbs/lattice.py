@@ -23,7 +23,7 @@ Truths = NDArray[np.bool_]
 Nodes = NDArray[np.intp]
 
 HALVINGS = 3
-"""Of a way from node to node, for its proof."""
+"""Of a step on the way from node to node, for its proof."""
 _TURNS = 6  # halvings of a way on which frames turn too far to be compared
 _AT_ONCE = 256  # configurations: their arrays fit into a cache
 
@@ -85,34 +85,28 @@ class Lattice:
 
     def solved(self, amounts: Floats, before: Floats, places: Floats, *, halvings: int | None = None) -> Floats:
         """Amounts at places, from those at places `before`; not a number where there are none near by, or, with
-        `halvings`, where it is not proved that they lie on one branch, with so many halvings of the way.
+        `halvings`, where it is not proved that they lie on one branch, in steps that are halved so many times at most.
         """
         found = np.full(amounts.shape, np.nan)
         for some in blocks(len(places)):
             grown = (places[some] - before[some]) @ self.steps
-            begin = self.origin + before[some] @ self.steps
-            parts = int(number_of_steps(self.course, grown).max(initial=1))
-            found[some] = self._led(amounts[some], begin, grown, parts, prove=halvings is not None)
-            for _ in range(halvings or 0):
-                rest = np.flatnonzero(np.isnan(found[some, 0]) & ~np.isnan(amounts[some, 0]))
-                if not len(rest):
-                    break
-                parts *= 2
-                found[some.start + rest] = self._led(amounts[some][rest], begin[rest], grown[rest], parts, prove=True)
+            found[some] = self._led(amounts[some], self.origin + before[some] @ self.steps, grown, halvings)
         return found
 
-    def _led(self, amounts: Floats, begin: Floats, grown: Floats, parts: int, *, prove: bool) -> Floats:
+    def _led(self, amounts: Floats, begin: Floats, grown: Floats, halvings: int | None) -> Floats:
         def accept(now: Configurations, joints: Joints, _on: Nodes, step: Floats) -> Truths:
             good = joints.closed & stays_still(self.course.m, joints.amounts)
-            if prove and good.any():
+            if halvings is not None and good.any():
                 steps = Steps.of(now, joints, step)[good]
                 good[good] = follow_branch(self.course.m, self.course.target, steps)
             return good
 
+        def goals(on: Nodes, part: Floats) -> Floats:
+            return np.asarray(begin[on] + part * grown[on])
+
+        parts = int(number_of_steps(self.course, grown).max(initial=1))
         steps = np.where(np.isnan(amounts[:, 0]), 0, parts)
-        found, good = led(
-            self.course, self._start, amounts, lambda on, part: begin[on] + part * grown[on], grown, steps, accept
-        )
+        found, good = led(self.course, self._start, amounts, goals, grown, steps, accept, halvings or 0, growth=1.0)
         return np.where(good[:, None], found, np.nan)
 
     def turned(

@@ -132,6 +132,7 @@ NUMBERS: Mapping[str, Callable[[Solved], Floats]] = MappingProxyType(
         "limb_margins": lambda s: limb_margins(s.m.linkage, s.here),
         "actuators": lambda s: s.actuators,
         "coordinates": lambda s: s.coordinates,
+        "motions": lambda s: s.here.platform,
         "isotropy": lambda s: s.amplifications.isotropy,
         "speeds": lambda s: s.amplifications.speeds,
         "turns": lambda s: s.amplifications.turns,

@@ -38,7 +38,7 @@ from gcrules.mechanisms.kinematics.linkage import Configuration, Linkage
 from gcrules.mechanisms.kinematics.loops import Course
 from gcrules.mechanisms.kinematics.margin import limb_margins, margin, margins
 from gcrules.mechanisms.kinematics.rigid_motions import Floats
-from gcrules.mechanisms.kinematics.solve import check_target, free_coordinates, solve
+from gcrules.mechanisms.kinematics.solve import Solution, check_target, free_coordinates, solve
 from gcrules.mechanisms.kinematics.targets import Target
 from gcrules.mechanisms.limbs import Limbs
 from gcrules.poses.limbs.drive import drive
@@ -79,7 +79,7 @@ def path_of_limbs(
     number = len(targets) - 1
     each = per_segment(samples, number, MAX_SAMPLES)
     check_target(m, targets[0])
-    first = solve(m, targets[0])
+    first = solve(m, targets[0]) if targets[0].values.any() else Solution(m.home, targets[0])
     way = Itinerary(m, tuple(targets))
     parameters, sampled = _places(way, each)
     driven = drive(way, first.configuration, parameters)

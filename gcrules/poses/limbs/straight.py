@@ -36,7 +36,7 @@ def number_of_steps(course: Course, change: Floats) -> Floats:
 def after(start: Configurations, amounts: Floats) -> Configurations:
     """The configurations after amounts (N, all) from a single one."""
     parts = np.split(amounts, np.cumsum([len(c.turns) for c in start.chains])[:-1], axis=1)
-    return start.after(parts, [c.links(a) for c, a in zip(start.chains, parts, strict=True)])
+    return start.moved(parts)[1]
 
 
 def led(
@@ -48,12 +48,14 @@ def led(
     steps: Floats,
     accept: Accept | None = None,
     halvings: int = 0,
+    growth: float = 2.0,
 ) -> tuple[Floats, Truths]:
     """The amounts (N, all) from a single configuration `start` that reach what is wanted, and which do (N,).
 
     Each is led from its own `amounts` in so many `steps` (N,), none where that is 0, while its wanted values grow by
     `change` (N, names); `goals` gives, for places (K,) among all and parts (K, 1) of the way, what is wanted there.
     A step that fails is halved, so many times at most; with none left the configuration stays at the last good step.
+    After a good one the next may be longer by the `growth`.
     """
     found = amounts.copy()
     done = np.where(steps > 0, 0.0, np.inf)  # in steps, of which `left` are those that are not
@@ -70,7 +72,7 @@ def led(
         found[ahead] += np.concatenate(joints.amounts, axis=1)[good]
         done[ahead] = part[good]
         left[ahead] = steps[ahead] - done[ahead]
-        step[ahead] = np.minimum(2 * step[ahead], 1.0)
+        step[ahead] = np.minimum(growth * step[ahead], 1.0)
         step[behind] /= 2
         left[behind[step[behind] < 0.5**halvings]] = 0.0
     return found, (steps > 0) & (done >= steps)

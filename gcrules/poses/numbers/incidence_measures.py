@@ -70,6 +70,7 @@ def readings(conditions: Sequence[Condition], points: Points) -> tuple[Incidence
         for condition in conditions:
             cofactor = normalised(condition.cofactor, points)
             for part in factors(condition.expression):
+                expression = str(part)
                 for name, meaning, values, power, published in _measures(part, condition, points):
                     finite = np.isfinite(values)
                     why = "an entity is not determined" if not finite.all() else ""
@@ -77,9 +78,9 @@ def readings(conditions: Sequence[Condition], points: Points) -> tuple[Incidence
                         why = f"the cofactor {condition.cofactor} is near zero"
                     valid = finite & (cofactor >= NEAR_ZERO)
                     reading = IncidenceMeasure(
-                        str(part), name, meaning, values * unit**power, valid, power, published, why
+                        expression, name, meaning, values * unit**power, valid, power, published, why
                     )
-                    found.setdefault((str(part), name), reading)
+                    found.setdefault((expression, name), reading)
     return tuple(found.values())
 
 
@@ -136,8 +137,10 @@ _FACES = tuple(combinations(range(4), 3))
 
 
 def _four_planes(part: Meet, points: Points) -> Iterator[_Measure]:
-    yield "reciprocal condition number", "of the 4×4 matrix of the planes", _planes_rcond(part, points), 0, True
-    equations = np.stack([plane_equation(coordinates(p, points)) for p in part.children], axis=1)
+    planes = [coordinates(p, points) for p in part.children]
+    matrix = np.stack([_unit(p) for p in planes], axis=1)
+    yield "reciprocal condition number", "of the 4×4 matrix of the planes", _reciprocal(matrix), 0, True
+    equations = np.stack([plane_equation(p) for p in planes], axis=1)
     sizes = np.linalg.norm(equations[:, :, :3], axis=2)
     sizes[sizes <= 1e-12 * np.linalg.norm(equations, axis=2)] = np.nan  # no plane, or at infinity
     equations = equations / sizes[:, :, None]
@@ -159,11 +162,6 @@ def _four_planes(part: Meet, points: Points) -> Iterator[_Measure]:
         1,
         False,
     )
-
-
-def _planes_rcond(part: Meet, points: Points) -> Floats:
-    matrix = np.stack([_unit(coordinates(p, points)) for p in part.children], axis=1)
-    return _reciprocal(matrix)
 
 
 # --- two planes and a line, two lines ------------------------------------------------------------------------------
