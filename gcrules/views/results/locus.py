@@ -7,8 +7,20 @@ from gcrules.core.errors import LimitReached
 from gcrules.poses.loci.form import PolynomialForm, joined
 from gcrules.poses.loci.report import Locus, LocusFactor
 from gcrules.poses.loci.variables import TRANSLATION
+from gcrules.screws.pose import Pose
+from gcrules.screws.pose_text import WrittenTurn
+from gcrules.screws.rotations import Quaternion
 from gcrules.views.formulas.latex import latex_name
-from gcrules.views.results.polynomials import brief, degree_text, degrees_text, formula, number, size_text
+from gcrules.views.results.polynomials import (
+    degree_text,
+    degrees_text,
+    factor_text,
+    formula,
+    irreducible,
+    multiple,
+    shortened,
+    size_text,
+)
 from gcrules.views.text_tables import table, wrapped
 
 __all__ = ["account", "as_latex", "as_text", "form_latex", "headline"]
@@ -48,14 +60,14 @@ def account(found: Locus, *, unicode: bool = False, digits: int | None = None) -
     if found.vanishes:
         return [*rows, _checked(found)]
     times = "·" if unicode else "*"
-    coefficient = f"({number(found.coefficient)}) {times} P" if found.coefficient != 1 else "P"
+    multiplied = multiple(found.coefficient, "P", found.form, digits, times)
     norm = f" {times} ".join(f"({n})^3" for n in found.norms)
     return [
         *rows,
-        ("identity", f"{norm + f' {times} ' if norm else ''}superbracket = {coefficient}"),
+        ("identity", f"{norm + f' {times} ' if norm else ''}superbracket = {multiplied}"),
         ("P", size_text(found.form)),
         ("degrees", degrees_text(found.degrees)),
-        ("factors", _factors(found, digits)),
+        *_factors(found, digits),
         _checked(found),
     ]
 
@@ -71,10 +83,24 @@ def _variables(found: Locus) -> str:
 
 def _fixed(found: Locus) -> list[tuple[str, str]]:
     q = found.question
-    parts = [f"{n} = {c}" for n, c in q.fixed.items()]
+    parts = [f"{n} = {shortened(c)}" for n, c in q.fixed.items()]
     if q.turn is not None:
-        parts.append(f"quaternion {' '.join(map(str, q.turn))}" if any(q.turn[1:]) else "no turn")
-    return [("fixed", ", ".join(parts))] if parts else []
+        parts.append(_turn(q.turn, q.written) if any(q.turn[1:]) else "no turn")
+    fixed = ", ".join(parts)
+    if q.turn is None and q.written is not None:
+        fixed += f"; from {q.written.words}" + f", {listed(q.rounded)} rounded" * bool(q.rounded)
+    return [("fixed", fixed)] if parts else []
+
+
+def _turn(turn: Quaternion, written: WrittenTurn | None) -> str:
+    """A quaternion, of length 1 and rounded where its numbers are long, behind the words that it was given in."""
+    numbers = list(map(str, turn))
+    rounded = [shortened(c) for c in turn] != numbers
+    if rounded:
+        numbers = [f"{c:.6g}" for c in Pose(quaternion=turn).unit_quaternion]
+    quaternion = f"quaternion {' '.join(numbers)}{', rounded' * rounded}"
+    given = "" if written is None or "quat" in written.words else written.words
+    return f"{given} ({quaternion})" if given else quaternion
 
 
 def _centre(found: Locus) -> str:
@@ -82,20 +108,19 @@ def _centre(found: Locus) -> str:
     return f"the platform turns about {', '.join(map(str, c)) if any(c) else 'the origin'}"
 
 
-def _factors(found: Locus, digits: int | None) -> str:
+def _factors(found: Locus, digits: int | None) -> list[tuple[str, str]]:
     try:
         factors = found.factors
     except LimitReached as fault:
-        return f"not decided: {fault.message}; {fault.hint}"
+        return [("factors", f"not decided: {fault.message}; {fault.hint}")]
     if len(factors) == 1 and factors[0].multiplicity == 1 and factors[0].kind == "condition":
-        return "none: P is irreducible over the rationals"
-    return "; ".join(_factor(f, digits) for f in factors)
+        return [("factors", irreducible("P", found.form))]
+    return [("" if k else "factors", _factor(f, digits)) for k, f in enumerate(factors)]
 
 
 def _factor(f: LocusFactor, digits: int | None) -> str:
     meaning = {"norm": " (never 0: it divides the quaternion's |e|^2)", "bracket": f" (of the bracket {f.name})"}
-    power = f", to the power {f.multiplicity}" if f.multiplicity > 1 else ""
-    return f"{brief(f.form, digits)}{meaning.get(f.kind, '')}{power}"
+    return factor_text(f.form, f.multiplicity, digits, meaning.get(f.kind, ""))
 
 
 def _checked(found: Locus) -> tuple[str, str]:

@@ -13,11 +13,12 @@ from gcrules.poses.loci.working_modes import Sightings
 from gcrules.views.results.locus import form_latex
 from gcrules.views.results.polynomials import (
     SHOWN,
-    brief,
     degree_text,
     degrees_text,
+    factor_text,
     formula,
-    number,
+    irreducible,
+    multiple,
     size_text,
 )
 from gcrules.views.text_tables import WIDTH, table
@@ -134,7 +135,7 @@ def _part(
     product = f"product over {count} working modes of the {what}" if multiplied else what
     if multiplied and _others(part, found):
         product = f"product of the {what} over the {count} choices of signs"
-    coefficient = f"({number(part.coefficient)}) {times} {name}" if part.coefficient != 1 else name
+    coefficient = multiple(part.coefficient, name, part.form, digits, times)
     below = f" {times} ".join(f"({_short(p)})^{n}" if n > 1 else f"({_short(p)})" for p, n in part.below)
     yield "identity", f"{product} = {coefficient}{f' / ({below})' if below else ''}"
     if found.roots:
@@ -148,7 +149,10 @@ def _part(
     else:
         single = len(part.found) == 1 and part.found[0].multiplicity == 1
         for f in part.found:
-            yield "factors" if f is part.found[0] else "", _factor(f, single, part.roots, _others(part, found), digits)
+            yield (
+                "factors" if f is part.found[0] else "",
+                _factor(f, name if single else "", part.roots, _others(part, found), digits),
+            )
 
 
 def _others(part: LocusPart, found: RobotLocus) -> tuple[str, ...]:
@@ -156,12 +160,12 @@ def _others(part: LocusPart, found: RobotLocus) -> tuple[str, ...]:
     return tuple(root.name for root in found.roots if root.name not in part.roots)
 
 
-def _factor(f: RobotLocusFactor, single: bool, roots: Sequence[str], others: Sequence[str], digits: int | None) -> str:
-    power = f", to the power {f.multiplicity}" if f.multiplicity > 1 else ""
+def _factor(f: RobotLocusFactor, alone: str, roots: Sequence[str], others: Sequence[str], digits: int | None) -> str:
+    """A factor, and in which modes its zeros are singular; `alone` is the polynomial's name if it has no others."""
     if f.kind == "norm":
-        return f"{f.form} (never 0){power}"
+        return factor_text(f.form, f.multiplicity, digits, " (never 0)")
     kept = " in these variables" * (f.seen is None and bool(roots))
-    what = f"none: it is irreducible over the rationals{kept}" if single else f"{brief(f.form, digits)}{power}"
+    what = irreducible(alone, f.form, kept) if alone else factor_text(f.form, f.multiplicity, digits)
     return f"{what}; {_modes(f.seen, roots, others)}" if roots and f.seen is not None else what
 
 
