@@ -30,12 +30,14 @@ __all__ = [
     "TURNS",
     "VECTOR",
     "Amount",
+    "WrittenTurn",
     "check_known",
     "check_one_turn",
     "parse_pose",
     "pose_of",
     "read_centre",
     "read_named",
+    "written_turn",
 ]
 
 HOME = "home"
@@ -146,6 +148,37 @@ def _numbers(words: list[str], length: int, what: str) -> list[Fraction]:
     if len(numbers) != length:
         raise InputError(f"{what} has {length} numbers, found {len(numbers)}", hint=_FORMS)
     return numbers
+
+
+@dataclass(frozen=True)
+class WrittenTurn:
+    """The words of a turn, "euler zyx 30 20 10 deg"; of Euler angles also their `sequence` and the `angles`."""
+
+    words: str
+    sequence: str = ""
+    angles: tuple[Amount, ...] = ()
+
+
+def written_turn(text: str, unit: str = "") -> WrittenTurn | None:
+    """How a pose that `parse_pose` takes says its turn; None where it says none."""
+    if "=" in text:
+        given = read_named(text, dict.fromkeys(COORDINATES, False) | dict.fromkeys(ANGLES, True), unit)
+        parts = [part.strip() for part in re.split(r"[,;]", text)]
+        words = ", ".join(part for part in parts if part.partition("=")[0].strip() in ANGLES)
+        angles = tuple(given.get(n, Amount(Fraction(0))) for n in TURNS)
+        of_axes = any(n in VECTOR for n in given)
+        return (WrittenTurn(words) if of_axes else WrittenTurn(words, "xyz", angles)) if words else None
+    for part in text.split(";"):
+        kind, *words_of_it = part.replace(",", " ").split() or [""]
+        if kind.lower() != "euler":
+            if _SHORT.get(kind.lower(), kind.lower()) in _KINDS:
+                return WrittenTurn(" ".join(part.split()))
+            continue
+        sequence, *numbers = words_of_it
+        degrees = _angle_unit(numbers)
+        angles = tuple(Amount(read_number(n), degrees) for n in numbers)
+        return WrittenTurn(" ".join(part.split()), sequence, angles)
+    return None
 
 
 # --- coordinates by their names ------------------------------------------------------------------------------------

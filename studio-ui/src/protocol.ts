@@ -1265,6 +1265,8 @@ export interface LocusFactor {
   multiplicity: number;
   /** It is 0 in no pose. */
   never: boolean;
+  /** What its zeros are, "a plane with the normal (0, 0, 1)"; "" where they have no name. */
+  zeros: string;
 }
 
 /** The polynomial of the condition, or of one of its factors: `statement` says which. */

@@ -141,6 +141,11 @@ def test_the_locus_is_a_function_that_vanishes_where_the_path_crosses(desk: Desk
     assert signs == [signs[0], not signs[0], signs[0], not signs[0]]
     desk.one("locus-latex").first.click()
     assert "z^{3}" in desk.one("locus-text").first.inner_text()
+    named = desk.one("locus-factor").all_inner_texts()
+    assert [words.split("\n")[0] for words in named] == [
+        "Factor 1: a plane with the normal (0, 0, 1)",
+        "Factor 2: a hyperbolic paraboloid",
+    ]
     assert desk.faults == []
 
 

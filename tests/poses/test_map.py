@@ -20,6 +20,7 @@ from gcrules.core.errors import InputError, LimitReached
 from gcrules.mechanisms.description.limits import parse_limits
 from gcrules.mechanisms.description.platform_file import parse_platform
 from gcrules.mechanisms.platform_analysis import analyze_legs
+from gcrules.poses.loci.form import PolynomialForm
 from gcrules.poses.maps import tracing
 from gcrules.poses.maps.axes import parse_axis, read_axes
 from gcrules.poses.maps.bernstein import coefficients, corners, halves, tolerance
@@ -243,7 +244,7 @@ cubics = st.dictionaries(
     axis=st.integers(0, 2),
 )
 def test_bernstein_coefficients(p: Any, corner: Any, inside: Any, axis: int) -> None:
-    f = SliceFactor({k: F(c) for k, c in p.items()}, 1)
+    f = SliceFactor({k: F(c) for k, c in p.items()}, 1, PolynomialForm((), ()))
     scale = float(max(map(abs, f.polynomial.values())))
     error = tolerance(f.tensor, (21, 21, 21))
     b = coefficients(f.tensor, np.array([corner]))
@@ -284,7 +285,7 @@ def test_free_cells_hold_no_singular_pose(robots: dict[str, Analysis], name: str
 
 
 def factor_of(p: dict[tuple[int, int], Any]) -> SliceFactor:
-    return SliceFactor({k: F(c) for k, c in p.items()}, 1)
+    return SliceFactor({k: F(c) for k, c in p.items()}, 1, PolynomialForm((), ()))
 
 
 CIRCLE = {(2, 0): 1, (0, 2): 1, (1, 0): F(-3, 5), (0, 1): F(-4, 5), (0, 0): F(1, 4) - F(1, 100)}  # radius 0.1, one cell

@@ -90,7 +90,13 @@ def test_pictures(
 def test_the_json_object(robots: dict[str, Analysis]) -> None:
     m = singular_map(robots["octahedral"], SMALL, limits="ab 100..500")
     found = json.loads(json.dumps(m.to_json(), allow_nan=False))
-    assert found["factors"][0] == {"degree": 1, "multiplicity": 1, "polynomial": "z + 350"}
+    assert found["factors"][0] == {
+        "degree": 1,
+        "multiplicity": 1,
+        "polynomial": "z + 350",
+        "zero_set": "line",
+        "normal": ["0", "1"],
+    }
     assert found["axes"][1] == {"name": "z", "unit": "mm", "start": -500, "stop": 100, "number": 16}
     assert found["summary"]["cells"]["free"] == int((m.values("cell_status") == FREE).sum())
     assert len(found["curves"]) == len(m.curves)
@@ -292,7 +298,7 @@ def test_the_command(robot: str, tmp_path: Path) -> None:
     done = run(robot, *OVER, "--ascii")
     assert done.exit_code == 0, done.output
     assert done.stdout.isascii()
-    assert "1. degree 1: z + 350 = 0" in done.stdout
+    assert "1. z + 350: a line with the normal (0, 1)" in done.stdout
     with open(robot, encoding="utf-8") as file:
         assert run("-", *OVER, "--ascii", text=file.read()).stdout == done.stdout
     answer = json.loads(run(robot, *OVER, "--json", "-o", str(tmp_path / "map.json")).stdout)

@@ -66,7 +66,7 @@ def test_a_rounded_turn_is_told() -> None:
     assert "margins are 0 to rounding" in found.guarantee
     assert ROUNDED in found.notes
     locus = gc.locus(HEXAPOD, "translation", at=nearly)
-    assert locus.question.rounded
+    assert locus.question.turn_is_rounded
     assert locus.to_json()["rounded"] is True
     assert ROUNDED.split(":")[0] in " ".join(locus.text().split())
 
@@ -75,7 +75,7 @@ def test_an_exact_turn_needs_no_note() -> None:
     found = gc.singular_map(HEXAPOD, ["x -50:50:4", "y -50:50:4"], at="0 0 0; quaternion 0.8 0 0 0.6")
     assert not found.guarantee.startswith(AT_ROUNDED)
     assert not found.notes
-    assert not gc.locus(HEXAPOD, "translation", at="0 0 0; quaternion 0.8 0 0 0.6").question.rounded
+    assert not gc.locus(HEXAPOD, "translation", at="0 0 0; quaternion 0.8 0 0 0.6").question.turn_is_rounded
 
 
 @pytest.mark.parametrize(("at", "rounded"), [("yaw=30deg", True), ("yaw=90deg", False), ("yaw=0deg", False)])

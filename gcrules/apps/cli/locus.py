@@ -8,7 +8,7 @@ from gcrules.apps.cli.base import ExpressionCommand
 from gcrules.apps.cli.files import OutputFile, working
 from gcrules.apps.cli.limits import time_limit
 from gcrules.apps.cli.naming import mechanism_argument, offering
-from gcrules.apps.cli.options import about_option, limit_option
+from gcrules.apps.cli.options import about_option, digits_option, limit_option
 from gcrules.apps.cli.output import Output, output_options
 from gcrules.apps.cli.sources import mode_option, read_source, warn
 from gcrules.poses.loci.factors import MAX_TERMS
@@ -61,12 +61,7 @@ _VARIABLES = (
     shell_complete=offering(*FORMATS),
     help="Print the polynomial alone, for that program.",
 )
-@click.option(
-    "--digits",
-    type=click.IntRange(1, 15),
-    metavar="N",
-    help="Print decimals of N digits, up to a factor; by default 6 where coefficients have more than 20 digits.",
-)
+@digits_option
 @click.option(
     "--picture",
     type=OutputFile(".svg", ".pdf"),

@@ -12,7 +12,7 @@ from gcrules.apps.cli.limits import time_limit
 from gcrules.apps.cli.map_options import at_option, limits_option, show, telling_what_is_kept, tile_options
 from gcrules.apps.cli.map_tiles import MapCommand
 from gcrules.apps.cli.naming import COORDINATES, mechanism_argument, offering
-from gcrules.apps.cli.options import about_option
+from gcrules.apps.cli.options import about_option, digits_option
 from gcrules.apps.cli.output import Output
 from gcrules.apps.cli.sources import mode_option, read_source, warn
 from gcrules.core.budget import report
@@ -52,6 +52,7 @@ __all__ = ["map_"]
     type=click.Choice(MEASURES),
     help="margin σ and leg lengths too; the superbracket only, which is quick; or the margin and what actuators do.",
 )
+@digits_option
 @time_limit(None)
 @tile_options(MAP_FORMATS)
 def map_(
@@ -63,6 +64,7 @@ def map_(
     limits: str | None,
     threshold: str,
     measure: str,
+    digits: int | None,
     restart: bool,
     workers: int,
     part: str | None,
@@ -93,6 +95,8 @@ def map_(
     gcrules map verify STORE [--tiles N|all]    all digests, and some tiles computed again
     gcrules map merge STORE... -o FILE.zarr     parts that were computed on disks of their own
     """
+    if digits is not None and out.json:
+        raise click.UsageError("--digits is for the summary; --json is exact.")
     check_outputs(outputs, len(over))
     how = running(workers, part, scheduler)
     if not outputs and (restart or how != HERE):
@@ -109,7 +113,7 @@ def map_(
             return
         found = done(plan, how, work=work, restart=restart)
         _save(found, outputs)
-    show(found, out)
+    show(found, out, digits=digits)
     if work not in outputs:
         after_writing(found.store.remove)
 

@@ -73,9 +73,9 @@ def telling_what_is_kept(work: str | None) -> Iterator[None]:
         raise
 
 
-def show(found: Any, out: Output) -> None:
-    """Print a map: on one line where it is a JSON object."""
+def show(found: Any, out: Output, **options: Any) -> None:
+    """Print a map: on one line where it is a JSON object; the `options` are those of its text."""
     if out.json:
         click.echo(json.dumps(found.to_json()))
     else:
-        out.show(found)
+        out.show(found, found.text(unicode=out.unicode, **options))

@@ -19,6 +19,7 @@ __all__ = [
     "SpaceOptions",
     "about_option",
     "catalog_option",
+    "digits_option",
     "given_option",
     "length_option",
     "limit_option",
@@ -115,6 +116,12 @@ length_option = click.option(
     "--length",
     metavar="LENGTH",
     help="Characteristic length of the actuators' condition number; the robot's size by default.",
+)
+digits_option = click.option(
+    "--digits",
+    type=click.IntRange(1, 15),
+    metavar="N",
+    help="Print decimals of N digits, up to a factor; without it of 6 where coefficients have more than 20 digits.",
 )
 about_option = click.option(
     "--about",

@@ -39,6 +39,7 @@ from gcrules.screws.pose_text import SHIFTS, TURNS, pose_of
 from gcrules.views.results import locus as of_legs
 from gcrules.views.results import robot_locus as of_limbs
 from gcrules.views.results.locus import form_latex
+from gcrules.views.results.polynomials import zeros_text
 
 __all__ = ["AskedLocus", "asked_locus", "locus_at", "locus_view"]
 
@@ -174,7 +175,12 @@ def _shown(
 
 
 def _factor(name: str, f: LocusFactor, roots: Sequence[FormalRoot]) -> LocusFactorView:
-    return {"polynomial": _polynomial(name, f.form, roots), "multiplicity": f.multiplicity, "never": f.kind == "norm"}
+    return {
+        "polynomial": _polynomial(name, f.form, roots),
+        "multiplicity": f.multiplicity,
+        "never": f.kind == "norm",
+        "zeros": zeros_text(f.form),
+    }
 
 
 def _polynomial(name: str, form: PolynomialForm, roots: Sequence[FormalRoot]) -> PolynomialView:

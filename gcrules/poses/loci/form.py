@@ -72,6 +72,11 @@ class PolynomialForm:
         """The digits of the longest coefficient."""
         return max((len(str(abs(c))) for _, c in self.terms), default=1)
 
+    @cached_property
+    def largest(self) -> int:
+        """The largest coefficient in size; 1 for 0."""
+        return max((abs(c) for _, c in self.terms), default=1)
+
     def __call__(self, values: Sequence[Any]) -> Any:
         """The value; exact for integers and Fractions, one for each variable."""
         if any(isinstance(v, Fraction) for v in values) and all(isinstance(v, int | Fraction) for v in values):
@@ -126,8 +131,7 @@ class PolynomialForm:
         >>> print(PolynomialForm(("x",), (((2,), 400), ((0,), -3))).rounded(2))
         x^2 - 0.0075
         """
-        largest = max((abs(c) for _, c in self.terms), default=1)
-        return self._sum("^", lambda c: f"{c / largest:.{digits}g}")
+        return self._sum("^", lambda c: f"{c / self.largest:.{digits}g}")
 
     def written(self, style: str, roots: Sequence[tuple[str, PolynomialForm]] = ()) -> str:
         """Text for another program: sympy (`sympify`), maple or singular; after the polynomial those that are 0 by the

@@ -6,7 +6,6 @@ tangents of their halves, t_roll, t_pitch and t_yaw, in which cosines and sines 
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from typing import Any
@@ -19,7 +18,7 @@ from gcrules.core.frozen import FrozenMap
 from gcrules.mechanisms.kinematics.linkage import Linkage
 from gcrules.mechanisms.kinematics.solve import check_target, free_coordinates
 from gcrules.mechanisms.kinematics.targets import Target
-from gcrules.poses.loci.variables import read_fixed, read_free
+from gcrules.poses.loci.variables import half_tangent, read_fixed, read_free
 from gcrules.screws.pose import Pose, exact
 from gcrules.screws.pose_text import SHIFTS, TURNS, Amount, check_known, read_named
 
@@ -28,8 +27,6 @@ __all__ = ["TANGENTS", "LimbQuestion", "limb_question", "variable"]
 _TANGENT = "t_"
 TANGENTS = tuple(_TANGENT + n for n in TURNS)
 """The variables of the turn."""
-
-_DENOMINATORS = 10**6  # of half-tangents of angles that are given
 
 
 @dataclass(frozen=True)
@@ -129,13 +126,4 @@ def _at(m: Linkage, at: str | Mapping[str, Any] | Pose | None) -> dict[str, Frac
     else:
         check_known(at, names, "coordinate of a pose")
         given = {n: Amount(exact(v, n)) for n, v in at.items()}
-    return {variable(n): v.number if n in SHIFTS else _half_tangent(v) for n, v in given.items()}
-
-
-def _half_tangent(angle: Amount) -> Fraction:
-    if angle.degrees and not angle.number % 90 and angle.number % 360 != 180:
-        return Fraction((0, 1, 0, -1)[int(angle.number // 90) % 4])
-    half = float(angle) / 2
-    if abs(math.cos(half)) < 1e-9:
-        raise InputError("half a turn has no half-tangent", hint="use another home, or a smaller angle")
-    return Fraction(math.tan(half)).limit_denominator(_DENOMINATORS)
+    return {variable(n): v.number if n in SHIFTS else half_tangent(v, variable(n)) for n, v in given.items()}

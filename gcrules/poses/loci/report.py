@@ -16,6 +16,7 @@ from gcrules.poses.loci.form import PolynomialForm
 from gcrules.poses.loci.known import candidates, whole_ring
 from gcrules.poses.loci.polynomial import LocusPolynomial, listed
 from gcrules.poses.loci.variables import Question
+from gcrules.poses.loci.zero_set import ZeroSet, zero_set, zeros_json
 from gcrules.rules.condition import Condition
 
 __all__ = ["Locus", "LocusFactor"]
@@ -30,6 +31,11 @@ class LocusFactor:
     form: PolynomialForm
     multiplicity: int
 
+    @cached_property
+    def zero_set(self) -> ZeroSet | None:
+        """What the zeros are of a factor of degree 1 or 2 in two or three of x, y and z."""
+        return zero_set(self.form)
+
     def to_json(self) -> dict[str, Any]:
         return {
             "kind": self.kind,
@@ -37,6 +43,7 @@ class LocusFactor:
             "multiplicity": self.multiplicity,
             "degree": self.form.degree,
             "terms": len(self.form.terms),
+            **zeros_json(self.zero_set),
             **listed(self.form),
         }
 
@@ -105,7 +112,7 @@ class Locus(LocusPolynomial, Shown):
             "rotation": q.rotation,
             "variables": list(self.variables),
             "fixed": {n: str(c) for n, c in q.fixed.items()},
-            "rounded": q.rounded,
+            "rounded": q.turn_is_rounded,
             "quaternion": None if q.turn is None else [str(c) for c in q.turn],
             "verdict": self.verdict,
             "degrees": self.degrees,

@@ -7,6 +7,7 @@ r"""Which numbers of a pose stay free, and what the others are.
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
@@ -18,13 +19,15 @@ from gcrules.core.frozen import FrozenMap
 from gcrules.core.hints import near, run_together
 from gcrules.poses.numbers.pose_arguments import read_one
 from gcrules.screws.pose import Pose, exact, read_number
+from gcrules.screws.pose_text import Amount, WrittenTurn, written_turn
 from gcrules.screws.rotations import Quaternion, check_sequence, is_rounded, product
 
-__all__ = ["ROTATIONS", "Question", "images", "question", "read_fixed", "read_free"]
+__all__ = ["ROTATIONS", "Question", "half_tangent", "images", "question", "read_fixed", "read_free"]
 
 TRANSLATION = ("x", "y", "z")
 ROTATIONS = {"quaternion": ("e0", "e1", "e2", "e3"), "rodrigues": ("c1", "c2", "c3")}
 TANGENTS = ("t1", "t2", "t3")
+_DENOMINATORS = 10**6  # of half-angle tangents of angles that are given
 MEANINGS = {
     "quaternion": "the quaternion of the turn, cosine first, of any length",
     "rodrigues": "(e1, e2, e3)/e0, the axis of the turn times the tangent of half its angle (infinite for half turns)",
@@ -35,12 +38,16 @@ MEANINGS = {
 class Question:
     """The variables that are `free` and the values of the `fixed` ones. `rotation` is quaternion | rodrigues | a
     sequence of Euler angles (tangents of their halves); `turn` is the quaternion where its variables are not asked for.
+    `written` is how the pose says the turn that `turn`, or values of `fixed`, are taken from; tangents are `rounded`
+    there that are not exactly those of its angles.
     """
 
     rotation: str
     free: tuple[str, ...]
     fixed: Mapping[str, Fraction]
     turn: Quaternion | None
+    written: WrittenTurn | None = None
+    rounded: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "fixed", FrozenMap(self.fixed))
@@ -51,10 +58,10 @@ class Question:
         return not self.fixed and self.turn is None
 
     @property
-    def rounded(self) -> bool:
+    def turn_is_rounded(self) -> bool:
         """Whether the turn, or the part of it that is not free, was rounded."""
         fixed = (c for n, c in self.fixed.items() if n not in TRANSLATION)
-        return is_rounded((*(self.turn or ()), *fixed))
+        return bool(self.rounded) or is_rounded((*(self.turn or ()), *fixed))
 
     @property
     def meaning(self) -> str:
@@ -92,13 +99,21 @@ def question(
             hint="name the free ones: --over translation, or --over x,y",
         )
     pose = Pose() if at is None else read_one(at, unit)
+    written = written_turn(at, unit) if isinstance(at, str) else None
     fixed |= {n: c for n, c in zip(TRANSLATION, pose.translation, strict=True) if n in rest}
     if all(n in rest for n in turning):
-        return Question(rotation, tuple(free), fixed, pose.quaternion)
-    fixed |= {n: c for n, c in _parameters(pose, rotation, turning, rest).items() if n in rest}
+        return Question(rotation, tuple(free), fixed, pose.quaternion, written)
+    taken = [n for n in turning if n in rest]
+    rounded: tuple[str, ...] = ()
+    if taken and written is not None and (angles := _angles(written, rotation)):
+        named = {n: a for n, a in zip(turning, angles, strict=True) if n in taken}
+        fixed |= {n: half_tangent(a, n) for n, a in named.items()}
+        rounded = tuple(n for n, a in named.items() if not _is_quarter(a))
+    elif taken:
+        fixed |= _parameters(pose, rotation, turning, taken)
     if rotation == "quaternion" and not any(fixed.get(n, 1) for n in turning):
         raise InputError("e0, e1, e2 and e3 are all 0, which is not a turn", hint="no turn at all is e0=1")
-    return Question(rotation, tuple(free), fixed, None)
+    return Question(rotation, tuple(free), fixed, None, written if taken else None, rounded)
 
 
 def _turning(rotation: str) -> tuple[str, ...]:
@@ -152,19 +167,49 @@ def read_fixed(fix: str | Mapping[str, Any] | None, names: Sequence[str]) -> dic
     return {_known(str(n), names): exact(value, f"the value of {n}") for n, value in (fix or {}).items()}
 
 
-def _parameters(pose: Pose, rotation: str, turning: Sequence[str], rest: Sequence[str]) -> dict[str, Fraction]:
-    """The values of the turn's variables in a pose."""
+def _parameters(pose: Pose, rotation: str, turning: Sequence[str], taken: Sequence[str]) -> dict[str, Fraction]:
+    """The values that the turn of a pose gives to those of its variables that are taken from it."""
     w, *v = pose.quaternion
     if rotation == "quaternion":
-        return dict(zip(turning, pose.quaternion, strict=True))
-    if not any(v):
-        return dict.fromkeys(turning, Fraction(0))
-    missing = ", ".join(f"{n}=…" for n in turning if n in rest)
-    if rotation != "rodrigues" and missing:
-        raise InputError("half-angle tangents are not taken from a turned pose", hint=f'give them: --fix "{missing}"')
-    if not w and missing:
-        raise InputError("a half turn has no Rodrigues parameters", hint="use --rotation quaternion")
-    return {n: c / w if w else c for n, c in zip(turning, v, strict=True)}
+        values: Sequence[Fraction] = pose.quaternion
+    elif rotation == "rodrigues":
+        if not w:
+            raise InputError("a half turn has no Rodrigues parameters", hint="use --rotation quaternion")
+        values = [c / w for c in v]
+    elif any(v):
+        missing = ", ".join(f"{n}=…" for n in taken)
+        raise InputError(
+            f"half-angle tangents of {rotation} are not taken from a turn that is given otherwise",
+            hint=f'give the angles, --at "0 0 0; euler {rotation} 10 20 30 deg", or the tangents: --fix "{missing}"',
+        )
+    else:
+        values = [Fraction(0)] * 3
+    return {n: c for n, c in zip(turning, values, strict=True) if n in taken}
+
+
+def _angles(written: WrittenTurn, rotation: str) -> tuple[Amount, ...]:
+    """The Euler angles in this sequence of a turn that is given in it, or in the one about the other axes, fixed or
+    turned along, which is the same backwards; else none.
+    """
+    if written.sequence == rotation:
+        return written.angles
+    return written.angles[::-1] if written.sequence == rotation.swapcase()[::-1] else ()
+
+
+def half_tangent(angle: Amount, name: str) -> Fraction:
+    """The tangent of half an angle, exact for quarter turns, else with a denominator up to a million. Raises InputError
+    for half a turn.
+    """
+    if _is_quarter(angle) and angle.number % 360 != 180:
+        return Fraction((0, 1, 0, -1)[int(angle.number // 90) % 4])
+    half = float(angle) / 2
+    if abs(math.cos(half)) < 1e-9:
+        raise InputError(f"half a turn has no half-angle tangent {name}", hint="take a smaller angle")
+    return Fraction(math.tan(half)).limit_denominator(_DENOMINATORS)
+
+
+def _is_quarter(angle: Amount) -> bool:
+    return not angle.number or (angle.degrees and not angle.number % 90)
 
 
 def images(q: Question, ring: Any) -> tuple[tuple[Any, ...], tuple[Any, ...], tuple[Any, ...]]:

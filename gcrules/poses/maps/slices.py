@@ -20,6 +20,8 @@ from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import InputError
 from gcrules.core.frozen import FrozenMap
 from gcrules.core.seeds import DRAWN, drawn
+from gcrules.poses.loci.form import PolynomialForm
+from gcrules.poses.loci.zero_set import zero_set, zeros_json
 from gcrules.poses.maps.axes import TRANSLATION
 from gcrules.poses.maps.grid import Grid
 from gcrules.poses.numbers.cubic import FACTORED_BITS, bits, superbracket_at, translation_polynomial
@@ -40,16 +42,21 @@ Line = tuple[int | None, Fraction, Fraction]
 
 @dataclass(frozen=True)
 class SliceFactor:
-    """An irreducible factor (over the rationals) of the superbracket on the slice, in w; `text` is it in the axes'
-    coordinates where that is short, else empty.
+    """An irreducible factor (over the rationals) of the superbracket on the slice, in w; `form` is it in the axes'
+    coordinates, up to a number.
     """
 
     polynomial: Polynomial
     multiplicity: int
-    text: str = ""
+    form: PolynomialForm
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "polynomial", FrozenMap(self.polynomial))
+
+    @property
+    def text(self) -> str:
+        """It in the axes' coordinates, exact."""
+        return str(self.form)
 
     @property
     def degree(self) -> int:
@@ -75,7 +82,8 @@ class SliceFactor:
         return total
 
     def to_json(self) -> dict[str, Any]:
-        return {"degree": self.degree, "multiplicity": self.multiplicity, "polynomial": self.text or None}
+        zeros = zeros_json(zero_set(self.form))
+        return {"degree": self.degree, "multiplicity": self.multiplicity, "polynomial": self.text, **zeros}
 
 
 def middle(shape: tuple[int, ...]) -> tuple[int, ...]:
@@ -167,8 +175,9 @@ def factors(g: Grid) -> tuple[SliceFactor, ...]:
     found = []
     for q, multiplicity in listed:
         exact = {tuple(e): Fraction(int(c.p), int(c.q)) for e, c in q.terms()}
-        text = str(q.as_expr())
-        found.append(SliceFactor(_in_nodes(exact, g), int(multiplicity), text if len(text) <= 100 else ""))
+        whole = q.clear_denoms(convert=True)[1].primitive()[1]
+        form = PolynomialForm.ordered(tuple(a.name for a in g.axes), ((e, int(c)) for e, c in whole.terms()))
+        found.append(SliceFactor(_in_nodes(exact, g), int(multiplicity), form))
     return tuple(sorted(found, key=lambda f: (f.degree, f.text)))
 
 

@@ -7,12 +7,28 @@ from gcrules.core.errors import LimitReached
 from gcrules.poses.loci.form import PolynomialForm, joined
 from gcrules.poses.loci.report import Locus, LocusFactor
 from gcrules.poses.loci.variables import TRANSLATION
-from gcrules.screws.pose import AT_ROUNDED, ROUNDED
+from gcrules.screws.pose import AT_ROUNDED, ROUNDED, Pose
+from gcrules.screws.pose_text import WrittenTurn
+from gcrules.screws.rotations import Quaternion
 from gcrules.views.formulas.latex import latex_name
-from gcrules.views.results.polynomials import brief, degree_text, degrees_text, formula, number, size_text
+from gcrules.views.results.polynomials import (
+    degree_text,
+    degrees_text,
+    factor_text,
+    formula,
+    irreducible,
+    multiple,
+    shortened,
+    size_text,
+)
 from gcrules.views.text_tables import table, wrapped
 
-__all__ = ["account", "as_latex", "as_text", "form_latex", "headline"]
+__all__ = ["ROUNDED_TANGENTS", "account", "as_latex", "as_text", "form_latex", "headline"]
+
+ROUNDED_TANGENTS = (
+    "tangents of half the fixed angles are fractions with denominators up to a million, within 1e-12 of the exact ones:"
+    " what is exact here holds for these fractions"
+)
 
 _LINE = 4  # terms in a line of LaTeX
 
@@ -27,7 +43,7 @@ def headline(found: Locus) -> str:
     """What the polynomial says, in one sentence."""
     if not found.vanishes:
         words = f"a pose is singular exactly where the polynomial P, of {degree_text(found.form)}, is 0{_zeros(found)}"
-        return as_sentence(AT_ROUNDED * found.question.rounded + words)
+        return as_sentence(AT_ROUNDED * found.question.turn_is_rounded + words)
     what = "each of these poses is singular"
     if found.question.whole:
         what = "every pose is singular, so the robot is architecturally singular"
@@ -50,14 +66,14 @@ def account(found: Locus, *, unicode: bool = False, digits: int | None = None) -
     if found.vanishes:
         return [*rows, _checked(found)]
     times = "·" if unicode else "*"
-    coefficient = f"({number(found.coefficient)}) {times} P" if found.coefficient != 1 else "P"
+    multiplied = multiple(found.coefficient, "P", found.form, digits, times)
     norm = f" {times} ".join(f"({n})^3" for n in found.norms)
     return [
         *rows,
-        ("identity", f"{norm + f' {times} ' if norm else ''}superbracket = {coefficient}"),
+        ("identity", f"{norm + f' {times} ' if norm else ''}superbracket = {multiplied}"),
         ("P", size_text(found.form)),
         ("degrees", degrees_text(found.degrees)),
-        ("factors", _factors(found, digits)),
+        *_factors(found, digits),
         _checked(found),
     ]
 
@@ -73,11 +89,27 @@ def _variables(found: Locus) -> str:
 
 def _fixed(found: Locus) -> list[tuple[str, str]]:
     q = found.question
-    parts = [f"{n} = {c}" for n, c in q.fixed.items()]
+    parts = [f"{n} = {shortened(c)}" for n, c in q.fixed.items()]
     if q.turn is not None:
-        parts.append(f"quaternion {' '.join(map(str, q.turn))}" if any(q.turn[1:]) else "no turn")
-    rows = [("fixed", ", ".join(parts))] if parts else []
-    return [*rows, ("rounded", ROUNDED)] if q.rounded else rows
+        parts.append(_turn(q.turn, q.written) if any(q.turn[1:]) else "no turn")
+    fixed = ", ".join(parts)
+    if q.turn is None and q.written is not None:
+        fixed += f"; from {q.written.words}" + f", {listed(q.rounded)} rounded" * bool(q.rounded)
+    rows = [("fixed", fixed)] if parts else []
+    if q.turn_is_rounded:
+        rows.append(("rounded", ROUNDED_TANGENTS if q.rounded else ROUNDED))
+    return rows
+
+
+def _turn(turn: Quaternion, written: WrittenTurn | None) -> str:
+    """A quaternion, of length 1 and rounded where its numbers are long, behind the words that it was given in."""
+    numbers = list(map(str, turn))
+    rounded = [shortened(c) for c in turn] != numbers
+    if rounded:
+        numbers = [f"{c:.6g}" for c in Pose(quaternion=turn).unit_quaternion]
+    quaternion = f"quaternion {' '.join(numbers)}{', rounded' * rounded}"
+    given = "" if written is None or "quat" in written.words else written.words
+    return f"{given} ({quaternion})" if given else quaternion
 
 
 def _centre(found: Locus) -> str:
@@ -85,20 +117,19 @@ def _centre(found: Locus) -> str:
     return f"the platform turns about {', '.join(map(str, c)) if any(c) else 'the origin'}"
 
 
-def _factors(found: Locus, digits: int | None) -> str:
+def _factors(found: Locus, digits: int | None) -> list[tuple[str, str]]:
     try:
         factors = found.factors
     except LimitReached as fault:
-        return f"not decided: {fault.message}; {fault.hint}"
+        return [("factors", f"not decided: {fault.message}; {fault.hint}")]
     if len(factors) == 1 and factors[0].multiplicity == 1 and factors[0].kind == "condition":
-        return "none: P is irreducible over the rationals"
-    return "; ".join(_factor(f, digits) for f in factors)
+        return [("factors", irreducible("P", found.form))]
+    return [("" if k else "factors", _factor(f, digits)) for k, f in enumerate(factors)]
 
 
 def _factor(f: LocusFactor, digits: int | None) -> str:
     meaning = {"norm": " (never 0: it divides the quaternion's |e|^2)", "bracket": f" (of the bracket {f.name})"}
-    power = f", to the power {f.multiplicity}" if f.multiplicity > 1 else ""
-    return f"{brief(f.form, digits)}{meaning.get(f.kind, '')}{power}"
+    return factor_text(f.form, f.multiplicity, digits, meaning.get(f.kind, ""))
 
 
 def _checked(found: Locus) -> tuple[str, str]:

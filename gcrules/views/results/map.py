@@ -11,6 +11,7 @@ from gcrules.mechanisms.kinematics.amplification import INDICES
 from gcrules.poses.maps.report import SingularMap
 from gcrules.views.detail import first
 from gcrules.views.formulas.latex_text import latex_quantity, latex_table, latex_words
+from gcrules.views.results.polynomials import decimals, factor_text
 from gcrules.views.text_tables import ASCII, table, wrapped
 
 __all__ = ["account", "as_latex", "as_text", "picture_of"]
@@ -20,23 +21,25 @@ _MOST = 12
 picture = deferred("gcrules.views.plots.map_plot:picture")  # matplotlib, an extra of the installation
 
 
-def as_text(m: SingularMap, *, unicode: bool = False) -> str:
-    """The whole text; without `unicode` in ASCII."""
-    found = "\n".join(_lines(m))
+def as_text(m: SingularMap, *, unicode: bool = False, digits: int | None = None) -> str:
+    """The whole text; without `unicode` in ASCII; factors with decimals of so many `digits`."""
+    found = "\n".join(_lines(m, digits))
     return found if unicode else found.translate(ASCII)
 
 
-def _lines(m: SingularMap) -> Iterator[str]:
+def _lines(m: SingularMap, digits: int | None) -> Iterator[str]:
     yield from wrapped(as_sentence(m.guarantee))
     yield ""
-    rows = account(m)
+    rows = account(m, digits)
     before = ["", *(name for name, _ in rows)]
     yield from table([("" if name == last else name, value) for (name, value), last in zip(rows, before, strict=False)])
+    if any(decimals(f.form, digits) is not None for f in m.factors or ()):
+        yield from ("", "Decimals are rounded; --full and --json have the exact numbers.")
 
 
-def account(m: SingularMap) -> list[tuple[str, str]]:
+def account(m: SingularMap, digits: int | None = None) -> list[tuple[str, str]]:
     """What there is to say of it besides its guarantee, names with what they say; the same name may stand several times
-    in a row.
+    in a row. Factors have decimals of so many `digits`.
     """
     g = m.grid
     rows = [("map", f"{' × '.join(f'{n:,}' for n in g.shape)} poses of {g.title or 'the robot'}")]
@@ -56,7 +59,7 @@ def account(m: SingularMap) -> list[tuple[str, str]]:
         rows.append(("least", f"margin σ = {m.summary.margin:.4g} at the node {at}"))
     if m.summary.index:
         rows.append((m.task.measure.replace("_", " "), _index(m)))
-    rows += list(_found(m))
+    rows += list(_found(m, digits))
     return [*rows, *(("note", note) for note in m.notes)]
 
 
@@ -71,13 +74,11 @@ def _index(m: SingularMap) -> str:
     return f"{index.meaning}: from {ends[0]} to {ends[1]}"
 
 
-def _found(m: SingularMap) -> Iterator[tuple[str, str]]:
+def _found(m: SingularMap, digits: int | None) -> Iterator[tuple[str, str]]:
     if m.factors:
         shown = first(m.factors, _MOST)
         for k, f in enumerate(shown, 1):
-            times = f", {f.multiplicity} times" if f.multiplicity > 1 else ""
-            equation = f.text.replace("**", "^").replace("*", " ") + " = 0" if f.text else "(its polynomial is long)"
-            yield "factor", f"{k}. degree {f.degree}{times}: {equation}"
+            yield "factor", f"{k}. {factor_text(f.form, f.multiplicity, digits)}"
         if len(m.factors) > len(shown):
             yield "factor", f"and {len(m.factors) - len(shown)} more, which --full shows"
     if len(m.grid.axes) == 2:

@@ -10,14 +10,15 @@ from gcrules.poses.loci.form import PolynomialForm
 from gcrules.poses.loci.limb_report import LocusPart, RobotLocus, RobotLocusFactor
 from gcrules.poses.loci.variables import TRANSLATION
 from gcrules.poses.loci.working_modes import Sightings
-from gcrules.views.results.locus import form_latex
+from gcrules.views.results.locus import ROUNDED_TANGENTS, form_latex
 from gcrules.views.results.polynomials import (
     SHOWN,
-    brief,
     degree_text,
     degrees_text,
+    factor_text,
     formula,
-    number,
+    irreducible,
+    multiple,
     size_text,
 )
 from gcrules.views.text_tables import WIDTH, table
@@ -36,10 +37,6 @@ _ALONE = (
 _KEPT = (
     "Each polynomial is a factor of the condition, in the coordinates and in roots whose signs are the working mode. A"
     " pose is singular in a mode exactly where one of them is 0, unless a limb is singular by itself{}."
-)
-_TANGENTS = (
-    "tangents of half the fixed angles are fractions with denominators up to a million, within 1e-12 of the exact ones:"
-    " what is exact here holds for these fractions"
 )
 _EXCEPT = ", except where other signs are stated"
 _CHOSEN = ", or lines that were chosen for a limb depend on each other"
@@ -89,7 +86,7 @@ def _rows(found: RobotLocus, unicode: bool) -> Iterator[tuple[str, str]]:
     if q.fixed:
         yield "fixed", ", ".join(f"{n} = {c}" for n, c in q.fixed.items())
     if q.rounded:
-        yield "rounded", _TANGENTS
+        yield "rounded", ROUNDED_TANGENTS
     yield "centre", f"the platform turns about {', '.join(map(str, found.centre))}"
     for root in found.roots:
         yield "root", f"{root.name} tells apart two places of {root.places}; {root.name}^2 = {_short(root.radicand)}"
@@ -141,7 +138,7 @@ def _part(
     product = f"product over {count} working modes of the {what}" if multiplied else what
     if multiplied and _others(part, found):
         product = f"product of the {what} over the {count} choices of signs"
-    coefficient = f"({number(part.coefficient)}) {times} {name}" if part.coefficient != 1 else name
+    coefficient = multiple(part.coefficient, name, part.form, digits, times)
     below = f" {times} ".join(f"({_short(p)})^{n}" if n > 1 else f"({_short(p)})" for p, n in part.below)
     yield "identity", f"{product} = {coefficient}{f' / ({below})' if below else ''}"
     if found.roots:
@@ -155,7 +152,10 @@ def _part(
     else:
         single = len(part.found) == 1 and part.found[0].multiplicity == 1
         for f in part.found:
-            yield "factors" if f is part.found[0] else "", _factor(f, single, part.roots, _others(part, found), digits)
+            yield (
+                "factors" if f is part.found[0] else "",
+                _factor(f, name if single else "", part.roots, _others(part, found), digits),
+            )
 
 
 def _others(part: LocusPart, found: RobotLocus) -> tuple[str, ...]:
@@ -163,12 +163,12 @@ def _others(part: LocusPart, found: RobotLocus) -> tuple[str, ...]:
     return tuple(root.name for root in found.roots if root.name not in part.roots)
 
 
-def _factor(f: RobotLocusFactor, single: bool, roots: Sequence[str], others: Sequence[str], digits: int | None) -> str:
-    power = f", to the power {f.multiplicity}" if f.multiplicity > 1 else ""
+def _factor(f: RobotLocusFactor, alone: str, roots: Sequence[str], others: Sequence[str], digits: int | None) -> str:
+    """A factor, and in which modes its zeros are singular; `alone` is the polynomial's name if it has no others."""
     if f.kind == "norm":
-        return f"{f.form} (never 0){power}"
+        return factor_text(f.form, f.multiplicity, digits, " (never 0)")
     kept = " in these variables" * (f.seen is None and bool(roots))
-    what = f"none: it is irreducible over the rationals{kept}" if single else f"{brief(f.form, digits)}{power}"
+    what = irreducible(alone, f.form, kept) if alone else factor_text(f.form, f.multiplicity, digits)
     return f"{what}; {_modes(f.seen, roots, others)}" if roots and f.seen is not None else what
 
 

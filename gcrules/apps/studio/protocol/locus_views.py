@@ -23,6 +23,8 @@ class LocusFactorView(TypedDict):
     multiplicity: int
     never: bool
     """It is 0 in no pose."""
+    zeros: str
+    """What its zeros are, "a plane with the normal (0, 0, 1)"; "" where they have no name."""
 
 
 class LocusPartView(TypedDict):

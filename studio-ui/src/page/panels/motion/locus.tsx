@@ -92,14 +92,15 @@ function Part({ part }: { part: LocusPart }) {
         <>
           <Formulas name={name} polynomial={polynomial} />
           {undecided && <p class="tip">Its factors are not decided: {undecided}.</p>}
-          {alone && <p class="tip">It has no factors over the rationals.</p>}
+          {alone && <p class="tip">It has no factors over the rationals{ofZeros(factors[0]?.zeros)}.</p>}
           {!alone &&
-            factors.map(({ polynomial: factor, multiplicity, never }, i) => (
+            factors.map(({ polynomial: factor, multiplicity, never, zeros }, i) => (
               <div key={i} data-testid="locus-factor">
                 <p class="tip">
                   Factor {i + 1}
                   {multiplicity > 1 && `, to the power ${multiplicity}`}
                   {never && ", 0 in no pose"}
+                  {ofZeros(zeros)}
                 </p>
                 <Formulas name={`${name}_${i + 1}`} polynomial={factor} />
               </div>
@@ -108,6 +109,10 @@ function Part({ part }: { part: LocusPart }) {
       )}
     </article>
   );
+}
+
+function ofZeros(zeros = ""): string {
+  return zeros && `: ${zeros}`;
 }
 
 function Formulas({ name, polynomial }: { name: string; polynomial: Polynomial }) {
