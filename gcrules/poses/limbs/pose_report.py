@@ -12,6 +12,7 @@ import numpy as np
 from gcrules.core.english import agreeing, listed
 from gcrules.core.errors import InputError, LimitReached
 from gcrules.core.floats import without_noise
+from gcrules.mechanisms.conditions.checks import STILL
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.mechanisms.kinematics.configurations import Configurations
 from gcrules.mechanisms.kinematics.coordinates import coordinates
@@ -231,7 +232,14 @@ def report_at(m: Linkage, analysis: RobotAnalysis, solution: Solution, limit: Th
             d.name: tuple(without_noise(x, m.size if d.sort == "point" else 1.0) for x in c.values[d.name])
             for d in m.robot.family.definitions
         },
-        notes=(*solution.target.notes, *m.notes, *_far(m), *_notes(m, own), *_closure(jacobian)),
+        notes=(
+            *solution.target.notes,
+            *m.notes,
+            *([] if m.robot.mobility else [STILL]),
+            *_far(m),
+            *_notes(m, own),
+            *_closure(jacobian),
+        ),
     )
 
 
