@@ -42,7 +42,7 @@ from gcrules.poses.numbers.motion import Twist, twist_of
 from gcrules.screws.guarantees import DIGITS
 from gcrules.screws.pose import Pose, exact
 from gcrules.screws.pose_text import ANGLES, COORDINATES, Amount
-from gcrules.screws.threshold import DEFAULT, Threshold, angle_threshold, degrees, margin_of, turn_of
+from gcrules.screws.threshold import DEFAULT, Threshold, angle_threshold, margin_of, safe, turn_of
 from gcrules.screws.verdict import SOLVED, decide
 
 __all__ = ["cause_of", "first_singular_pose", "report_at", "report_of_limbs", "solution_at", "target_of"]
@@ -260,7 +260,7 @@ def _verdict(m: Linkage, near: LimbMargin, own: Sequence[float], limit: Threshol
     else:
         certain = "It is only certain that,"
         words = "the limbs' own singularities apart, no configuration is singular while the wrenches of every limb"
-        words += f" turn by less than {degrees(turn)} relative to the platform"
+        words += f" turn by less than {safe(turn)} relative to the platform"
     if word == "regular":
         return word, f"{_capital(words)} (threshold {limit.text})."
     return word, f"{certain} {words}; the threshold is {limit.text}."
