@@ -44,7 +44,7 @@ from gcrules.poses.paths.zeros import SingularPlace, Stretch, places, stretches
 from gcrules.poses.pose_report import report_of_legs
 from gcrules.screws.guarantees import ROUNDING
 from gcrules.screws.pose import Pose
-from gcrules.screws.threshold import DEFAULT, Threshold, angle_threshold, degrees, margin_of, turn_of
+from gcrules.screws.threshold import DEFAULT, Threshold, angle_threshold, margin_of, safe, turn_of
 from gcrules.screws.verdict import decide
 
 __all__ = ["MAX_SAMPLES", "path", "path_of", "path_of_legs"]
@@ -217,7 +217,7 @@ def _verdict(zeros: Sequence[Zero], still: Sequence[Stretch], lowest: Least, lim
     if decide(lowest.margin, lowest.rounding) == "singular":
         return "singular", f"σ = {lowest.margin:.2g} is 0 within rounding (to 1e-12 of the robot's size)."
     turn = turn_of(lowest.bound)
-    words = f"some leg has to turn by {degrees(turn)} relative to the platform before one is (threshold {limit.text})."
+    words = f"some leg has to turn by {safe(turn)} relative to the platform before one is (threshold {limit.text})."
     word = decide(lowest.bound, close=margin_of(limit.angle))
     if word == "regular":
         return word, f"No pose of the path is singular, and from each of them {words}"

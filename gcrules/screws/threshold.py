@@ -8,6 +8,7 @@ from fractions import Fraction
 from gcrules.core.arguments import described
 from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import InputError
+from gcrules.core.floats import rounded_down
 from gcrules.screws.pose import check_unit, read_number
 
 __all__ = [
@@ -18,6 +19,7 @@ __all__ = [
     "margin_of",
     "parse_length",
     "parse_threshold",
+    "safe",
     "threshold_of",
     "turn_of",
 ]
@@ -112,6 +114,18 @@ def _parts(text: str) -> tuple[Fraction, str]:
     if whole.lower() in ("nan", "inf", "-inf", "infinity"):
         word = ""
     return read_number(whole.removesuffix(word).strip() or whole), word
+
+
+def safe(bound: float, unit: str | None = None, digits: int = 3) -> str:
+    """A change below which nothing is singular, as text: never more than it is. Without a unit of lengths, which may be
+    "", it is an angle in radians, written in degrees.
+
+    >>> safe(math.asin(0.27527)), safe(12.3456, "mm"), safe(0.0)
+    ('15.9°', '12.3 mm', '0°')
+    """
+    if unit is None:
+        return f"{rounded_down(math.degrees(bound), digits)}°"
+    return f"{rounded_down(bound, digits)} {unit}".rstrip()
 
 
 def degrees(angle: float) -> str:

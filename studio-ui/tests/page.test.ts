@@ -265,6 +265,9 @@ test("the gallery finds cards by every word, and shows those first that a newcom
   assert.deepEqual(titles("3rps"), ["3:3-RP*S"]);
   assert.deepEqual(titles("schonflies 66"), ["a:6-6"]);
   assert.deepEqual(titles("nothing"), []);
+  const named = [item("old", "x", { familiar: 0, words: "six legs hexapod" }), item("new", "y", { words: "hexapod" }), item("hexapod", "z")];
+  const ranked = (query: string) => chosen({ ...gallery, examples: named }, "examples", query).map(({ title }) => title);
+  assert.deepEqual(ranked("hexapod"), ["z", "y", "x"]);
 });
 
 test("poses compare by value", () => {

@@ -82,6 +82,14 @@ def test_gallery_lists_what_can_be_opened(page: Page) -> None:
     told = [item["statement"] for item in found["classes"] if not item["id"].endswith(("-2", ".s"))]
     assert [words for words in told if told.count(words) > 2] == []
     assert {item["id"] for item in found["robots"] if "hexapod" in item["words"]} >= {"gough-stewart", "6-rus", "6-pus"}
+    every = [*found["classes"], *found["robots"], *found["examples"]]
+
+    def called(word: str) -> set[str]:
+        return {item["id"] for item in every if word in item["words"].split()}
+
+    assert called("octahedron") == called("MSSM") == {"3-3.3", "octahedral"}
+    assert called("TSSM") == {"6-3.2", "gough-stewart-63"}
+    assert called("6-SPS") >= {"6-6", "gough-stewart", "octahedral"}
 
 
 def product(monomial: dict[str, Any], points: Any) -> Fraction:

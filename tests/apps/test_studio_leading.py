@@ -12,7 +12,7 @@ import pytest
 import gcrules as gc
 from gcrules.apps.studio.moving import actuator_axes, displaced, displacement, freedom_axes
 from gcrules.apps.studio.numbers import numbers
-from gcrules.apps.studio.protocol.requests import HOME, RobotSource
+from gcrules.apps.studio.protocol.requests import FARTHEST, HOME, RobotSource
 from gcrules.apps.studio.subject import Subject, read_subject
 from gcrules.apps.studio.whereabouts import moved_view, solved_at
 from gcrules.core.errors import InputError
@@ -228,3 +228,22 @@ def test_the_table_of_actuators(desk: Any, root: Path) -> None:
     desk.one("tab-actuators").click()
     assert desk.text("reach") == "The file says nothing about what actuators reach."
     assert desk.faults == []
+
+
+@pytest.mark.browser
+def test_a_number_beyond_all_poses_is_refused_at_its_field(desk: Any) -> None:
+    """The field keeps the number that it had and says why; it takes the next one."""
+    desk.open("example", "octahedral")
+    field = desk.one("slider-x-number")
+    assert desk.run("gcrules.pose$.value.translation") == [0, 0, 0]
+    for typed in ("1e300", "-1e15"):
+        field.fill(typed)
+        field.press("Enter")
+        assert float(field.input_value()) == 0
+        assert "too large" in field.evaluate("e => e.validationMessage")
+    assert f"{FARTHEST:,.0f}".replace(",", " ") in field.evaluate("e => e.validationMessage")
+    assert desk.run("gcrules.pose$.value.translation") == [0, 0, 0]
+    field.fill("9")
+    field.press("Enter")
+    desk.page.wait_for_function("() => gcrules.pose$.value.translation[0] === 9")
+    assert field.evaluate("e => e.validationMessage") == ""

@@ -191,11 +191,15 @@ def test_a_robot_of_another_kind_stands_at_its_home(desk: Desk) -> None:
     desk.run("gcrules.comparing.choose('Delta', {kind: 'robot', id: 'delta'})")
     desk.one("beside").wait_for()
     desk.page.wait_for_function("() => window.gcrules.comparing.numbers.value !== null")
-    assert "at its home" in desk.one("beside-picture").get_attribute("aria-label")  # lengths, and angles
+    assert "at its home" in desk.one("beside-picture").get_attribute("aria-label")
+    heads = desk.one("beside").locator("tbody th")
+    assert "actuators, from home" in heads.all_inner_texts()  # lengths, and angles
+    assert not any("length" in head for head in heads.all_inner_texts() if "characteristic" not in head)
     desk.run("gcrules.comparing.choose('Octahedral', {kind: 'example', name: 'octahedral'})")
     desk.page.wait_for_function(
         "() => window.gcrules.comparing.other.value?.name === 'Octahedral' && window.gcrules.comparing.numbers.value"
     )
+    assert {"leg lengths", "actuators, from home"} <= set(heads.all_inner_texts())
     assert "at its home" in desk.one("beside-picture").get_attribute("aria-label")
 
 

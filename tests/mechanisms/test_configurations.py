@@ -365,7 +365,7 @@ def test_ways_to_ask() -> None:
     assert [
         one.margin for one in gc.pose(r, ["0 0 0.2", {"z": 0.2, "roll": 0, "pitch": 0}], nearest=False)
     ] == pytest.approx([0.609] * 2, abs=1e-3)
-    assert repr(here) == "<RobotPose 3-rps: regular, margin 0.5913, 36.3°>"
+    assert repr(here) == "<RobotPose 3-rps: regular, margin 0.5913, 36.2°>"
 
 
 def test_json_is_complete() -> None:

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import json
 import math
+import re
 from collections.abc import Callable
 from typing import Any
 
@@ -21,7 +22,7 @@ from gcrules.apps.studio.numbers import numbers
 from gcrules.apps.studio.subject import read_subject
 from gcrules.mechanisms.description.platform_file import Platform, parse_platform
 from gcrules.mechanisms.description.robot_file import parse_robot
-from gcrules.screws.threshold import DEFAULT, margin_of, turn_of
+from gcrules.screws.threshold import DEFAULT, margin_of, safe, turn_of
 from gcrules.screws.verdict import CLOSE, VERDICTS, decide, rank
 from gcrules.views.report.scene_json import Scenery
 
@@ -138,3 +139,17 @@ def test_a_threshold_means_the_same_for_legs_and_limbs(degrees: float) -> None:
 def test_a_margin_guarantees_its_turn(turn: float) -> None:
     assert turn_of(margin_of(turn)) == pytest.approx(turn)
     assert margin_of(math.pi / 2 + turn + 1e-6) > 1  # which no margin reaches
+
+
+@pytest.mark.parametrize("margin", [0.27527, 0.1901, 0.4064, 1e-7, 0.0, 1.0])
+def test_no_guarantee_is_rounded_up(margin: float) -> None:
+    assert float(safe(turn_of(margin)).removesuffix("°")) <= math.degrees(turn_of(margin))
+    assert float(safe(margin, "mm", 4).removesuffix(" mm")) <= margin
+
+
+@pytest.mark.parametrize("robot", ["delta", "3-uru", "3-rps"])
+def test_what_is_printed_of_a_turn_is_below_it(robot: str) -> None:
+    found = gc.pose(robot, nearest=False)
+    for words in (found.reason, repr(found)):
+        (told,) = re.findall(r"([\d.]+)°", words)
+        assert float(told) <= math.degrees(found.turn) < float(told) + 0.1

@@ -513,6 +513,15 @@ HALVING = """slider => {
 
 
 @pytest.mark.browser
+def test_what_is_0_within_rounding_is_shown_as_0(open_page: Open) -> None:
+    """In a pose whose superbracket is exactly 0 the figure that moves has 2e-18 for σ, in floats."""
+    shown = open_page(gc.report(EXAMPLES / "octahedral-singular.yaml"))
+    assert "within rounding" in shown.page.get_by_role("status").inner_text()
+    assert shown.page.locator(".gcx-numbers dd").all_inner_texts()[:2] == ["0, within rounding"] * 2
+    assert shown.run("robot.numbers.margin") < 1e-12
+
+
+@pytest.mark.browser
 @RENDERERS
 def test_the_report_moves_the_platform_to_a_singular_pose(open_page: Open, renderer: str) -> None:
     """The octahedral platform turned about z: between two poses where the planes meet in no point there is one where

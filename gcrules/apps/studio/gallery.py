@@ -61,7 +61,7 @@ FAMILIAR = (
 )
 """The cards that a newcomer knows, which come first."""
 
-_SIX_LEGS = "hexapod Gough Stewart platform six legs"
+_SIX_LEGS = "Gough Stewart platform hexapod six legs 6-SPS 6-UPS"
 _LIMBS = {2: "two limbs", 3: "tripod three limbs", 4: "four limbs", 5: "five limbs", 6: "hexapod six limbs"}
 _WORDS = {
     "3-crr": "Cartesian gantry",
@@ -72,6 +72,8 @@ _WORDS = {
     "agile-eye": "wrist camera orientation",
     "delta": "pick and place Clavel",
     "exechon": "machine tool five axes",
+    "gough-stewart": "hexapod",
+    "gough-stewart-63": "hexapod TSSM",
     "h4": "Schoenflies SCARA 3T1R pick and place",
     "par4": "Quattro Schoenflies SCARA 3T1R pick and place",
     "quadrupteron": "SCARA 3T1R",
@@ -80,7 +82,9 @@ _WORDS = {
     "reachy-mini-head": "hexapod",
     "tricept": "machine tool",
 }
-"""What people call robots beside their titles."""
+"""What people call robots beside their titles; what begins with a word that is sought comes before what has it."""
+_OF_CLASSES = {"3-3.3": "octahedron MSSM", "6-3.2": "TSSM"}
+_OF_EXAMPLES = {"octahedral": "octahedron MSSM"}
 
 
 @cache
@@ -118,7 +122,7 @@ def _of_class(e: Entry) -> GalleryItem:
         "detail": legs_text(e.legs),
         "group": "Always singular" if kind == "always-singular" else regular,
         "statement": _in_few_words(e),
-        "words": f"{_SIX_LEGS} {'-'.join(reversed(e.id.split('.')[0].split('-')))}",
+        "words": _joined(_OF_CLASSES.get(e.id), _SIX_LEGS, "-".join(reversed(e.id.split(".")[0].split("-")))),
         "familiar": _familiar("class", e.id),
         "svg": _of_structure(e.structure),
         "source": {"kind": "class", "id": e.id},
@@ -155,11 +159,15 @@ def _of_robot(one: RobotFile) -> GalleryItem | None:
         "detail": robot.chain,
         "group": f"{robot.mobility} degrees of freedom",
         "statement": robot.note,
-        "words": " ".join(filter(None, [_LIMBS.get(len(robot.limbs), ""), _WORDS.get(one.id, ""), _of_six(robot)])),
+        "words": _joined(_WORDS.get(one.id), _LIMBS.get(len(robot.limbs)), _of_six(robot)),
         "familiar": _familiar("robot", one.id),
         "svg": _of_limbs(robot),
         "source": {"kind": "robot", "id": one.id},
     }
+
+
+def _joined(*words: str | None) -> str:
+    return " ".join(filter(None, words))
 
 
 def _of_six(robot: Robot) -> str:
@@ -195,7 +203,7 @@ def _of_example(name: str) -> GalleryItem:
         "detail": legs_text(given.legs),
         "group": "Platforms with dimensions",
         "statement": given.note,
-        "words": _SIX_LEGS,
+        "words": _joined(_OF_EXAMPLES.get(name), _SIX_LEGS),
         "familiar": _familiar("example", name),
         "svg": sketch(points, s.oriented, {"base": s.base, "platform": s.platform}),
         "source": {"kind": "example", "name": name},

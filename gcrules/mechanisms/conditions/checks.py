@@ -15,9 +15,15 @@ from gcrules.mechanisms.description.relations import Values, combined
 from gcrules.mechanisms.robot import Consequence, Robot
 from gcrules.screws import RATIONALS, RESIDUES, Joint, Limb
 
-__all__ = ["check_family", "check_home", "check_limbs", "home_values", "notes", "stays_in_plane"]
+__all__ = ["STILL", "check_family", "check_home", "check_limbs", "home_values", "notes", "stays_in_plane"]
 
 _SEEDS = (11, 12)
+
+STILL = (
+    "mobility 0: but for special dimensions or poses the limbs hold the platform by themselves, and there is nothing to"
+    " drive"
+)
+"""What is said of a robot whose platform cannot move."""
 
 
 def check_family(robot: Robot, places: Mapping[str, Node], facts: Sequence[tuple[Node, Consequence]]) -> None:
@@ -181,12 +187,14 @@ def _check_platform(robot: Robot, limbs: Sequence[Limb], mobility: Node) -> None
 
 
 def notes(robot: Robot) -> tuple[str, ...]:
-    """What is no fault, yet perhaps not meant: more actuators than freedoms, and what makes the family larger than the
-    robot, bars of a parallelogram that are not perpendicular to its axes.
+    """What is no fault, yet perhaps not meant: a platform that cannot move, more actuators than freedoms, and, which
+    makes the family larger than the robot, bars of a parallelogram that are not perpendicular to its axes.
     """
     member = robot.family.member(_SEEDS[0])
     found = []
-    if robot.redundant:
+    if not robot.mobility:
+        found.append(STILL)
+    elif robot.redundant:
         driven = robot.mobility + robot.redundant
         found.append(f"{driven} actuators for {robot.mobility} freedoms: the robot is driven redundantly")
     for limb in robot.limbs:

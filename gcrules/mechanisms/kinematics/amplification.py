@@ -224,7 +224,8 @@ def amplifications(actuations: Floats, constraints: Floats, drives: Drives, leng
     twists = units[:, None] * (left / np.where(lost, 1.0, sizes)[:, None] @ right @ free) / scale
     endless = ((np.abs(left) > _RANK) & lost[:, None]).any(axis=2)
     with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
-        condition = np.where(lost.any(axis=1), np.inf, sizes[:, 0] / sizes[:, -1])
+        ratio = sizes[:, 0] / sizes[:, -1] if freedoms else np.full(len(sizes), np.nan)  # nothing that could be driven
+        condition = np.where(lost.any(axis=1), np.inf, ratio)
     parts = np.stack([np.linalg.norm(twists[..., k : k + 3], axis=2) for k in (0, 3)]) * [[[1.0]], [[length]]]
     parts[parts <= _ROUNDING * parts.max(axis=(0, 2), keepdims=True)] = 0.0  # a platform that only shifts, or turns
     found = [np.where(endless, np.inf, part) for part in (parts[0], parts[1] / length)]

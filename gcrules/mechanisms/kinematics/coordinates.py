@@ -26,7 +26,7 @@ def coordinates(names: Sequence[str], motions: Floats, centre: Floats) -> Floats
     if any(n in VECTOR for n in names):
         turn = rotation_vector(r)
         known |= {n: turn[..., k] for k, n in enumerate(VECTOR)}
-    return np.stack([known[n] for n in names], axis=-1)
+    return np.stack([known[n] for n in names], axis=-1) if names else np.zeros((*motions.shape[:-2], 0))
 
 
 def slopes(names: Sequence[str], motions: Floats, centre: Floats) -> Floats:

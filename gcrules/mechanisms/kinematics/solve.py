@@ -16,6 +16,7 @@ from gcrules.core.budget import checkpoint
 from gcrules.core.dataclass import dataclass
 from gcrules.core.english import agreeing, listed
 from gcrules.core.errors import InputError
+from gcrules.mechanisms.conditions.checks import STILL
 from gcrules.mechanisms.kinematics.branch import Steps, can_be_followed, follow_branch
 from gcrules.mechanisms.kinematics.configurations import Configurations
 from gcrules.mechanisms.kinematics.failure_reasons import NotClosed, stopped
@@ -27,7 +28,7 @@ from gcrules.mechanisms.kinematics.targets import Target, check_count, written
 from gcrules.screws.pose import FAR
 from gcrules.screws.pose_text import SHIFTS, TURNS, VECTOR
 
-__all__ = ["Solution", "beside", "check_target", "closed_near", "free_coordinates", "goal", "solve"]
+__all__ = ["Solution", "beside", "check_moves", "check_target", "closed_near", "free_coordinates", "goal", "solve"]
 
 _LONGEST = 0.25  # of a coordinate, at first: rad, or parts of the robot's size
 _SHORTEST = 1.0 / 4096
@@ -146,10 +147,20 @@ def _configuration(m: Linkage, here: Configuration, joints: Joints) -> Configura
     )
 
 
+def check_moves(m: Linkage) -> None:
+    """Raises InputError for a robot of mobility 0, which has no other configuration near home to be asked about."""
+    if not m.robot.mobility:
+        raise InputError(
+            f"{m.robot.id} cannot be asked about other poses: {STILL}",
+            hint="give its limbs more joints, or take one of them away",
+        )
+
+
 def check_target(m: Linkage, wanted: Target) -> None:
     """Raises InputError where the wanted coordinates are too few or too many or do not determine the pose near home, or
     where home itself is singular for the actuators, or where it is too far to get there step by step.
     """
+    check_moves(m)
     if not Course(m, wanted).length <= FAR:
         raise InputError(
             f"a configuration is more than {FAR:,.0f} times the robot's size, or as many radians, from home",

@@ -21,7 +21,7 @@ from gcrules.core.budget import checkpoint
 from gcrules.core.budget import report as report_progress
 from gcrules.core.english import lettered
 from gcrules.core.errors import InputError
-from gcrules.mechanisms.kinematics.solve import free_coordinates
+from gcrules.mechanisms.kinematics.solve import check_moves, free_coordinates
 from gcrules.mechanisms.limbs import Limbs
 from gcrules.mechanisms.load import Folders, Source
 from gcrules.mechanisms.mechanism import Mechanism, mechanism
@@ -219,6 +219,7 @@ def _of_legs(
 def _of_limbs(m: Limbs, asked: float, limits: str | None, within: str | None, modes: AssemblyModes | None) -> Domain:
     if (legs := legs_within(m, limits)) is not None:
         return _of_legs(legs, asked, limits, within, modes)
+    check_moves(m.linkage)
     names = free_coordinates(m.linkage)
     bare = LimbDomain(m, asked, limb_space(m, names, (), asked, limits, within))
     reached = [place.pose for mode in _listed(modes) if isinstance(place := bare.place_of(mode), Place)]

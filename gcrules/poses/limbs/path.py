@@ -52,7 +52,7 @@ from gcrules.poses.numbers.motion import twist_of
 from gcrules.poses.paths.least import Least
 from gcrules.poses.paths.sampling import SAMPLES, per_segment
 from gcrules.screws.pose_text import HOME
-from gcrules.screws.threshold import Threshold, degrees, margin_of, turn_of
+from gcrules.screws.threshold import Threshold, margin_of, safe, turn_of
 from gcrules.screws.verdict import SOLVED, decide
 
 __all__ = ["path_of_limbs", "path_targets"]
@@ -294,7 +294,7 @@ def _verdict(
     if least.bound > 0:
         met = f"{least.margin:.4g} at parameter {least.parameter:.4g}"
         where = f"σ ≥ {rounded_down(least.bound)} everywhere, proved, and {met}"
-    angle = degrees(turn_of(least.margin))
+    angle = safe(turn_of(least.margin))
     turn = f"from there the wrenches of some limb have to turn by {angle} (threshold {limit.text})"
     if looped:
         turn = (

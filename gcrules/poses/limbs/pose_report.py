@@ -12,6 +12,7 @@ import numpy as np
 from gcrules.core.english import agreeing, listed
 from gcrules.core.errors import InputError, LimitReached
 from gcrules.core.floats import without_noise
+from gcrules.mechanisms.conditions.checks import STILL
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.mechanisms.kinematics.configurations import Configurations
 from gcrules.mechanisms.kinematics.coordinates import coordinates
@@ -41,7 +42,7 @@ from gcrules.poses.numbers.motion import Twist, twist_of
 from gcrules.screws.guarantees import DIGITS
 from gcrules.screws.pose import Pose, exact
 from gcrules.screws.pose_text import ANGLES, COORDINATES, Amount
-from gcrules.screws.threshold import DEFAULT, Threshold, angle_threshold, degrees, margin_of, turn_of
+from gcrules.screws.threshold import DEFAULT, Threshold, angle_threshold, margin_of, safe, turn_of
 from gcrules.screws.verdict import SOLVED, decide
 
 __all__ = ["cause_of", "first_singular_pose", "report_at", "report_of_limbs", "solution_at", "target_of"]
@@ -233,7 +234,14 @@ def report_at(m: Linkage, analysis: RobotAnalysis, solution: Solution, limit: Th
             d.name: tuple(without_noise(x, m.size if d.sort == "point" else 1.0) for x in c.values[d.name])
             for d in m.robot.family.definitions
         },
-        notes=(*solution.target.notes, *m.notes, *_far(m), *_notes(m, own), *_closure(jacobian)),
+        notes=(
+            *solution.target.notes,
+            *m.notes,
+            *([] if m.robot.mobility else [STILL]),
+            *_far(m),
+            *_notes(m, own),
+            *_closure(jacobian),
+        ),
     )
 
 
@@ -254,7 +262,7 @@ def _verdict(m: Linkage, near: LimbMargin, own: Sequence[float], limit: Threshol
     else:
         certain = "It is only certain that,"
         words = "apart from the limbs' own singularities, no configuration is singular while the wrenches of every limb"
-        words += f" turn by less than {degrees(turn)} relative to the platform"
+        words += f" turn by less than {safe(turn)} relative to the platform"
     if word == "regular":
         return word, f"{_capital(words)} (threshold {limit.text})."
     return word, f"{certain} {words}; the threshold is {limit.text}."

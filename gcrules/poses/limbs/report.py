@@ -16,7 +16,7 @@ from gcrules.poses.limbs.factors import ConditionFactor
 from gcrules.poses.limbs.singularity_types import SingularityType
 from gcrules.poses.limbs.way_from_home import WayFromHome
 from gcrules.poses.numbers.motion import Twist
-from gcrules.screws.threshold import Threshold
+from gcrules.screws.threshold import Threshold, safe
 
 __all__ = ["NearestConfiguration", "RobotPose"]
 
@@ -173,4 +173,4 @@ class RobotPose(HoldsArrays, Shown):
         }
 
     def __repr__(self) -> str:
-        return f"<RobotPose {self.robot}: {self.verdict}, margin {self.margin:.4g}, {math.degrees(self.turn):.3g}°>"
+        return f"<RobotPose {self.robot}: {self.verdict}, margin {self.margin:.4g}, {safe(self.turn)}>"

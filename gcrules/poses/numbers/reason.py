@@ -8,7 +8,7 @@ from fractions import Fraction
 from gcrules.poses.numbers.nearest_pose import NearestPose
 from gcrules.screws.guarantees import Guarantees
 from gcrules.screws.margin import LegJacobians
-from gcrules.screws.threshold import Threshold, degrees, margin_of, turn_of
+from gcrules.screws.threshold import Threshold, margin_of, safe, turn_of
 from gcrules.screws.verdict import CLOSE, decide
 
 __all__ = ["verdict"]
@@ -40,14 +40,14 @@ def verdict(
         return "close", f"σ = {sigma:.2g}, but the accuracy of the joints leaves σ uncertain by {spread:.2g}."
     if threshold.length is not None:
         near = found[0]
-        safe = near.lower >= threshold.length
-        length = f"{near.lower:.4g} {unit}".strip()
+        far = near.lower >= threshold.length
+        length = safe(near.lower, unit, 4)
         if near.never:
             return "regular", "At this orientation there is no singular pose at all."
         words = f"t this orientation no singular pose is nearer than {length} (threshold {threshold.text})."
-        return ("regular", f"A{words}") if safe else ("close", f"Singular poses may be near: a{words}")
+        return ("regular", f"A{words}") if far else ("close", f"Singular poses may be near: a{words}")
     safe_turn = turn_of(sigma - spread)
-    least = degrees(min(turn, safe_turn))
+    least = safe(min(turn, safe_turn))
     words = f"no pose is singular while every leg turns by less than {least} relative to the platform"
     if word == "regular":
         return word, f"N{words[1:]} (threshold {threshold.text})."

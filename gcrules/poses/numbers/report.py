@@ -18,7 +18,7 @@ from gcrules.poses.numbers.nearest_pose import NearestPose
 from gcrules.rules.condition import Condition
 from gcrules.screws.margin import jacobian
 from gcrules.screws.pose import Pose
-from gcrules.screws.threshold import Threshold, degrees
+from gcrules.screws.threshold import Threshold, safe
 
 __all__ = ["PoseReading", "PoseReport"]
 
@@ -140,4 +140,4 @@ class PoseReport(Shown):
         }
 
     def __repr__(self) -> str:
-        return f"<PoseReport {self.verdict}: margin {self.margin:.4g}, {degrees(self.turn)}>"
+        return f"<PoseReport {self.verdict}: margin {self.margin:.4g}, {safe(self.turn)}>"

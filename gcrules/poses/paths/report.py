@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gcrules.core.dataclass import dataclass
+from gcrules.core.floats import rounded_down
 from gcrules.core.frozen import HoldsArrays
 from gcrules.core.shown import Shown
 from gcrules.mechanisms.kinematics.amplification import index_columns
@@ -20,7 +21,7 @@ from gcrules.poses.paths.least import Least
 from gcrules.poses.paths.zeros import Stretch
 from gcrules.rules.condition import Condition
 from gcrules.screws.pose import Pose
-from gcrules.screws.threshold import Threshold, degrees, turn_of
+from gcrules.screws.threshold import Threshold, safe, turn_of
 
 if TYPE_CHECKING:
     pass
@@ -169,6 +170,6 @@ class PathReport(HoldsArrays, Shown):
         return self._show("plot")
 
     def __repr__(self) -> str:
-        angle = degrees(turn_of(self.least.bound))
+        angle = safe(turn_of(self.least.bound))
         found = f"{len(self.zeros)} zeros" + (f", {len(self.stretches)} stretches" if self.stretches else "")
-        return f"<PathReport {self.verdict}: {found}, margin at least {self.least.bound:.4g}, {angle}>"
+        return f"<PathReport {self.verdict}: {found}, margin at least {rounded_down(self.least.bound)}, {angle}>"

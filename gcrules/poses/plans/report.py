@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from gcrules.core.dataclass import dataclass
+from gcrules.core.floats import rounded_down
 from gcrules.core.shown import Shown
 from gcrules.poses.limbs.path_report import RobotPath
 from gcrules.poses.paths.report import PathReport
@@ -125,7 +126,7 @@ class Plan(Shown):
     def __repr__(self) -> str:
         if self.path is None:
             return f"<Plan {self.outcome}: {self.reason}>"
-        return f"<Plan way of {len(self.poses)} poses, margin at least {self.least:.4g}>"
+        return f"<Plan way of {len(self.poses)} poses, margin at least {rounded_down(self.least)}>"
 
 
 def pose_json(pose: Waypoint) -> dict[str, Any]:

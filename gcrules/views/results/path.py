@@ -11,7 +11,7 @@ from gcrules.poses.numbers.motion import Dependence
 from gcrules.poses.paths.report import PathReport, Zero
 from gcrules.poses.paths.zeros import Stretch
 from gcrules.screws.pose import Pose
-from gcrules.screws.threshold import degrees, turn_of
+from gcrules.screws.threshold import safe, turn_of
 from gcrules.views.formulas.latex_text import latex_quantity, latex_table
 from gcrules.views.results.amplification import index_ranges
 from gcrules.views.results.path_account import (
@@ -82,7 +82,7 @@ def _least(r: PathReport) -> Iterator[tuple[str, str]]:
     if r.zeros or r.stretches:
         return
     at = f"σ = {r.least.margin:.4g} at parameter {r.least.parameter:.4g} (0 singular, at most 1)"
-    turn = degrees(turn_of(r.least.bound))
+    turn = safe(turn_of(r.least.bound))
     yield "closest", at
     yield (
         "proved",

@@ -10,7 +10,7 @@ from gcrules.core.floats import decimal
 from gcrules.poses.numbers.nearest_pose import NearestPose
 from gcrules.poses.numbers.report import PoseReport
 from gcrules.screws.pose import Pose
-from gcrules.screws.threshold import degrees
+from gcrules.screws.threshold import degrees, safe
 from gcrules.views.formulas.latex_text import latex_quantity, latex_table
 from gcrules.views.results.amplification import (
     above_rounding,
@@ -79,8 +79,8 @@ def _meaning(r: PoseReport) -> Iterator[tuple[str, str]]:
     )
     yield (
         "proved",
-        f"no pose is singular while every leg turns by less than {degrees(r.turn)} relative to the platform, nor "
-        f"after a translation by less than {_length(r.shift, r.rig.unit)}{_as_given(r)}",
+        f"no pose is singular while every leg turns by less than {safe(r.turn)} relative to the platform, nor "
+        f"after a translation by less than {safe(r.shift, r.rig.unit, 4)}{_as_given(r)}",
     )
 
 
@@ -115,13 +115,14 @@ def _nearest(r: PoseReport) -> Iterator[str]:
     found = []
     several = len(factors(r.condition.expression)) > 1
     for n in r.nearest:
-        shown = degrees if n.kind == "rotation" else lambda x: _length(x, u)
+        turned = n.kind == "rotation"
+        least = safe(n.lower) if turned else safe(n.lower, u, 4)
         if n.never:
             found.append((n.kind, "none", f"proved: a {n.kind} alone leads to no singular pose"))
         elif n.pose is None:
-            found.append((n.kind, "none found", f"proved: none below {shown(n.lower)}"))
+            found.append((n.kind, "none found", f"proved: none below {least}"))
         else:
-            found.append((n.kind, shown(n.distance), _status(n, shown(n.lower))))
+            found.append((n.kind, degrees(n.distance) if turned else _length(n.distance, u), _status(n, least)))
             if n.distance:
                 found.append(("", "", f"at {_pose(n.pose)}"))
             if several and n.distance:

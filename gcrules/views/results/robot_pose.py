@@ -13,7 +13,7 @@ from gcrules.poses.limbs.factors import ConditionFactor
 from gcrules.poses.limbs.report import NearestConfiguration, RobotPose
 from gcrules.poses.numbers.motion import twist_of
 from gcrules.screws.pose_text import ANGLES, SHIFTS, TURNS
-from gcrules.screws.threshold import degrees
+from gcrules.screws.threshold import degrees, safe
 from gcrules.views.formulas.latex import latex_name
 from gcrules.views.formulas.latex_text import latex_quantity, latex_table
 from gcrules.views.results.amplification import (
@@ -158,17 +158,11 @@ def _free_box(n: NearestConfiguration, unit: str) -> Iterator[str]:
         if names:
             each = " each" if len(names) > 1 else ""
             change = "changes" if len(names) == 1 else "change"
-            bounds.append(f"{listed(names)}{each} {change} by less than {_at_most(n.free[names[0]], angle, unit)}")
+            least = safe(n.free[names[0]], None if angle else unit)
+            bounds.append(f"{listed(names)}{each} {change} by less than {least}")
     yield from wrapped(
         f"proved: on this branch no configuration is singular while {' and '.join(bounds)}", "  ", "    "
     )
-
-
-def _at_most(value: float, angle: bool, unit: str) -> str:
-    """A bound with three digits, never more than it is."""
-    shown = math.degrees(value) if angle else value
-    digit = 10.0 ** (math.floor(math.log10(shown)) - 2)
-    return f"{math.floor(shown * (1 - 1e-12) / digit) * digit:.3g}{'°' if angle else f' {unit}'.rstrip()}"
 
 
 def _change(name: str, value: float, unit: str) -> str:

@@ -39,6 +39,9 @@ const LIMB_VERDICTS = {
 const SUPERBRACKET = "The superbracket is the determinant of the six lines, 0 at a singular pose.";
 const MARGIN = "The margin is 0 at a singular pose and at most 1; it is the same in every frame and unit.";
 type Row = [string, HTMLElement | string];
+/** Where the margin of six legs is 0 within rounding, so is their superbracket. */
+const shown = (value: number, verdict: Verdict, unit = ""): Row[1] =>
+  verdict === "singular" ? "0, within rounding" : figure(value, unit);
 const gain = (motion: PoseNumbers["motion"]): Row[] => (motion ? [["Gained motion", motion.text]] : []);
 const MODES: [Mode, string, string][] = [
   ["orbit", "View", "Drag turns the view"],
@@ -145,8 +148,8 @@ export function explore(host: HTMLElement, first: Scene, options: ExplorerOption
     judge(found.verdict, VERDICTS[found.verdict], found.motion);
     const places = [...pose.translation, ...eulerAngles(pose.quaternion)];
     sliders.forEach((s, i) => s.set(places[i]!));
-    const value: Row = ["Superbracket", figure(found.superbracket, scene.unit && `${scene.unit}⁹`)];
-    tabulate([value, ["Margin", figure(found.margin)], ...gain(found.motion)]);
+    const value: Row = ["Superbracket", shown(found.superbracket, found.verdict, scene.unit && `${scene.unit}⁹`)];
+    tabulate([value, ["Margin", shown(found.margin, found.verdict)], ...gain(found.motion)]);
   }
 
   /** What a robot of joints is like where its actuators brought it. */

@@ -19,9 +19,17 @@ export function NumberField({ value, step, label, digits, testid, onChange, onDo
   function take(typed: string): void {
     setText(null);
     const found = readNumber(typed);
-    if (found !== null && found !== value) onChange(found);
+    const far = found !== null && Math.abs(found) > FARTHEST;
+    if (found !== null && !far && found !== value) onChange(found);
     else if (field.current) field.current.value = fitting(value, digits);
+    if (far) refuse();
     onDone?.();
+  }
+
+  /** Says so at the field, until something is typed. */
+  function refuse(): void {
+    field.current?.setCustomValidity(TOO_LARGE);
+    field.current?.reportValidity();
   }
 
   function key(event: KeyboardEvent): void {
@@ -31,7 +39,8 @@ export function NumberField({ value, step, label, digits, testid, onChange, onDo
     if (by === undefined) return;
     event.preventDefault();
     setText(null);
-    onChange(Number((value + by).toPrecision(12)));
+    const next = Number((value + by).toPrecision(12));
+    if (Math.abs(next) <= FARTHEST) onChange(next);
   }
 
   return (
@@ -44,13 +53,20 @@ export function NumberField({ value, step, label, digits, testid, onChange, onDo
       aria-invalid={text !== null && readNumber(text) === null}
       data-testid={testid}
       value={shown}
-      onInput={(event) => setText(event.currentTarget.value)}
+      onInput={(event) => {
+        event.currentTarget.setCustomValidity("");
+        setText(event.currentTarget.value);
+      }}
       onBlur={(event) => (text === null ? onDone?.() : take(event.currentTarget.value))}
       onFocus={(event) => event.currentTarget.select()}
       onKeyDown={key}
     />
   );
 }
+
+/** The largest number that poses are computed for, as the protocol has it. */
+export const FARTHEST = 1e12;
+const TOO_LARGE = "This number is too large: numbers go up to 1 000 000 000 000, either way. The one before was kept.";
 
 const DECIMAL = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i;
 

@@ -16,18 +16,26 @@ export interface Group {
   items: GalleryItem[];
 }
 
-/** The cards that hold every word of the query, grouped in the order in which the groups come; those that a newcomer knows stand first, under a heading of their own before anything is asked. */
+/** The cards that hold every word of the query, those whose name holds them first, grouped in the order in which the groups come; those that a newcomer knows stand first, under a heading of their own before anything is asked. */
 export function chosen(gallery: Gallery, section: Section, query: string): Group[] {
   const wanted = wordsOf(query);
   const kinds = section === "all" ? (["examples", "robots", "classes"] as const) : [section];
   const items = kinds.flatMap((kind) => gallery[kind]).filter((item) => wanted.every((word) => holds(textOf(item), word)));
-  items.sort((a, b) => (a.familiar ?? Infinity) - (b.familiar ?? Infinity) || 0);
+  const ranks = new Map(items.map((item) => [item, rankOf(item, wanted)]));
+  items.sort((a, b) => ranks.get(a)! - ranks.get(b)! || (a.familiar ?? Infinity) - (b.familiar ?? Infinity) || 0);
   const first = section === "all" && !wanted.length ? items.filter((item) => item.familiar !== null) : [];
   const groups = new Map<string, GalleryItem[]>(first.length ? [[FAMILIAR, first]] : []);
   for (const item of items) {
     if (!first.includes(item)) groups.set(item.group, [...(groups.get(item.group) ?? []), item]);
   }
   return [...groups].map(([title, items]) => ({ title, items }));
+}
+
+/** How well the name matches: 0 if it holds every word, 1 if what the card is called beside it begins with one, 2 else. */
+function rankOf({ id, title, words }: GalleryItem, wanted: readonly string[]): number {
+  const name = folded(`${id} ${title}`);
+  if (wanted.every((word) => holds(name, word))) return 0;
+  return wanted.some((word) => folded(words).startsWith(word)) ? 1 : 2;
 }
 
 const FAMILIAR = "Well known";

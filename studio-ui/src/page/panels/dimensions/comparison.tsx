@@ -75,13 +75,17 @@ function rowsOf(mine: Numbers | null, theirs: Numbers | null): Row[] {
   return [
     row("verdict", ({ verdict }) => WORDS[verdict]),
     row("margin σ", ({ margin }) => short(margin)),
-    row("lengths", lengths),
+    ...(both.some((n) => n && onLegs(n)) ? [row("leg lengths", (n) => (onLegs(n) ? spread(n) : "–"))] : []),
+    ...(both.some((n) => n && !onLegs(n)) ? [row("actuators, from home", (n) => (onLegs(n) ? "–" : spread(n)))] : []),
     ...keys.map((key) => row(key, ({ jacobian }) => jacobian.find((fact) => fact.key === key)?.value ?? "–")),
   ];
 }
 
+/** The actuators of six legs are told by their lengths, others by how far they are from home. */
+const onLegs = ({ platform }: Numbers): boolean => platform === null;
+
 /** From the least to the greatest, and what is beyond its limits. */
-function lengths({ actuators }: Numbers): string {
+function spread({ actuators }: Numbers): string {
   const units = new Set(actuators.map(({ unit }) => unit));
   const unit = units.size === 1 ? [...units][0] : null;
   if (actuators.length === 0 || unit == null) return "–";
