@@ -54,14 +54,14 @@ def test_turns_that_are_rounded() -> None:
 
 @pytest.mark.parametrize("at", [QUARTER, "yaw=90deg", "0 0 0; euler ZYZ 45 0 45 deg", "rotvec 0 0 90 deg"])
 def test_a_slice_of_singular_poses_is_not_called_regular(at: str) -> None:
-    found = gc.singular_map(HEXAPOD, ["x -50:50:4", "y -50:50:4"], at=at)
+    found = gc.singular_map(HEXAPOD, ["x -50:50:6", "y -50:50:6"], at=at)
     assert found.everywhere
     assert gc.locus(HEXAPOD, "translation", at=at).vanishes
 
 
 def test_a_rounded_turn_is_told() -> None:
     nearly = "0 0 0; quaternion 0.7071067811865477 0 0 0.7071067811865475"
-    found = gc.singular_map(HEXAPOD, ["x -50:50:4", "y -50:50:4"], at=nearly)
+    found = gc.singular_map(HEXAPOD, ["x -50:50:6", "y -50:50:6"], at=nearly)
     assert found.guarantee.startswith(AT_ROUNDED)
     assert "margins are 0 to rounding" in found.guarantee
     assert ROUNDED in found.notes
@@ -72,7 +72,7 @@ def test_a_rounded_turn_is_told() -> None:
 
 
 def test_an_exact_turn_needs_no_note() -> None:
-    found = gc.singular_map(HEXAPOD, ["x -50:50:4", "y -50:50:4"], at="0 0 0; quaternion 0.8 0 0 0.6")
+    found = gc.singular_map(HEXAPOD, ["x -50:50:6", "y -50:50:6"], at="0 0 0; quaternion 0.8 0 0 0.6")
     assert not found.guarantee.startswith(AT_ROUNDED)
     assert not found.notes
     assert not gc.locus(HEXAPOD, "translation", at="0 0 0; quaternion 0.8 0 0 0.6").question.turn_is_rounded
