@@ -22,8 +22,8 @@ GLOSSARY = (
         "term": "aspect",
         "forms": "aspects",
         "meaning": (
-            "A part of the poses of a robot within which it can go from any pose to any other without a "
-            "singular pose in between."
+            "A part of the poses of a robot within which it can go from any pose to any other without a singular "
+            "pose in between."
         ),
         "guide": "Which poses are connected",
         "page": "aspects.md",
@@ -49,11 +49,28 @@ GLOSSARY = (
         "term": "certificate",
         "forms": "certificates",
         "meaning": (
-            "How an answer was shown, so that it can be checked again. That of a whole range of poses is a file: the "
-            "proof that none is singular, or a singular one."
+            "How an answer was shown, so that it can be checked again. That of a whole range of poses is a file: "
+            "the proof that none is singular, or a singular one."
         ),
         "guide": "Certificates",
         "page": "certify.md",
+    },
+    {
+        "term": "codimension",
+        "forms": "",
+        "meaning": "How many equations have to hold at once: in codimension one a single one is enough.",
+        "guide": "What the answer means",
+        "page": "robots.md#what-the-answer-means",
+    },
+    {
+        "term": "cofactor",
+        "forms": "cofactors",
+        "meaning": (
+            "A factor by which the superbracket is multiplied in an identity. The identity decides nothing at "
+            "poses where the cofactor is zero."
+        ),
+        "guide": "Where the cofactor comes from",
+        "page": "transversals.md#where-the-cofactor-comes-from",
     },
     {
         "term": "couple",
@@ -79,6 +96,16 @@ GLOSSARY = (
         "page": "course/extensor.md",
     },
     {
+        "term": "family",
+        "forms": "families",
+        "meaning": (
+            "All configurations and all dimensions that keep the relations of a robot's file. In a factorization: the "
+            "kinds of expressions that were searched."
+        ),
+        "guide": "A robot file",
+        "page": "robots.md#points-and-directions",
+    },
+    {
         "term": "gained motion",
         "forms": "",
         "meaning": (
@@ -86,6 +113,25 @@ GLOSSARY = (
         ),
         "guide": "At a singular pose",
         "page": "pose.md#at-a-singular-pose",
+    },
+    {
+        "term": "group of conditions",
+        "forms": "group b|group c|group d|group e|group g",
+        "meaning": (
+            "One of the sorts of condition in the published procedure, with its letter. The classes of the "
+            "catalog are arranged by them."
+        ),
+        "guide": "The classes of six-legged platforms",
+        "page": "catalog/README.md",
+    },
+    {
+        "term": "idle freedom",
+        "forms": "idle freedoms",
+        "meaning": (
+            "A motion inside the limbs that leaves the platform at rest, such as a rod that turns about its own axis."
+        ),
+        "guide": "What the answer means",
+        "page": "robots.md#what-the-answer-means",
     },
     {
         "term": "join",
@@ -115,6 +161,16 @@ GLOSSARY = (
         "page": "robots.md",
     },
     {
+        "term": "line variety",
+        "forms": "line varieties",
+        "meaning": (
+            "All the lines that depend on given ones: those through a point, in a plane, of a regulus, a "
+            "congruence or a linear complex."
+        ),
+        "guide": "At a singular pose",
+        "page": "pose.md#at-a-singular-pose",
+    },
+    {
         "term": "locus",
         "forms": "",
         "meaning": "The set of all singular poses: where one polynomial in the numbers of a pose is zero.",
@@ -142,6 +198,16 @@ GLOSSARY = (
         "page": "course/meet.md",
     },
     {
+        "term": "member",
+        "forms": "members",
+        "meaning": (
+            "One configuration of a family, with its dimensions. Random members are exact: their coordinates are "
+            "fractions, or residues modulo a prime."
+        ),
+        "guide": "A robot file",
+        "page": "robots.md#points-and-directions",
+    },
+    {
         "term": "operation mode",
         "forms": "operation modes",
         "meaning": "One of the sets of poses that the limbs leave to the platform while no actuator is locked.",
@@ -154,6 +220,26 @@ GLOSSARY = (
         "meaning": "Six numbers that say where a line is, up to a common factor.",
         "guide": "Coordinates of a line",
         "page": "course/extensor.md#coordinates-of-a-line",
+    },
+    {
+        "term": "reading",
+        "forms": "readings",
+        "meaning": (
+            "The same condition stated with other entities, or a number that says how nearly its entities satisfy"
+            " it at a pose."
+        ),
+        "guide": "Other readings",
+        "page": "procedure/octahedral.md#11-other-readings",
+    },
+    {
+        "term": "replayed",
+        "forms": "replay|replays",
+        "meaning": (
+            "Done again step by step, to see that it still holds: a derivation at exact random points, a saved "
+            "session by its commands. This checks, and does not prove."
+        ),
+        "guide": "How sure an answer is",
+        "page": "conventions.md#how-sure-an-answer-is",
     },
     {
         "term": "shortest form",
@@ -173,8 +259,29 @@ GLOSSARY = (
         "page": "course/superbracket.md",
     },
     {
+        "term": "softest motion",
+        "forms": "",
+        "meaning": (
+            "The motion of the platform that its legs or limbs resist least. At a singular pose it is the gained "
+            "motion."
+        ),
+        "guide": "At a singular pose",
+        "page": "pose.md#at-a-singular-pose",
+    },
+    {
+        "term": "standard tableau",
+        "forms": "standard tableaux",
+        "meaning": (
+            "A product of brackets, written as rows, whose rows increase from left to right while its columns do "
+            "not decrease from top to bottom. Every bracket polynomial is a sum of standard tableaux in exactly "
+            "one way."
+        ),
+        "guide": "Tableaux",
+        "page": "course/straightening.md#tableaux",
+    },
+    {
         "term": "straightening",
-        "forms": "standard tableaux|normal form",
+        "forms": "normal form",
         "meaning": (
             "Rewriting a polynomial in brackets into its one normal form of standard tableaux, by which equality "
             "is decided."
@@ -196,8 +303,8 @@ GLOSSARY = (
         "term": "tetrahedron",
         "forms": "tetrahedra",
         "meaning": (
-            "Four points, as a bracket: it is flat exactly when the bracket is zero. If all terms have the bracket in "
-            "common, the robot is singular where it is flat."
+            "Four points, as a bracket: it is flat exactly when the bracket is zero. If all terms have the "
+            "bracket in common, the robot is singular where it is flat."
         ),
         "guide": "Tetrahedra",
         "page": "procedure/octahedral.md#4-tetrahedra",

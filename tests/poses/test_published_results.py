@@ -168,3 +168,49 @@ def test_the_positions_of_a_planar_3_rpr_robot_are_on_a_conic() -> None:
         return F(str(sympy.Matrix([[sympy.Rational(str(e)) for e in row] for row in rows]).det()))
 
     assert degree(concurrent, 2) == 2
+
+
+def turn(point: np.ndarray, axis: np.ndarray) -> np.ndarray:
+    return np.concatenate([axis, np.cross(point, axis)])
+
+
+def slide(direction: np.ndarray) -> np.ndarray:
+    return np.concatenate([np.zeros(3), direction])
+
+
+def constraints(limb: list[np.ndarray]) -> np.ndarray:
+    """Rows that are reciprocal to all screws of a limb."""
+    _, sizes, rows = np.linalg.svd(np.array(limb))
+    return rows[int((sizes > 1e-9).sum()) :]
+
+
+def freedoms_and_overconstraints(limbs: list[list[np.ndarray]]) -> tuple[int, int]:
+    every = np.concatenate([constraints(limb) for limb in limbs])
+    rank = int(np.linalg.matrix_rank(every, tol=1e-9))
+    return 6 - rank, len(every) - rank
+
+
+def shipped(name: str) -> dict[str, np.ndarray]:
+    data = yaml.safe_load((ROOT / "plugins" / name / "robot.yaml").read_text(encoding="utf-8"))
+    return {n: np.array(p, float) for n, p in data["home"].items()}
+
+
+def test_four_limbs_ruu_apply_two_couples_too_many() -> None:
+    at, z = shipped("4-ruu"), np.array([0.0, 0.0, 1.0])
+    limbs = []
+    for k in "1234":
+        a, b, c = (at[f"{n}{k}"] for n in "ABC")
+        inner = np.cross(z, c - b)
+        limbs.append([turn(a, z), turn(b, z), turn(b, inner), turn(c, inner), turn(c, z)])
+    assert freedoms_and_overconstraints(limbs) == (4, 2)
+
+
+def test_exechon_has_three_freedoms_and_two_overconstraints() -> None:
+    at = shipped("exechon")
+    u, v, s = (at[n] for n in "uvs")
+    limbs = [
+        [turn(a, u), turn(a, v), slide(b - a), turn(b, v)] for a, b in [(at["A1"], at["B1"]), (at["A2"], at["B2"])]
+    ]
+    a, b = at["A3"], at["B3"]
+    limbs.append([*(turn(a, axis) for axis in np.eye(3)), slide(b - a), turn(b, s)])
+    assert freedoms_and_overconstraints(limbs) == (3, 2)
