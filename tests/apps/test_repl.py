@@ -19,7 +19,7 @@ from gcrules.apps.repl.commands import HANDLERS
 from gcrules.apps.repl.help import TOPICS, help_text
 from gcrules.apps.repl.interpreter import Interpreter
 from gcrules.apps.repl.state import PromptState, Settings
-from gcrules.apps.repl.tables import COMMANDS, KEYS, RELATIONS, RULE_WORDS, STATEMENTS, SYMBOLS
+from gcrules.apps.repl.tables import COMMANDS, KEYS, RELATIONS, RULE_WORDS, SHELL, STATEMENTS, SYMBOLS
 from gcrules.core.errors import GcrulesError
 from gcrules.rules.script import run_script
 
@@ -226,6 +226,8 @@ def test_a_new_rank_forgets_results(repl: Interpreter) -> None:
         (":save x.gca", "there are no statements to save", "1:7", ""),
         (":help savee", "no help on savee", "", "did you mean save?"),
         (":load nosuch.gca", "there is no such file", "nosuch.gca", ""),
+        ("pose delta", "`pose` is a command of the shell", "1:1", "in a shell: gcrules pose delta"),
+        ('analyze "ab af cb cd ed"', "5 legs, expected six", "1:10", ""),
     ],
     ids=lambda value: str(value)[:30],
 )
@@ -441,3 +443,14 @@ def test_whatever_is_typed_is_answered(texts: list[str]) -> None:
             assert answer.verdict in ("proved", "refuted", "undecided", "shown", "done", "fault")
             assert "last__" not in answer.text
     parse_script(repl.state.script())
+
+
+def test_the_commands_of_the_shell_are_known() -> None:
+    assert set(cli.commands) <= {*SHELL, *COMMANDS, *STATEMENTS}
+
+
+def test_legs_may_stand_in_quotes_as_in_the_shell(repl: Interpreter) -> None:
+    (quoted,) = repl.feed(f'analyze "{OCTAHEDRON}"')
+    (plain,) = repl.feed(f":analyze {OCTAHEDRON}")
+    assert quoted.text == plain.text
+    assert quoted.fault is None

@@ -34,7 +34,7 @@ from gcrules.apps.repl.reading import (
     without_results,
 )
 from gcrules.apps.repl.state import PromptState, Settings
-from gcrules.apps.repl.tables import STATEMENTS, command
+from gcrules.apps.repl.tables import SHELL, STATEMENTS, command
 from gcrules.core.alarm import paced
 from gcrules.core.errors import GcrulesError, InputError, Span
 from gcrules.core.yaml_file import read_text
@@ -93,6 +93,10 @@ class Interpreter:
             yield from self.command(piece, filename, *called)
         elif first_word(text) in STATEMENTS:
             yield from self.run(source)
+        elif first_word(text) in SHELL and not self._declared(first_word(text)) and not self._can_be_read(source):
+            begin = text.index(name := first_word(text)) + piece.line - 1
+            fault = InputError(f"`{name}` is a command of the shell", hint=f"in a shell: gcrules {text.strip()}")
+            raise fault.located(source.text, filename, Span(begin, begin + len(name)))
         elif "==" in text:
             yield from self.equation(source)
         else:

@@ -17,12 +17,19 @@ __all__ = [
     "QUESTIONS",
     "RELATIONS",
     "RULE_WORDS",
+    "SHELL",
     "STATEMENTS",
     "SYMBOLS",
     "Command",
     "command",
     "meant",
 ]
+
+SHELL = (
+    "aspects", "catalog", "certify", "cite", "completion", "export", "free", "locus", "map", "modes", "paper", "path",
+    "plan", "pose", "regions", "repl", "report", "robot", "run", "studio",
+)  # fmt: skip
+"""Commands of the shell that the prompt does not have."""
 
 STATEMENTS: Mapping[str, tuple[str, str]] = {
     "rank": ("rank N", "the rank, before everything else; 4 if left out"),
