@@ -154,6 +154,14 @@ def test_legs_that_are_joints_against_the_exact_polynomial() -> None:
     assert found["margin"] == pytest.approx(exact.values("margin"), abs=1e-5)
 
 
+def test_a_curve_goes_through_a_singular_node() -> None:
+    found = singular_map("3-rpr", ["x 0.5:1.75:6", "y -0.5:0.5:5"])  # singular at the node x = 1.5, y = 0
+    (curve,) = found.curves
+    assert np.abs(curve.points - [1.5, 0]).max(axis=1).min() < 1e-3
+    steps = np.linalg.norm(np.diff(curve.points, axis=0), axis=1)
+    assert steps.max() < 0.6  # no gap of cells
+
+
 def test_curves_lie_on_the_zeros_of_the_condition() -> None:
     m = gc.singular_map(robot("3-rpr").analysis, CASES["3-rpr"])
     assert len(m.curves) == 1

@@ -47,6 +47,7 @@ __all__ = ["MAX_POSES", "LimbsTask", "limbs_task"]
 
 MAX_POSES = 1_000_000
 _NODES = 1_000  # in one chunk, about
+_SINGULAR = 1e-10  # of the margin: less is 0, and has no sign
 
 
 @dataclass(frozen=True, eq=False)
@@ -162,9 +163,12 @@ class LimbsTask(InLayers, HoldsArrays):
         return np.stack([there.joint_values[a.place][:, a.coordinate] for a in m.actuators], axis=1)
 
     def level(self, chunk: Chunk) -> Floats:
-        """The margin with the sign of the determinant of all wrenches."""
+        """The margin with the sign of the determinant of all wrenches; 0 at a singular node, not a number where the sign
+        is not known.
+        """
         signed = chunk["margin"].astype(np.float64) * chunk["sign"]
-        return np.asarray(np.where(chunk["sign"] == 0, np.nan, signed))
+        unknown = (chunk["sign"] == 0) & ~(chunk["margin"] < _SINGULAR)
+        return np.asarray(np.where(unknown, np.nan, signed))
 
     def value(self, places: Floats) -> Floats:
         """The level at places (N, axes) counted in nodes: solved anew for two axes, else between the nodes around."""
