@@ -120,7 +120,7 @@ STATEMENTS = {
     "gough-stewart": "the lines A1B1, A2B2, A3B3, A4B4, A5B5 and A6B6 belong to one linear complex",
     "exechon": "the planes of leg 1 (vA1B1), leg 2 (vA2B2) and leg 3 (sA3B3) and the base plane A1A2A3 meet in a point",
     "4-rpr": "the lines A1B1, A2B2, A3B3 and A4B4 all meet in one point or are all parallel, which takes two",
-    "4-ruu": "also singular where the constraints of all limbs together lose rank",
+    "4-ruu": "leaves out poses where the constraints of all limbs together lose rank",
 }
 
 

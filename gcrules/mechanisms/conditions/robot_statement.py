@@ -114,11 +114,12 @@ _WHEN: Mapping[tuple[bool, bool], str] = {
 """Whether there are factors that change as the robot moves, and factors of the design -> the sentence."""
 
 _CONSTRAINTS_TOO = (
-    " It is also singular where the constraints of all limbs together lose rank, which takes two conditions or more."
+    " This leaves out poses where the constraints of all limbs together lose rank: the robot is singular there as well,"
+    " but that takes two conditions or more."
 )
 _CONSTRAINTS_MAYBE = (
-    " It is also singular where the constraints of all limbs together lose rank, if they do anywhere: that takes two"
-    " conditions or more, and is not looked for."
+    " This leaves out poses where the constraints of all limbs together lose rank, if there are any: the robot is"
+    " singular there as well, but that takes two conditions or more, and such poses are not looked for."
 )
 
 
