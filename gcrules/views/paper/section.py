@@ -77,7 +77,10 @@ def _of_legs(a: Analysis, shown: str) -> str:
     words = f"We consider two rigid bodies{shown} that are joined by {number} legs."
     if s.base and s.platform:
         words = f"We consider a parallel robot{shown} whose platform is joined to its base by {number} legs."
-    words += f" Legs that share a joint share its name: they are the lines {_listed(s.lines)}."
+    shared = len({end for leg in s.legs for end in leg}) < 2 * len(s.legs)
+    words += (
+        f"{' Legs that share a joint share its name: they' if shared else ' They'} are the lines {_listed(s.lines)}."
+    )
     if s.base and s.platform:
         words += f" The joints of the base are {_points(s.base)}, those of the platform {_points(s.platform)}."
     if s.ideal:
@@ -260,7 +263,9 @@ def _limits(s: Subject) -> Iterator[str]:
     if a is None:
         return
     if len(a.parts) > 1 or any(p.kind in ("never", "choice", "limb") for p in a.parts):
-        yield r"\paragraph{Factors.} The factors of the right side are, for this robot:"
+        identity = s.condition is not None and s.lines is not None and not _says_nothing(s)
+        which = "The factors of the right side are, for this robot:" if identity else "Factors that were found:"
+        yield rf"\paragraph{{Factors.}} {which}"
         yield itemized(f"{inline(p.expression)}: {named_words(factor_words(p), s.names)}" for p in a.parts)
     if a.cofactors:
         yield f"Of the left side {listed([inline(e) for e in a.cofactors])} may vanish in poses that are not singular."
