@@ -163,8 +163,8 @@ class LimbsTask(InLayers, HoldsArrays):
         return np.stack([there.joint_values[a.place][:, a.coordinate] for a in m.actuators], axis=1)
 
     def level(self, chunk: Chunk) -> Floats:
-        """The margin with the sign of the determinant of all wrenches; 0 at a singular node, not a number where the sign
-        is not known.
+        """The margin with the sign of the determinant of all wrenches: 0 at a singular node, not a number where the
+        sign is not known.
         """
         signed = chunk["margin"].astype(np.float64) * chunk["sign"]
         unknown = (chunk["sign"] == 0) & ~(chunk["margin"] < _SINGULAR)
