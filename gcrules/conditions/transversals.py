@@ -3,7 +3,7 @@ r"""The transversal conditions of six legs as one value that shows itself.
 >>> print(transversals("Aa Ab Bc Bd Ce Df").condition.expression)
 (AB /\ Ce)(Aab /\ Bcd /\ Df) - (AB /\ Df)(Aab /\ Bcd /\ Ce)
 >>> print(transversals("Aa Bb Cc Dd Ee Ff").text())
-none: no two legs share a joint, and the two lines that meet four such legs take a square root
+none: no two legs share a joint, and the two lines that meet four such legs require a square root
 """
 
 from __future__ import annotations

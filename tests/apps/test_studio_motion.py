@@ -375,7 +375,7 @@ def test_what_is_no_path(page: Page, source: dict[str, str], args: dict[str, Any
 NO_MAP: dict[str, tuple[dict[str, str], list[str], str, str]] = {
     "swapped limits": (DELTA, ["x 2:-2:5", "y -2:2:5"], "reversed", "-2:2:5"),
     "empty range": (OCTAHEDRAL, ["x 2:2:5", "y -2:2:5"], "x", ""),
-    "twice": (OCTAHEDRAL, ["x -1:1:5", "x -2:2:5"], "twice", "another"),
+    "twice": (OCTAHEDRAL, ["x -1:1:5", "x -2:2:5"], "twice", "different coordinate"),
     "two kinds": (DELTA, ["x -1:1:5", "q1 -2:2:5 deg"], "q1 is an actuator", "one kind"),
     "NaN": (DELTA, ["x nan:1:5", "y -2:2:5"], "finite number", ""),
     "infinite": (OCTAHEDRAL, ["x -inf:1:5", "y -2:2:5"], "finite number", ""),

@@ -186,7 +186,10 @@ def test_a_model_that_is_opened_is_accounted_for(desk: Desk) -> None:
     desk.one("model").wait_for()
     drives = [row.inner_text().split() for row in desk.page.get_by_test_id("model-drive").all()]
     assert drives == [[f"q{k}", f"leg{k}_motor", "−1.2", "to", "1.2"] for k in range(1, 7)]
-    assert desk.text("model-verdict") == "rotary-hexapod (MJCF) is read as 6-R*US: top moves against world, mobility 6."
+    assert (
+        desk.text("model-verdict")
+        == "rotary-hexapod (MJCF) is read as 6-R*US: top moves relative to world, mobility 6."
+    )
     desk.page.locator("[data-testid=model] summary").click()
     words = " ".join(desk.one("model").inner_text().split())
     (facts,) = shown(import_file(MODEL), "account").blocks

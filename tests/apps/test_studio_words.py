@@ -45,7 +45,7 @@ def test_words_by_mouse_and_keyboard(desk: Desk, kind: str, name: str) -> None:
     desk.page.keyboard.press("Escape")
     tip.wait_for(state="detached")
     word(desk, "value").click()
-    assert "over its scale" in tip.inner_text()
+    assert "divided by its scale" in tip.inner_text()
     box, size = tip.bounding_box(), desk.page.viewport_size
     assert 0 <= box["x"] <= size["width"] - box["width"]
     assert 0 <= box["y"] <= size["height"] - box["height"]

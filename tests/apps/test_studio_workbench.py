@@ -222,7 +222,7 @@ def test_each_answer_is_there_before_the_last_one_and_stays_when_the_rest_is_sto
     results = desk.one("bench-result").all()
     assert [found.get_attribute("data-verdict") for found in results[:2]] == ["proved", "value"]
     words = "1 answer" if len(results) == 1 else f"{len(results)} answers"
-    assert desk.text("bench-note") == f"Stopped with {words}. Evaluate begins anew."
+    assert desk.text("bench-note") == f"Stopped with {words}. Evaluate starts over."
     assert desk.page.locator(".bench .earlier").count() == 0
     desk.run("text => gcrules.edit({bench: text})", f"[abcd] == -[bacd]\n[abcd]\n{LONG}")
     desk.page.wait_for_function(

@@ -128,7 +128,7 @@ def test_a_limb_whose_copies_are_of_another_number_is_duplicated() -> None:
     assert sheet.limbs[central].name == "the central leg"
     assert len(sheet.every_limb) == 6
     assert len(described(text).limbs) == 6
-    with pytest.raises(InputError, match="stands for 3 limbs already"):
+    with pytest.raises(InputError, match="already stands for 3 limbs"):
         changed(FILES["3-rps"], Edit("limb around", to=3))
 
 

@@ -258,7 +258,8 @@ def test_a_common_factor_is_the_one_condition_that_suffices() -> None:
     """The axes u1, u2, u3 and u1 + u2 lie in one plane where the first three do."""
     a = analysis("4-crr")
     assert (
-        "One condition suffices for that: the directions u1, u2 and u3 are parallel to one plane; else" in a.statement
+        "One condition suffices for that: the directions u1, u2 and u3 are parallel to one plane; otherwise"
+        in a.statement
     )
     assert a.common is not None
     assert a.common.degree > 0

@@ -47,7 +47,7 @@ def test_the_bytes_are_those_of_a_run_of_its_own(
 @pytest.mark.parametrize(
     ("over", "words"),
     [
-        (["z -100:200"], "along x: it alone"),
+        (["z -100:200"], "along x: only it"),
         (["x -99:100"], "not of whole tiles"),
         (["x -100:100.5"], "not of whole tiles"),
         (["x -100:200", "z -100:200"], "extended along its first coordinate"),

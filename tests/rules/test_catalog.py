@@ -192,12 +192,12 @@ def test_shipped_classes_come_first(own: Any) -> None:
 
 def test_clash(own: Any) -> None:
     path = own(OWN.replace("id: mine", "id: '6-6'"))
-    with pytest.raises(FileError, match="class 6-6 stands in") as fault:
+    with pytest.raises(FileError, match="class 6-6 is also defined in") as fault:
         load([path])
     assert "gcrules/catalog.yaml:" in str(fault.value)
     assert f"{path}:5:9" in str(fault.value)
     again = own(OWN, "second.yaml")
-    with pytest.raises(FileError, match="class mine stands in"):
+    with pytest.raises(FileError, match="class mine is also defined in"):
         load([own(OWN), again])
 
 

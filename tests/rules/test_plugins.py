@@ -230,7 +230,7 @@ def test_a_folder_brings_its_catalog(folder: Callable[..., Path]) -> None:
 REFUSED = {
     "no catalog": ("classes: 1", "plugin mine: expected a list", "catalog.yaml:1"),
     "another kind": (OWN.replace("kind: mine", "kind: yours"), "plugin mine: 'yours' is not one of", "catalog.yaml:5"),
-    "a class that is known": (OWN.replace("own-1", "3-3.3"), "class 3-3.3 stands in ", "catalog.yaml:3"),
+    "a class that is known": (OWN.replace("own-1", "3-3.3"), "class 3-3.3 is also defined in ", "catalog.yaml:3"),
     "two faults": (OWN.replace("mine", "yours").replace("[Aabc]", "[Aabz]"), "plugin mine: 'yours'", "catalog.yaml:5"),
 }
 

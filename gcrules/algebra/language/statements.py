@@ -208,7 +208,7 @@ class _Reader:
         token, sentence, left, right, *rest = item.children
         name, at = str(token), self.context
         if name in self.ids:
-            fault = f"the rule {name}is already defined in line {self.ids[name]}"
+            fault = f"the rule {name} is already defined in line {self.ids[name]}"
             raise InputError(fault, span=span_of(token), hint="choose another id")
         self.ids[name] = self._line(item)
         parts: dict[str, list[Node]] = {"guards": [], "source": [], "fires": [], "silent": []}

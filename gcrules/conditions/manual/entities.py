@@ -67,7 +67,7 @@ def _row(board: Board, words: CommandWords, size: int, hint: str) -> Row:
 
 def _not_twice(board: Board, row: Row, words: CommandWords) -> None:
     if row in (*board.entities, *board.taken):
-        raise words.fault(f"{board.entity_text(row)}is already confirmed")
+        raise words.fault(f"{board.entity_text(row)} is already confirmed")
 
 
 def _with(board: Board, row: Row, outcome: ProposalOutcome) -> tuple[Board, ProposalOutcome]:

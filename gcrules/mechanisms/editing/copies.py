@@ -48,7 +48,7 @@ def around(sheet: Sheet, place: int, count: int) -> Sheet:
     if not 2 <= count <= MAX_COPIES:
         raise InputError(f"{count} limbs around z", hint=f"from 2 to {MAX_COPIES} are possible")
     if limb.numbered:
-        raise InputError(f"{limb.name}already stands for {sheet.copies} limbs", hint="make single limbs of it first")
+        raise InputError(f"{limb.name} already stands for {sheet.copies} limbs", hint="make single limbs of it first")
     check_room(sheet, count - 1)
     if sheet.copies in (0, count):
         return _numbered(replace(sheet, copies=count), place, count)

@@ -136,7 +136,7 @@ def in_working_mode(choices: LimbChoices, mode: Sequence[int]) -> Robot:
         here = choices.configuration(mode)
     except NotClosed as fault:
         raise InputError(
-            f"{robot.id}is not a member of its family in the mode {name}: {fault}", hint=fault.hint
+            f"{robot.id} is not a member of its family in the mode {name}: {fault}", hint=fault.hint
         ) from None
     return at_places(choices.linkage, here.values, f"working mode {name}", driven=True)
 
@@ -159,7 +159,7 @@ def reached_at(m: Linkage, platform: Floats) -> Configuration:
     try:
         return configuration_at(m, amounts)
     except NotClosed as fault:
-        raise InputError(f"{m.robot.id}is not a member of its family in that pose: {fault}", hint=fault.hint) from None
+        raise InputError(f"{m.robot.id} is not a member of its family in that pose: {fault}", hint=fault.hint) from None
 
 
 def at_places(m: Linkage, places: Values, words: str, *, driven: bool = False) -> Robot:

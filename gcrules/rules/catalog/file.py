@@ -42,7 +42,7 @@ def load(own: Iterable[str | PathLike[str]] = (), kinds: Iterable[str] = (), plu
         clashes = [(e, other) for e in more.entries for other in entries if e.id == other.id]
         if clashes:
             raise join_faults(
-                [FileError(f"class {e.id}is also defined in {other.place}", filename=e.place) for e, other in clashes]
+                [FileError(f"class {e.id} is also defined in {other.place}", filename=e.place) for e, other in clashes]
             )
         entries = [*entries, *more.entries]
         statements |= more.statements
@@ -88,7 +88,7 @@ def _read(document: Document, owner: str, kinds: tuple[str, ...] = ()) -> Catalo
         for node in top["classes"].sequence():
             entry = _Reader(node, owner, kinds).entry()
             if entry and any(e.id == entry.id for e in entries):
-                node.fault(f"class {entry.id}is defined here a second time")
+                node.fault(f"class {entry.id} is defined here a second time")
             elif entry:
                 entries.append(entry)
     document.check()
