@@ -63,7 +63,7 @@ print(json.dumps([study(read_subject(source)) for source in json.loads(sys.argv[
 
 function request(method, args) {
   const heard = [];
-  const { reply } = engine.request(JSON.stringify({ id: 1, do: method, args }), (words) => heard.push(words));
+  const { reply } = engine.request(JSON.stringify({ id: 1, do: method, args }), (message) => heard.push(JSON.parse(message).progress));
   return { ...JSON.parse(reply), heard };
 }
 
