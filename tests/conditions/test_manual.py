@@ -156,7 +156,7 @@ FAULTS = [
     ("twice", (), "tetrahedron aabc", 12, "a tetrahedron has different points, but a occurs twice", None),
     ("no points", (), "plane 12", 6, "expected points", None),
     ("syntax", (), "plane (ab", 9, "the input ends too early", None),
-    ("repeated", ("plane abc",), "plane cab", 6, "plane abcis already confirmed", None),
+    ("repeated", ("plane abc",), "plane cab", 6, "plane abc is already confirmed", None),
     ("order", (), "order 1 2 3", 6, "an order names each of the six legs once", None),
     ("no order", (), "order", 5, "which order?", None),
     ("form", (), "form 8", 5, "there is no form 8", "form 24 or form 16"),
@@ -167,7 +167,7 @@ FAULTS = [
     ("step", (), r"condition abc /\ aef", 10, "the expression has step 2, expected a scalar", None),
     ("number", (), "condition 5", 10, "the expression is a number", None),
     ("cofactor missing", (), "condition [abcd] cofactor", 25, "the cofactor is missing", None),
-    ("after the condition", ("auto",), "plane abc", 0, "the conditionis already confirmed", "undo takes it back"),
+    ("after the condition", ("auto",), "plane abc", 0, "the condition is already confirmed", "undo takes it back"),
 ]  # fmt: skip
 
 

@@ -239,7 +239,7 @@ class ManualSession(Shown):
         if self.confirmed.kind == "always-singular":
             hint = self.confirmed.sentence
             raise InputError("nothing can be proposed", source=command, span=span, hint=hint)
-        raise InputError("the conditionis already confirmed", source=command, span=span, hint="undo takes it back")
+        raise InputError("the condition is already confirmed", source=command, span=span, hint="undo takes it back")
 
     def _written(self, e: str | Expr) -> str:
         return text(e, names=self.structure.names) if isinstance(e, Expr) else e
