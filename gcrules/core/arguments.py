@@ -27,6 +27,7 @@ from os import PathLike
 from typing import Any, ParamSpec, TypeVar
 
 from gcrules.core.dataclass import dataclass
+from gcrules.core.english import with_article
 from gcrules.core.errors import InputError
 
 __all__ = [
@@ -140,7 +141,7 @@ def described(value: Any) -> str:
         return f"an array of shape {shape}"
     kind = type(value).__name__
     count = f" of {len(value)}" if type(value) in _SIZED else ""
-    return f"{'an' if kind[:1].lower() in 'aeiou' else 'a'} {kind}{count}"
+    return f"{with_article(kind)}{count}"
 
 
 _SIZED = (list, tuple, dict, set, frozenset)

@@ -81,4 +81,4 @@ def together(items: Sequence[str]) -> str:
 
 def with_article(noun: str) -> str:
     """ "a leg", "an actuator"."""
-    return f"{'an' if noun[:1] in 'aeio' else 'a'} {noun}"
+    return f"{'an' if noun[:1].lower() in 'aeio' else 'a'} {noun}"

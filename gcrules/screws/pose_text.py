@@ -152,32 +152,40 @@ def _numbers(words: list[str], length: int, what: str) -> list[Fraction]:
 
 @dataclass(frozen=True)
 class WrittenTurn:
-    """The words of a turn, "euler zyx 30 20 10 deg"; of Euler angles also their `sequence` and the `angles`."""
+    """A turn by `angles`, as it is written, "euler zyx 30 20 10 deg". Its `kind` is a sequence of Euler angles, or
+    "vector", of the rotation vector.
+    """
 
     words: str
-    sequence: str = ""
-    angles: tuple[Amount, ...] = ()
+    kind: str
+    angles: tuple[Amount, Amount, Amount]
+
+    def in_kind(self, kind: str) -> tuple[Amount, ...]:
+        """The angles of this kind: its own, or backwards those of the sequence about the other axes, fixed or turned
+        along, which is the same turn; else none.
+        """
+        if self.kind == kind:
+            return self.angles
+        return self.angles[::-1] if self.kind == kind.swapcase()[::-1] else ()
 
 
 def written_turn(text: str, unit: str = "") -> WrittenTurn | None:
-    """How a pose that `parse_pose` takes says its turn; None where it says none."""
+    """The angles by which a pose that `parse_pose` takes says its turn; None where it says it otherwise, or not."""
     if "=" in text:
         given = read_named(text, dict.fromkeys(COORDINATES, False) | dict.fromkeys(ANGLES, True), unit)
         parts = [part.strip() for part in re.split(r"[,;]", text)]
         words = ", ".join(part for part in parts if part.partition("=")[0].strip() in ANGLES)
-        angles = tuple(given.get(n, Amount(Fraction(0))) for n in TURNS)
-        of_axes = any(n in VECTOR for n in given)
-        return (WrittenTurn(words) if of_axes else WrittenTurn(words, "xyz", angles)) if words else None
+        kind, names = ("vector", VECTOR) if any(n in VECTOR for n in given) else ("xyz", TURNS)
+        x, y, z = (given.get(n, Amount(Fraction(0))) for n in names)
+        return WrittenTurn(words, kind, (x, y, z)) if words else None
     for part in text.split(";"):
-        kind, *words_of_it = part.replace(",", " ").split() or [""]
-        if kind.lower() != "euler":
-            if _SHORT.get(kind.lower(), kind.lower()) in _KINDS:
-                return WrittenTurn(" ".join(part.split()))
-            continue
-        sequence, *numbers = words_of_it
-        degrees = _angle_unit(numbers)
-        angles = tuple(Amount(read_number(n), degrees) for n in numbers)
-        return WrittenTurn(" ".join(part.split()), sequence, angles)
+        key, *words_of_it = part.replace(",", " ").split() or [""]
+        key = _SHORT.get(key.lower(), key.lower())
+        if key in ("euler", "rotation-vector"):
+            kind = words_of_it.pop(0) if key == "euler" else "vector"
+            degrees = _angle_unit(words_of_it)
+            x, y, z = (Amount(read_number(n), degrees) for n in words_of_it)
+            return WrittenTurn(" ".join(part.split()), kind, (x, y, z))
     return None
 
 

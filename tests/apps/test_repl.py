@@ -228,6 +228,7 @@ def test_a_new_rank_forgets_results(repl: Interpreter) -> None:
         (":load nosuch.gca", "there is no such file", "nosuch.gca", ""),
         ("pose delta", "`pose` is a command of the shell", "1:1", "in a shell: gcrules pose delta"),
         ('analyze "ab af cb cd ed"', "5 legs, expected six", "1:10", ""),
+        ('prove "ab == ac == ad"', "", "1:17", ""),
     ],
     ids=lambda value: str(value)[:30],
 )
@@ -449,8 +450,20 @@ def test_the_commands_of_the_shell_are_known() -> None:
     assert set(cli.commands) <= {*SHELL, *COMMANDS, *STATEMENTS}
 
 
-def test_legs_may_stand_in_quotes_as_in_the_shell(repl: Interpreter) -> None:
-    (quoted,) = repl.feed(f'analyze "{OCTAHEDRON}"')
-    (plain,) = repl.feed(f":analyze {OCTAHEDRON}")
-    assert quoted.text == plain.text
+@pytest.mark.parametrize(
+    ("command", "argument"),
+    [
+        ("analyze", OCTAHEDRON),
+        ("prove", r"ab /\ cd == [abcd]"),
+        ("factor", "[abcd][efgh]"),
+        ("expand", r"(ab /\ cde) \/ f"),
+    ],
+)
+@pytest.mark.parametrize("quote", ['"', "'"])
+def test_what_a_command_takes_may_stand_in_quotes_as_in_the_shell(
+    repl: Interpreter, command: str, argument: str, quote: str
+) -> None:
+    (quoted,) = repl.feed(f"{command} {quote}{argument}{quote}")
+    (plain,) = repl.feed(f":{command} {argument}")
     assert quoted.fault is None
+    assert quoted.text == plain.text

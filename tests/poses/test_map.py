@@ -190,6 +190,13 @@ def test_angles_stay_as_they_were_typed(robots: dict[str, Analysis]) -> None:
     assert g.angles == (10, 120, 200)
     h = grid_of(robots["octahedral"], ["zyx1 0:1:2 deg", "x 0:1:2"], parse_pose("0 0 0; euler zyx 10 120 200 deg"))
     assert np.allclose(g.ends(np.array([g.home])), h.ends(np.array([h.home])))
+    backwards, named = "0 0 0; euler xyz 200 120 10 deg", "yaw=10deg, pitch=120deg, roll=200deg"
+    for same in ("0 0 0; euler ZYX 10 120 200 deg", backwards, named):
+        k = grid_of(robots["octahedral"], ["yaw 0:1:2 deg", "x 0:1:2"], same)
+        assert k.angles == (10, 120, 200)
+        assert k.pose([F(10), F(0)]).quaternion == parse_pose(same).quaternion
+    vector = grid_of(robots["octahedral"], ["rx 0:1:2 deg", "x 0:1:2"], "rx=10deg, rz=20deg")
+    assert vector.angles == (10, 0, 20)
     locked = grid_of(robots["octahedral"], ["xyz2 0:1:2 deg", "x 0:1:2"], "0 0 0; euler zyx 20 90 0 deg")
     assert len(locked.notes) <= 1
 

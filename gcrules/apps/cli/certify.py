@@ -8,13 +8,14 @@ from gcrules.apps.cli.base import ExpressionCommand
 from gcrules.apps.cli.files import files_option, working
 from gcrules.apps.cli.limits import Seconds
 from gcrules.apps.cli.map_options import at_option, limits_option
-from gcrules.apps.cli.naming import COORDINATES, mechanism_argument, offering
+from gcrules.apps.cli.naming import mechanism_argument, offering
 from gcrules.apps.cli.options import about_option
 from gcrules.apps.cli.output import Output, output_options
 from gcrules.apps.cli.question_options import cone_option, tilt_option
 from gcrules.apps.cli.sources import mode_option, read_source, warn
 from gcrules.poses.certificates.certificate import PICTURES, check_suffix
 from gcrules.poses.certificates.certify import certify as certified
+from gcrules.screws.pose_text import COORDINATES
 from gcrules.views.plots.map_formats import need
 
 __all__ = ["certify"]

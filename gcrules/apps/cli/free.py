@@ -7,11 +7,12 @@ import click
 from gcrules.apps.cli.base import ExpressionCommand
 from gcrules.apps.cli.files import OutputFile, working
 from gcrules.apps.cli.limits import time_limit
-from gcrules.apps.cli.naming import COORDINATES, mechanism_argument, offering
+from gcrules.apps.cli.naming import mechanism_argument, offering
 from gcrules.apps.cli.options import about_option
 from gcrules.apps.cli.output import Output, output_options
 from gcrules.apps.cli.sources import mode_option, read_source, warn
 from gcrules.poses.regions.free_region import free_region
+from gcrules.screws.pose_text import COORDINATES
 from gcrules.views.drawing.drawing_files import save
 
 __all__ = ["free"]

@@ -11,7 +11,7 @@ from gcrules.apps.cli.files import working
 from gcrules.apps.cli.limits import time_limit
 from gcrules.apps.cli.map_options import at_option, limits_option, show, telling_what_is_kept, tile_options
 from gcrules.apps.cli.map_tiles import MapCommand
-from gcrules.apps.cli.naming import COORDINATES, mechanism_argument, offering
+from gcrules.apps.cli.naming import mechanism_argument, offering
 from gcrules.apps.cli.options import about_option, digits_option
 from gcrules.apps.cli.output import Output
 from gcrules.apps.cli.sources import mode_option, read_source, warn
@@ -24,6 +24,7 @@ from gcrules.poses.maps.planned import Plan, bytes_of, planned
 from gcrules.poses.maps.task import MEASURES
 from gcrules.poses.tiles.how import HERE, Running, running
 from gcrules.poses.tiles.zarr_files import has_zarr
+from gcrules.screws.pose_text import COORDINATES
 from gcrules.views.plots.map_files import MAP_FORMATS, check_outputs
 
 __all__ = ["map_"]

@@ -16,7 +16,7 @@ from gcrules.apps.cli.map_options import (
     tile_options,
     workers_option,
 )
-from gcrules.apps.cli.naming import COORDINATES, mechanism_argument, offering
+from gcrules.apps.cli.naming import mechanism_argument, offering
 from gcrules.apps.cli.options import about_option
 from gcrules.apps.cli.output import Output, output_options
 from gcrules.apps.cli.sources import mode_option, read_source, warn
@@ -26,6 +26,7 @@ from gcrules.poses.boxes.box_map import box_part, boxes_done
 from gcrules.poses.boxes.task import box_task
 from gcrules.poses.stored_maps.refining import refine_map
 from gcrules.poses.tiles.how import HERE, running
+from gcrules.screws.pose_text import COORDINATES
 from gcrules.views.plots.box_files import BOX_FORMATS
 from gcrules.views.plots.map_formats import check_files
 

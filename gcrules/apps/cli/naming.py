@@ -10,9 +10,8 @@ from click.shell_completion import CompletionItem
 
 from gcrules.core.deferred import deferred
 from gcrules.core.errors import GcrulesError
-from gcrules.screws.pose_text import SHIFTS, TURNS, VECTOR
 
-__all__ = ["COORDINATES", "complete_source", "completing", "mechanism_argument", "offering"]
+__all__ = ["complete_source", "completing", "mechanism_argument", "offering"]
 
 _known_ids = deferred("gcrules.mechanisms.load:known_ids")
 _load_rules = deferred("gcrules.rules.plugins:load_rules")
@@ -40,10 +39,6 @@ def completing(*kinds: str, several: bool = False) -> _Completes:
 
 complete_source = completing("robot", "class", "example")
 """What `gcrules.load` reads."""
-
-
-COORDINATES = (*SHIFTS, *TURNS, *VECTOR)
-"""Coordinates of a pose that every command with --over takes."""
 
 
 def offering(*words: str, several: bool = False) -> _Completes:

@@ -121,7 +121,7 @@ digits_option = click.option(
     "--digits",
     type=click.IntRange(1, 15),
     metavar="N",
-    help="Print decimals of N digits, up to a factor; without it of 6 where coefficients have more than 20 digits.",
+    help="Print decimals of N digits, up to a factor; by default 6 where coefficients have more than 20 digits.",
 )
 about_option = click.option(
     "--about",

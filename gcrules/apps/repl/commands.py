@@ -188,17 +188,12 @@ def _strategy(repl: PromptSession) -> Strategy | None:
     return Strategy((*repl.state.rules, *usual.rules))
 
 
-_QUOTES = "\"'"
-
-
 def _legs(repl: PromptSession, request: Request, reading: Callable[..., Loaded]) -> Loaded:
     """Legs, whose points may be declared here, or what else is read."""
     at = repl.state.context
     word = request.argument.partition("#")[0].strip()
     text = request.source.text
     place = request.span
-    if len(word) > 1 and word[0] == word[-1] and word[0] in _QUOTES:  # as the shell needs them
-        word, place = word[1:-1], Span(place.start + 1, place.end - 1)
     try:
         legs = reading(word, points=(*at.points, *at.ideal))
         if not isinstance(legs, Structure):

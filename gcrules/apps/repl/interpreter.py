@@ -31,6 +31,7 @@ from gcrules.apps.repl.reading import (
     split_command,
     spoken_command,
     statements,
+    without_quotes,
     without_results,
 )
 from gcrules.apps.repl.state import PromptState, Settings
@@ -91,12 +92,12 @@ class Interpreter:
         source = Source.of(text, filename, piece.line)
         if called is not None:
             yield from self.command(piece, filename, *called)
-        elif first_word(text) in STATEMENTS:
+        elif (word := first_word(text)) in STATEMENTS:
             yield from self.run(source)
-        elif first_word(text) in SHELL and not self._declared(first_word(text)) and not self._can_be_read(source):
-            begin = text.index(name := first_word(text)) + piece.line - 1
-            fault = InputError(f"`{name}` is a command of the shell", hint=f"in a shell: gcrules {text.strip()}")
-            raise fault.located(source.text, filename, Span(begin, begin + len(name)))
+        elif word in SHELL and not self._declared(word) and not self._can_be_read(source):
+            begin = text.index(word) + piece.line - 1
+            fault = InputError(f"`{word}` is a command of the shell", hint=f"in a shell: gcrules {text.strip()}")
+            raise fault.located(source.text, filename, Span(begin, begin + len(word)))
         elif "==" in text:
             yield from self.equation(source)
         else:
@@ -134,13 +135,14 @@ class Interpreter:
 
     def command(self, piece: InputPiece, filename: str, name: str, at: int) -> Answers:
         """The answers to a command, of which the argument begins at a place. Raises GcrulesError."""
-        source = Source.of(piece.text, filename, piece.line, skip=at)
+        text = without_quotes(piece.text, at)
+        source = replace(Source.of(text, filename, piece.line, skip=at), text="\n" * (piece.line - 1) + piece.text)
         try:
             called = command("help" if name == "?" else name)
         except InputError as fault:
             begin = piece.text.index(":") + piece.line - 1
             raise fault.located(source.text, filename, Span(begin, begin + 1 + len(name))) from None
-        argument = piece.text[at:].strip()
+        argument = text[at:].strip()
         if not called.takes and not is_blank(argument):
             span = Span(piece.line - 1 + at, piece.line - 1 + at + len(argument))
             raise InputError(f":{called.name} stands alone", span=span, source=source.text, filename=filename)

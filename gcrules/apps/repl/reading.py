@@ -32,6 +32,7 @@ __all__ = [
     "spoken_command",
     "statements",
     "unfinished",
+    "without_quotes",
     "without_results",
 ]
 
@@ -42,6 +43,7 @@ _BARE = re.compile(r"\s*(help|\?|undo|quit|exit|bye)\s*(?:\(\s*\))?\s*;?\s*", re
 _SPOKEN = re.compile(r"\s*([A-Za-z]+)(?=\s|$)\s*")
 _BLANK = re.compile(r"(?:\s|#[^\n]*(?:\n|$))*")
 _RESULT = re.compile(r'"[^"\n]*"|#[^\n]*|(%+)')
+_QUOTED = re.compile(r"""\s*(["'])((?:(?!\1).)+)\1\s*""", re.DOTALL)
 _NAME = "last__"  # the results, as names that cannot be points side by side
 _BOUND_NAME = re.compile(rf"{_NAME}([0-9]+)")
 _BRACKETS = re.compile(r'"[^"\n]*"|#[^\n]*|[][()]')
@@ -90,6 +92,16 @@ def spoken_command(text: str) -> tuple[str, int] | None:
     found = _SPOKEN.match(text)
     name = found[1].lower() if found else ""
     return (name, found.end()) if found and name in COMMANDS else None
+
+
+def without_quotes(text: str, at: int) -> str:
+    """The text with blanks in place of quotes around all that stands from a place on, where a shell would need them.
+
+    >>> without_quotes('analyze "ab cd"', 8)
+    'analyze  ab cd '
+    """
+    found = _QUOTED.fullmatch(text, at)
+    return f"{text[: found.start(1)]} {found[2]} {text[found.end(2) + 1 :]}" if found else text
 
 
 def unfinished(text: str) -> bool:

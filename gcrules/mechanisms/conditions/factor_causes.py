@@ -50,7 +50,7 @@ KINDS: Mapping[str, str] = {
     "constraint": "the platform gains a freedom that its limbs should not allow",
     "mixed": "at some of these members the constraints lose rank, at others only all wrenches together do",
     "limb": "it vanishes only where a limb is singular by itself and the lines do not stand for its wrenches",
-    "held": "constraints drop rank, but actuators beyond the freedoms hold the platform",
+    "held": "the constraints lose rank, but actuators beyond the freedoms hold the platform",
     "choice": "it belongs to the chosen lines: the wrenches of the limbs keep their rank there",
     "never": "it cannot vanish for this robot",
     "not met": "no exact member was found at which it vanishes",

@@ -18,7 +18,7 @@ from gcrules.core.frozen import FrozenMap
 from gcrules.mechanisms.kinematics.linkage import Linkage
 from gcrules.mechanisms.kinematics.solve import check_target, free_coordinates
 from gcrules.mechanisms.kinematics.targets import Target
-from gcrules.poses.loci.variables import half_tangent, read_fixed, read_free
+from gcrules.poses.loci.variables import half_tangents, read_fixed, read_free
 from gcrules.screws.pose import Pose, exact
 from gcrules.screws.pose_text import SHIFTS, TURNS, Amount, check_known, read_named
 
@@ -32,13 +32,13 @@ TANGENTS = tuple(_TANGENT + n for n in TURNS)
 @dataclass(frozen=True)
 class LimbQuestion:
     """The `coordinates` that determine the pose, the variables that are `free`, in that order, and the values of the
-    `fixed` ones, exact. `rounded` says that one of these was taken for that of an angle.
+    `fixed` ones, exact, of which those of the names in `rounded` stand for tangents that are not rational.
     """
 
     coordinates: tuple[str, ...]
     free: tuple[str, ...]
     fixed: Mapping[str, Fraction]
-    rounded: bool = False
+    rounded: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "fixed", FrozenMap(self.fixed))
@@ -78,7 +78,7 @@ def limb_question(
     every = [variable(n) for n in (*SHIFTS, *TURNS)]
     named = {n: (variable(n),) for n in TURNS}
     fixed = read_fixed(fix, every)
-    there = _at(m, at)
+    there, rounded = _at(m, at)
     base = tuple(map(variable, free_coordinates(m)))
     shifts = [n for n in base if n in SHIFTS]
     groups = {"translation": shifts, "rotation": [n for n in base if n not in SHIFTS], "all": base}
@@ -92,7 +92,6 @@ def limb_question(
         raise InputError("no variable is left free", hint=f"the variables are {', '.join(coordinates)}")
     rest = {n: fixed.get(n, there.get(n, Fraction(0))) for n in coordinates if n not in free}
     names = tuple(n.removeprefix(_TANGENT) for n in coordinates)
-    rounded = any(n in TANGENTS and c.denominator != 1 for n, c in there.items())
     return LimbQuestion(names, tuple(n for n in coordinates if n in free), rest, rounded)
 
 
@@ -112,10 +111,10 @@ def _coordinates(m: Linkage, base: tuple[str, ...], named: Mapping[str, Any]) ->
     return tuple(variable(n) for n in (*SHIFTS, *TURNS) if n in chosen)
 
 
-def _at(m: Linkage, at: str | Mapping[str, Any] | Pose | None) -> dict[str, Fraction]:
-    """The values of variables at a pose; half-tangents of angles with denominators up to a million."""
+def _at(m: Linkage, at: str | Mapping[str, Any] | Pose | None) -> tuple[dict[str, Fraction], tuple[str, ...]]:
+    """The values of variables at a pose, and which of these are rounded."""
     if at is None:
-        return {}
+        return {}, ()
     names = (*SHIFTS, *TURNS)
     if not isinstance(at, str | Mapping) or (isinstance(at, str) and "=" not in at):
         raise InputError(
@@ -126,4 +125,5 @@ def _at(m: Linkage, at: str | Mapping[str, Any] | Pose | None) -> dict[str, Frac
     else:
         check_known(at, names, "coordinate of a pose")
         given = {n: Amount(exact(v, n)) for n, v in at.items()}
-    return {variable(n): v.number if n in SHIFTS else half_tangent(v, variable(n)) for n, v in given.items()}
+    tangents, rounded = half_tangents({variable(n): v for n, v in given.items() if n not in SHIFTS})
+    return {variable(n): tangents.get(variable(n), v.number) for n, v in given.items()}, rounded

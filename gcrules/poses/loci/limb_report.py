@@ -177,7 +177,7 @@ class RobotLocus(LocusPolynomial, Shown):
             "coordinates": list(q.coordinates),
             "variables": list(self.variables),
             "fixed": {n: str(c) for n, c in q.fixed.items()},
-            "rounded": q.rounded,
+            "rounded": bool(q.rounded),
             "verdict": self.verdict,
             "roots": [r.to_json() for r in self.roots],
             "multiplied": self.multiplied,

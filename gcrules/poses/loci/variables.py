@@ -22,7 +22,7 @@ from gcrules.screws.pose import Pose, exact, read_number
 from gcrules.screws.pose_text import Amount, WrittenTurn, written_turn
 from gcrules.screws.rotations import Quaternion, check_sequence, is_rounded, product
 
-__all__ = ["ROTATIONS", "Question", "half_tangent", "images", "question", "read_fixed", "read_free"]
+__all__ = ["ROTATIONS", "Question", "half_tangents", "images", "question", "read_fixed", "read_free"]
 
 TRANSLATION = ("x", "y", "z")
 ROTATIONS = {"quaternion": ("e0", "e1", "e2", "e3"), "rodrigues": ("c1", "c2", "c3")}
@@ -105,10 +105,9 @@ def question(
         return Question(rotation, tuple(free), fixed, pose.quaternion, written)
     taken = [n for n in turning if n in rest]
     rounded: tuple[str, ...] = ()
-    if taken and written is not None and (angles := _angles(written, rotation)):
-        named = {n: a for n, a in zip(turning, angles, strict=True) if n in taken}
-        fixed |= {n: half_tangent(a, n) for n, a in named.items()}
-        rounded = tuple(n for n, a in named.items() if not _is_quarter(a))
+    if taken and written is not None and (angles := written.in_kind(rotation)):
+        tangents, rounded = half_tangents({n: a for n, a in zip(turning, angles, strict=True) if n in taken})
+        fixed |= tangents
     elif taken:
         fixed |= _parameters(pose, rotation, turning, taken)
     if rotation == "quaternion" and not any(fixed.get(n, 1) for n in turning):
@@ -187,19 +186,15 @@ def _parameters(pose: Pose, rotation: str, turning: Sequence[str], taken: Sequen
     return {n: c for n, c in zip(turning, values, strict=True) if n in taken}
 
 
-def _angles(written: WrittenTurn, rotation: str) -> tuple[Amount, ...]:
-    """The Euler angles in this sequence of a turn that is given in it, or in the one about the other axes, fixed or
-    turned along, which is the same backwards; else none.
+def half_tangents(angles: Mapping[str, Amount]) -> tuple[dict[str, Fraction], tuple[str, ...]]:
+    """The tangents of half the angles by their names, and the names of those that are rounded: all but quarter turns,
+    to fractions with denominators up to a million. Raises InputError for half a turn.
     """
-    if written.sequence == rotation:
-        return written.angles
-    return written.angles[::-1] if written.sequence == rotation.swapcase()[::-1] else ()
+    tangents = {n: _half_tangent(a, n) for n, a in angles.items()}
+    return tangents, tuple(n for n, a in angles.items() if not _is_quarter(a))
 
 
-def half_tangent(angle: Amount, name: str) -> Fraction:
-    """The tangent of half an angle, exact for quarter turns, else with a denominator up to a million. Raises InputError
-    for half a turn.
-    """
+def _half_tangent(angle: Amount, name: str) -> Fraction:
     if _is_quarter(angle) and angle.number % 360 != 180:
         return Fraction((0, 1, 0, -1)[int(angle.number // 90) % 4])
     half = float(angle) / 2

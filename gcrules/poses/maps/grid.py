@@ -12,13 +12,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gcrules.core.dataclass import dataclass
-from gcrules.core.errors import GcrulesError, InputError, LimitReached
+from gcrules.core.errors import InputError, LimitReached
 from gcrules.mechanisms.moving_platform import MovingPlatform
 from gcrules.poses.maps.axes import TILT, TRANSLATION, TURNS, VECTOR, GridAxis
 from gcrules.poses.maps.nodes import Nodes, in_words, others
 from gcrules.poses.numbers.arrays import from_poses, read_arrays
 from gcrules.poses.numbers.pose_arguments import one_pose
 from gcrules.screws.pose import FAR, Pose, too_far
+from gcrules.screws.pose_text import Amount, written_turn
 from gcrules.screws.rotations import Vector, from_euler, from_vector
 
 __all__ = ["MAX_FLAT", "MAX_POSES", "Grid", "grid"]
@@ -183,7 +184,7 @@ def grid(rig: MovingPlatform, axes: tuple[GridAxis, ...], at: Any = None) -> Gri
     rest: tuple[Fraction, ...] = (Fraction(0),) * 3
     notes = pose.notes
     if turning is not None:
-        rest, more = _rest(pose, at, turning)
+        rest, more = _rest(pose, at, turning, rig.unit)
         notes += more
     else:
         notes = pose.exact_notes
@@ -200,15 +201,12 @@ def grid(rig: MovingPlatform, axes: tuple[GridAxis, ...], at: Any = None) -> Gri
     return found
 
 
-def _rest(pose: Pose, given: Any, axis: GridAxis) -> tuple[tuple[Fraction, ...], tuple[str, ...]]:
+def _rest(pose: Pose, given: Any, axis: GridAxis, unit: str) -> tuple[tuple[Fraction, ...], tuple[str, ...]]:
     """The three angles of the pose, in the axis' unit: as they were typed, if they were, else computed."""
     degrees = axis.unit == "deg"
-    typed = _typed(given, axis.kind) if isinstance(given, str) else None
-    if typed is not None:
-        values, unit = typed
-        if unit == degrees:
-            return tuple(values), ()
-        return tuple(Fraction(math.degrees(v) if degrees else math.radians(v)) for v in values), ()
+    written = written_turn(given, unit) if isinstance(given, str) else None
+    if written is not None and (typed := written.in_kind(axis.kind)):
+        return tuple(a.number if a.degrees == degrees else _converted(a, degrees) for a in typed), ()
     if pose.angle == 0:
         return (Fraction(0),) * 3, ()
     notes: tuple[str, ...] = ()
@@ -227,19 +225,9 @@ def _rest(pose: Pose, given: Any, axis: GridAxis) -> tuple[tuple[Fraction, ...],
     return tuple(Fraction(math.degrees(a) if degrees else a) for a in angles), notes
 
 
-def _typed(text: str, kind: str) -> tuple[list[Fraction], bool] | None:
-    """The angles of the same kind in the text of a pose that has been read, and whether they are in degrees."""
-    for part in text.split(";"):
-        words = part.replace(",", " ").split()
-        names = ("rotation-vector", "rotvec") if kind == "vector" else ("euler",)
-        if words and words[0].lower() in names:
-            if kind != "vector" and words[1] != kind:
-                return None
-            try:
-                return [Fraction(w) for w in words[-4:-1]], words[-1].lower() in ("deg", "degree", "degrees", "°")
-            except (ValueError, GcrulesError):
-                return None
-    return None
+def _converted(angle: Amount, degrees: bool) -> Fraction:
+    """The number of an angle in the other unit: in `degrees`, or in radians."""
+    return Fraction(math.degrees(angle.number) if degrees else math.radians(angle.number))
 
 
 def _euler(R: Floats, sequence: str) -> tuple[list[float], bool]:

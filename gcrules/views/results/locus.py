@@ -108,8 +108,7 @@ def _turn(turn: Quaternion, written: WrittenTurn | None) -> str:
     if rounded:
         numbers = [f"{c:.6g}" for c in Pose(quaternion=turn).unit_quaternion]
     quaternion = f"quaternion {' '.join(numbers)}{', rounded' * rounded}"
-    given = "" if written is None or "quat" in written.words else written.words
-    return f"{given} ({quaternion})" if given else quaternion
+    return f"{written.words} ({quaternion})" if written else quaternion
 
 
 def _centre(found: Locus) -> str:

@@ -48,7 +48,7 @@ def _others(found: OperationModes) -> str:
     if found.complete:
         parts = "" if found.proved else " Open: whether each is one mode by itself."
         return f"There is no other of dimension {found.least} or more.{parts}"
-    return "There may be others." if found.complete is None else "There are others, for random assemblies show them."
+    return "There may be others." if found.complete is None else "There are others: random assemblies show them."
 
 
 def _blocks(found: OperationModes, unicode: bool) -> Iterator[Facts]:

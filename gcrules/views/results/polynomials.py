@@ -7,7 +7,7 @@ from decimal import Decimal
 from fractions import Fraction
 from textwrap import fill
 
-from gcrules.core.english import counted, listed
+from gcrules.core.english import counted, listed, with_article
 from gcrules.poses.loci.form import PolynomialForm
 from gcrules.poses.loci.zero_set import EMPTY, zero_set
 from gcrules.views.detail import is_everything
@@ -132,14 +132,14 @@ def zeros_text(form: PolynomialForm, digits: int | None = None) -> str:
         return ""
     if found.kind == EMPTY:
         return "without real zeros"
-    article = "an" if found.kind[0] in "aeiou" else "a"
+    kind = with_article(found.kind)
     if not found.normal:
-        return f"{article} {found.kind}"
+        return kind
     normal = [str(c) for c in found.normal]
     if decimals(form, digits) is not None:
         most = max(map(abs, found.normal))
         normal = [f"{c / most:.{digits or _DIGITS}g}" for c in found.normal]
-    return f"{article} {found.kind} with the normal ({', '.join(normal)})"
+    return f"{kind} with the normal ({', '.join(normal)})"
 
 
 def shortened(c: Fraction) -> str:

@@ -24,7 +24,7 @@ export function Comparison({ study }: { study: Study }) {
             <button type="button" onClick={comparing.swap} data-testid="beside-swap">
               Change places
             </button>
-            <button type="button" class="tool" aria-label="Close the other robot" title="Put it away" onClick={comparing.close} data-testid="beside-close">
+            <button type="button" class="tool" aria-label="Close the other robot" title="Close it" onClick={comparing.close} data-testid="beside-close">
               <Icon name="close" size={16} />
             </button>
           </span>
