@@ -21,9 +21,9 @@ from gcrules.poses.plans.report import Waypoint
 from gcrules.screws.pose import Pose
 from gcrules.screws.pose_text import ANGLES, SHIFTS, VECTOR
 from gcrules.views.drawing.axis import Axis
-from gcrules.views.drawing.drawing import XY, Circle, Drawing, Polygon, Run, Shape, Stroke, Text
+from gcrules.views.drawing.drawing import XY, Circle, Drawing, Run, Shape, Stroke, Text
 from gcrules.views.drawing.palette import entity_role
-from gcrules.views.plots.path_plot import words_at
+from gcrules.views.plots.plot_parts import keyed, plane
 from gcrules.views.results.aspects import account
 from gcrules.views.text_tables import wrapped
 
@@ -31,7 +31,7 @@ __all__ = ["picture", "svg"]
 
 Floats = NDArray[np.float64]
 
-_WIDTH, _LEFT, _RIGHT, _TALL, _BELOW, _KEY = 560.0, 64.0, 22.0, 340.0, 52.0, 20.0
+_WIDTH, _LEFT, _RIGHT, _TALL, _BELOW = 560.0, 64.0, 22.0, 340.0, 52.0
 _ROOM = 0.06  # of a range, beside the poses
 
 
@@ -46,15 +46,14 @@ def picture(r: Aspects) -> Drawing:
     top = 56.0 + 14 * len(head)
     x = _axis(places[:, first], _LEFT, _WIDTH - _RIGHT)
     y = _axis(places[:, second], top + _TALL, top)
-    shapes += _frame(x, y, _label(r, names[first]), _label(r, names[second]))
+    shapes += plane(x, y, _label(r, names[first]), _label(r, names[second]))
     shapes += _ways(r, names, (first, second), x, y)
     for n, one in enumerate(r.sets):
         shapes += [_dot((x(places[k, first]), y(places[k, second])), entity_role(n)) for k in one.poses]
     for n, one in enumerate(r.sets):
         for number, k in _modes(r, one, names, places):
             shapes += _mode((x(places[k, first]), y(places[k, second])), number, entity_role(n))
-    shapes += _key(r, top + _TALL + _BELOW)
-    bottom = top + _TALL + _BELOW + _KEY * (len(r.sets) + 1) + 6
+    shapes, bottom = keyed(shapes, list(_key(r)), _LEFT, top + _TALL + _BELOW)
     return Drawing(_WIDTH, bottom, tuple(shapes), f"{r.title}: {account(r).verdict}")
 
 
@@ -143,30 +142,13 @@ def _mode(at: XY, number: int, colour: str) -> Iterator[Shape]:
     yield Text((at[0], at[1] + 4), (Run(str(number)),), 11.0, "middle", colour)
 
 
-def _frame(x: Axis, y: Axis, across: str, up: str) -> Iterator[Shape]:
-    for tick in x.ticks(7):
-        yield Stroke((x(tick), y.start), (x(tick), y.end), "muted", 0.5, 0.3)
-        yield Stroke((x(tick), y.start), (x(tick), y.start + 4), "ink", 1.0)
-        yield words_at((x(tick), y.start + 17), f"{tick:.4g}".replace("-", "−"), "middle")
-    for tick in y.ticks(7):
-        yield Stroke((x.start, y(tick)), (x.end, y(tick)), "muted", 0.5, 0.3)
-        yield Stroke((x.start - 4, y(tick)), (x.start, y(tick)), "ink", 1.0)
-        yield words_at((x.start - 8, y(tick) + 4), f"{tick:.4g}".replace("-", "−"), "end")
-    yield Polygon(((x.start, y.start), (x.end, y.start), (x.end, y.end), (x.start, y.end)), stroke="ink")
-    yield words_at(((x.start + x.end) / 2, y.start + 34), across, "middle")
-    yield words_at((x.start - 38, y.end - 9), up)
-
-
-def _key(r: Aspects, top: float) -> Iterator[Shape]:
+def _key(r: Aspects) -> Iterator[tuple[Shape, str]]:
     """The sets with their signs and modes, and what else is drawn."""
     for n, one in enumerate(r.sets):
-        y = top + _KEY * n + 8
-        yield _dot((_LEFT + 8, y - 4), entity_role(n))
-        signs = f", signs {one.pattern.replace('-', '−')}" if one.pattern else ""
+        signs = f", signs {one.pattern}" if one.pattern else ""
         noun = "modes" if len(one.modes) > 1 else "mode"
         modes = f", assembly {noun} {listed(list(map(str, one.modes)))}" if one.modes else ""
-        yield words_at((_LEFT + 24, y), f"set {one.name}{signs}: {counted(len(one.poses), 'pose')}{modes}")
-    y = top + _KEY * len(r.sets) + 8
-    yield Stroke((_LEFT, y - 4), (_LEFT + 16, y - 4), "muted", 1.0, 0.8)
+        words = f"set {one.name}{signs}: {counted(len(one.poses), 'pose')}{modes}"
+        yield _dot((8.0, -4.0), entity_role(n)), words
     words = "ways without a singularity, proved; what crosses here may differ in other coordinates"
-    yield words_at((_LEFT + 24, y), words)
+    yield Stroke((0.0, -4.0), (16.0, -4.0), "muted", 1.0, 0.8), words

@@ -9,14 +9,14 @@ from math import degrees
 from gcrules.core.dataclass import dataclass
 from gcrules.poses.regions.report import FreeRegion
 from gcrules.views.drawing.axis import Axis
-from gcrules.views.drawing.drawing import XY, Drawing, Polygon, Run, Shape, Stroke, Text, mapped
-from gcrules.views.plots.path_plot import marker, words_at
+from gcrules.views.drawing.drawing import XY, Drawing, Polygon, Run, Shape, Stroke, Text
+from gcrules.views.plots.plot_parts import keyed, marker, signed, words_at
 from gcrules.views.results.free_region import facts, ranges
 
 __all__ = ["picture", "svg"]
 
 _WIDTH, _LEFT, _RIGHT, _HEAD = 560.0, 92.0, 78.0, 56.0
-_ROW, _THICK, _BELOW, _KEY = 30.0, 14.0, 40.0, 20.0
+_ROW, _THICK, _BELOW = 30.0, 14.0, 40.0
 _ROOM = 1.12  # of the longest bar, to both sides of its middle
 
 
@@ -45,11 +45,9 @@ def picture(r: FreeRegion) -> Drawing:
     key: list[tuple[Shape, str]] = [(_box(0.0, 16.0, -9.0, 0.0), _proved(r))]
     if r.tried is not None:
         key.append((marker("crosses", (8.0, -4.0)), _ended(r)))
-    for n, (sign, said) in enumerate(key):
-        place = _LEFT, top + _KEY * n + 8
-        shapes += [mapped(sign, 1.0, place), words_at((place[0] + 24, place[1]), said.replace("-", "−"))]
+    shapes, bottom = keyed(shapes, key, _LEFT, top)
     title = f"{r.title}: a {r.shape} around {r.pose} that is free of singular poses"
-    return Drawing(_WIDTH, top + _KEY * len(key) + 6, tuple(shapes), title)
+    return Drawing(_WIDTH, bottom, tuple(shapes), title)
 
 
 def svg(r: FreeRegion) -> str:
@@ -97,7 +95,7 @@ def _panel(bars: list[_Bar], top: float) -> tuple[list[Shape], float]:
     for tick in x.ticks(6):
         shapes.append(Stroke((x(tick), top), (x(tick), bottom), "muted", 0.5, 0.35))
         shapes.append(Stroke((x(tick), bottom), (x(tick), bottom + 4), "ink", 1.0))
-        shapes.append(words_at((x(tick), bottom + 17), _signed(f"{tick:.4g}"), "middle"))
+        shapes.append(words_at((x(tick), bottom + 17), signed(f"{tick:.4g}"), "middle"))
     shapes.append(Stroke((x.start, bottom), (x.end, bottom), "ink", 1.0))
     if bars[0].unit:
         shapes.append(words_at((x.end + 10, bottom + 17), bars[0].unit))
@@ -108,8 +106,8 @@ def _panel(bars: list[_Bar], top: float) -> tuple[list[Shape], float]:
         middle = x((bar.low + bar.high) / 2)
         shapes.append(Stroke((middle, y - _THICK / 2), (middle, y + _THICK / 2), "entity1", 1.6))
         shapes.append(Text((16.0, y + 4), (Run(bar.name, "italic"),), 13.0))
-        shapes.append(words_at((x.start - 6, y + 4), _signed(bar.ends[0]), "end"))
-        shapes.append(words_at((x.end + 6, y + 4), _signed(bar.ends[1])))
+        shapes.append(words_at((x.start - 6, y + 4), signed(bar.ends[0]), "end"))
+        shapes.append(words_at((x.end + 6, y + 4), signed(bar.ends[1])))
         if bar.worst is not None:
             marks.append((x(min(max(bar.worst, x.low), x.high)), y))
     shapes += [Stroke(p, q, "mark", 0.9, 0.6, dash=(3, 3)) for p, q in pairwise(marks)]
@@ -120,7 +118,3 @@ def _panel(bars: list[_Bar], top: float) -> tuple[list[Shape], float]:
 def _box(left: float, right: float, top: float, bottom: float) -> Polygon:
     corners = ((left, top), (right, top), (right, bottom), (left, bottom))
     return Polygon(corners, fill="entity1", stroke="entity1", fill_opacity=0.28, width=1.2)
-
-
-def _signed(digits: str) -> str:
-    return digits.replace("-", "−")

@@ -26,9 +26,9 @@ from gcrules.poses.loci.variables import TANGENTS, TRANSLATION
 from gcrules.poses.maps.joining import joined
 from gcrules.poses.maps.marching import marched
 from gcrules.views.drawing.axis import Axis
-from gcrules.views.drawing.drawing import XY, Circle, Drawing, Polygon, Run, Shape, Stroke, Text, mapped, text_width
+from gcrules.views.drawing.drawing import XY, Circle, Drawing, Polygon, Run, Shape, Stroke, Text, text_width
 from gcrules.views.drawing.palette import entity_role
-from gcrules.views.plots.path_plot import marker, words_at
+from gcrules.views.plots.plot_parts import axis_below, keyed, marker, plane, signed
 from gcrules.views.results import locus as of_legs
 from gcrules.views.results import robot_locus as of_limbs
 from gcrules.views.results.polynomials import brief
@@ -37,7 +37,7 @@ __all__ = ["picture"]
 
 Floats = NDArray[np.float64]
 
-_WIDTH, _LEFT, _RIGHT, _HEAD, _ROW = 560.0, 64.0, 22.0, 66.0, 20.0
+_WIDTH, _LEFT, _RIGHT, _HEAD = 560.0, 64.0, 22.0, 66.0
 _GRAPH, _BELOW = 190.0, 52.0
 _PLACES = 160  # along each axis of a slice
 _GRAPH_PLACES = 300
@@ -90,7 +90,7 @@ def _head(found: Locus | RobotLocus) -> Iterator[Shape]:
     fixed = dict(rows).get("fixed", "")
     if fixed:
         short = re.sub(r"-?\d+/\d+", lambda m: m[0] if len(m[0]) < 9 else f"{float(Fraction(m[0])):.4g}", fixed)
-        yield Text((_LEFT, 37), (Run(f"fixed: {short}".replace("-", "−")),), 11.0, "start", "muted")
+        yield Text((_LEFT, 37), (Run(signed(f"fixed: {short}")),), 11.0, "start", "muted")
 
 
 def _variable(found: Locus | RobotLocus, name: str) -> _Variable:
@@ -155,7 +155,7 @@ def _graph(found: Locus | RobotLocus) -> tuple[list[Shape], float]:
     kinds = _kinds(found.form, variable, zeros)
     shapes += [marker(kind, (x(z), y(0))) for kind, z in zip(kinds, zeros, strict=True)]
     shapes += _zero_labels(zeros, x, y, variable.angle)
-    shapes += _frame(x, y.start, variable.label)
+    shapes += axis_below(x, y.start, variable.label)
     shapes += [Polygon(((x.start, y.start), (x.end, y.start), (x.end, y.end), (x.start, y.end)), stroke="ink")]
     key: list[tuple[Shape, str]] = [(_stroke("entity1"), "cube root of P, scaled")]
     what = "singular" if _sure(found) else "singular in some working mode, where its root is real"
@@ -163,7 +163,7 @@ def _graph(found: Locus | RobotLocus) -> tuple[list[Shape], float]:
     if _given_in(found):
         shapes.append(_cross((x(0.0), y(0))))
         key.append((_cross((_MARK, -4)), "pose of the file"))
-    return _keyed(shapes, key, y.start + _BELOW)
+    return keyed(shapes, key, _LEFT, y.start + _BELOW)
 
 
 _DOES = {"crosses": "changes its sign", "touches": "keeps its sign"}
@@ -196,7 +196,7 @@ def _zero_labels(zeros: Sequence[float], x: Axis, y: Axis, angle: bool) -> Itera
     """The values of the zeros, in rows above each other where they are near."""
     ends: list[float] = []
     for z in zeros:
-        text = Text((0, 0), (Run(f"{z:.5g}{'°' * angle}".replace("-", "−")),), 11.0, "middle", "mark", halo=True)
+        text = Text((0, 0), (Run(signed(f"{z:.5g}{'°' * angle}")),), 11.0, "middle", "mark", halo=True)
         half = text_width(text) / 2 + 3
         middle = min(max(x(z), x.start + half), x.end - half)
         row = next((n for n, end in enumerate(ends) if middle - half > end), len(ends))
@@ -216,8 +216,7 @@ def _slice(found: Locus | RobotLocus) -> tuple[list[Shape], float]:
     left = _LEFT + (wide - side) / 2
     x = Axis(first.low, first.high, left, left + side)
     y = Axis(second.low, second.high, _HEAD + side * (1.0 if equal else 0.8), _HEAD)
-    corners = ((x.start, y.start), (x.end, y.start), (x.end, y.end), (x.start, y.end))
-    shapes: list[Shape] = [*_grid(x, y)]
+    shapes = [*plane(x, y, first.label, second.label)]
     key: list[tuple[Shape, str]] = []
     for n, (words, own) in enumerate(zip(forms, curves, strict=True)):
         colour = entity_role(n)
@@ -225,18 +224,12 @@ def _slice(found: Locus | RobotLocus) -> tuple[list[Shape], float]:
             line = _thinned([(x(float(a)), y(float(b))) for a, b in curve])
             shapes += [Stroke(p, q, colour, 2.0) for p, q in pairwise(line)]
         key.append((_stroke(colour), f"{words}{'' if own else ' (no change of sign seen here)'}"))
-    shapes.append(Polygon(corners, stroke="ink", width=1.0))
-    shapes += _frame(x, y.start, first.label)
-    for tick in _ticks(y):
-        shapes.append(Stroke((x.start - 4, y(tick)), (x.start, y(tick)), "ink", 1.0))
-        shapes.append(words_at((x.start - 8, y(tick) + 4), _number(tick), "end"))
-    shapes.append(words_at((x.start - 38, y.end - 9), second.label))
     if _given_in(found):
         shapes.append(_cross((x(0.0), y(0.0))))
         key.append((_cross((_MARK, -4)), "pose of the file"))
     seen = f"curves from signs at {_PLACES + 1} by {_PLACES + 1} places"
     shapes.append(Text((x.end, y.end - 9), (Run(seen),), 9.5, "end", "muted"))
-    return _keyed(shapes, key, y.start + _BELOW)
+    return keyed(shapes, key, _LEFT, y.start + _BELOW)
 
 
 def _seen(found: Locus | RobotLocus) -> tuple[_Variable, _Variable, list[str], list[list[Floats]]]:
@@ -290,13 +283,6 @@ def _curves(form: PolynomialForm, variables: tuple[_Variable, _Variable]) -> lis
     return [low + curve * step for curve in joined(marched(values, value))]
 
 
-def _grid(x: Axis, y: Axis) -> Iterator[Shape]:
-    for tick in _ticks(x):
-        yield Stroke((x(tick), y.start), (x(tick), y.end), "muted", 0.5, 0.3)
-    for tick in _ticks(y):
-        yield Stroke((x.start, y(tick)), (x.end, y(tick)), "muted", 0.5, 0.3)
-
-
 # --- parts of both -------------------------------------------------------------------------------------------------
 
 
@@ -308,33 +294,9 @@ def _given_in(found: Locus | RobotLocus) -> bool:
     return not turned and not quaternion and not any(q.fixed.values())
 
 
-def _frame(x: Axis, bottom: float, label: str) -> Iterator[Shape]:
-    for tick in _ticks(x):
-        yield Stroke((x(tick), bottom), (x(tick), bottom + 4), "ink", 1.0)
-        yield words_at((x(tick), bottom + 17), _number(tick), "middle")
-    yield words_at(((x.start + x.end) / 2, bottom + 34), label, "middle")
-
-
-def _ticks(axis: Axis) -> list[float]:
-    """Round numbers; of a whole turn every 60 degrees."""
-    return [60.0 * k for k in range(-3, 4)] if axis.high == 180 else axis.ticks(7)
-
-
-def _number(value: float) -> str:
-    return f"{value:.4g}".replace("-", "−")
-
-
 def _stroke(colour: str) -> Shape:
     return Stroke((0.0, -4.0), (16.0, -4.0), colour, 2.0)
 
 
 def _cross(at: XY) -> Shape:
     return Circle(at, 4.2, fill="paper", stroke="ink", width=1.6)
-
-
-def _keyed(shapes: list[Shape], key: Sequence[tuple[Shape, str]], top: float) -> tuple[list[Shape], float]:
-    """With what the marks mean below, and the height of all."""
-    for n, (sign, said) in enumerate(key):
-        place = _LEFT, top + _ROW * n + 8
-        shapes += [mapped(sign, 1.0, place), words_at((place[0] + 24, place[1]), said.replace("-", "−"))]
-    return shapes, top + _ROW * len(key) + 6

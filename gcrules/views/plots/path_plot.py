@@ -6,7 +6,6 @@ import math
 from collections.abc import Callable, Iterator, Sequence
 from functools import partial
 from itertools import pairwise
-from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,9 +20,10 @@ from gcrules.poses.plans.report import Plan
 from gcrules.screws.margin import jacobian
 from gcrules.screws.threshold import Threshold, margin_of
 from gcrules.views.drawing.axis import Axis
-from gcrules.views.drawing.drawing import XY, Circle, Drawing, Polygon, Run, Shape, Stroke, Text, text_width
+from gcrules.views.drawing.drawing import Drawing, Polygon, Run, Shape, Stroke, Text, text_width
+from gcrules.views.plots.plot_parts import marker, signed, words_at
 
-__all__ = ["FRAME", "marker", "plot", "plot_of_plan", "plot_of_robot", "svg", "svg_of_plan", "svg_of_robot", "words_at"]
+__all__ = ["FRAME", "plot", "plot_of_plan", "plot_of_robot", "svg", "svg_of_plan", "svg_of_robot"]
 
 Floats = NDArray[np.float64]
 
@@ -157,7 +157,7 @@ def _up(value: float) -> float:
 def _frame(x: Axis, y: Axis, label: str, *, last: bool) -> Iterator[Shape]:
     for tick in y.ticks(4):
         yield Stroke((x.start, y(tick)), (x.end, y(tick)), "muted", 0.5, 0.35)
-        yield words_at((x.start - 6, y(tick) + 4), f"{tick:.4g}".replace("-", "−"), "end")
+        yield words_at((x.start - 6, y(tick) + 4), signed(f"{tick:.4g}"), "end")
     yield Stroke((x.start, y.start), (x.end, y.start), "ink", 1.0)
     yield Stroke((x.start, y.start), (x.start, y.end), "ink", 1.0)
     yield words_at((x.start - 44, y.end - 12), label)
@@ -169,10 +169,6 @@ def _frame(x: Axis, y: Axis, label: str, *, last: bool) -> Iterator[Shape]:
         yield words_at(((x.start + x.end) / 2, y.start + 34), "parameter of the path (0 is the first pose)", "middle")
 
 
-def words_at(at: XY, text: str, anchor: Literal["start", "middle", "end"] = "start") -> Text:
-    return Text(at, (Run(text),), _SIZE, anchor)
-
-
 def _curve(x: Axis, y: Axis, places: Floats, values: Floats, colour: str) -> Iterator[Shape]:
     chosen = list(range(len(places)))
     if len(places) > _MOST:
@@ -181,17 +177,6 @@ def _curve(x: Axis, y: Axis, places: Floats, values: Floats, colour: str) -> Ite
     points = [(x(float(places[i])), y(float(values[i]))) for i in chosen]
     for start, end in pairwise(points):
         yield Stroke(start, end, colour, 1.6)
-
-
-def marker(kind: str, at: XY) -> Shape:
-    """A full diamond where the path crosses, an open circle where it touches, a full square at its ends."""
-    (u, v), d = at, 4.5
-    if kind == "touches":
-        return Circle(at, d, fill="paper", stroke="mark", width=1.8)
-    if kind == "crosses":
-        return Polygon(((u - d, v), (u, v - d), (u + d, v), (u, v + d)), fill="mark", stroke="paper", width=0.8)
-    d *= 0.75
-    return Polygon(((u - d, v - d), (u + d, v - d), (u + d, v + d), (u - d, v + d)), fill="mark", stroke="paper")
 
 
 def _numbers(zeros: Sequence[float], x: Axis, height: float) -> Iterator[Shape]:
