@@ -11,7 +11,7 @@ from gcrules.core.english import listed
 from gcrules.views.formulas.latex_text import latex_quantity, latex_ruled, latex_words
 from gcrules.views.paper.formulas import breakable, displayed, inline, named_words, sentence
 from gcrules.views.paper.subject import Subject
-from gcrules.views.report.dimension_items import main_facts
+from gcrules.views.report.dimension_items import kept_factors, main_facts
 
 __all__ = ["dimensions", "table"]
 
@@ -118,12 +118,7 @@ def _own(own: OwnCondition, s: Subject) -> Iterator[str]:
             f"{latex_words(c.certificate.detail[:1].upper() + c.certificate.detail[1:])}; compared with the legs at"
             f" {own.poses} exact random poses of this robot."
         )
-    if own.fixed and own.free:
-        what, keeps = ("factor", "keeps") if len(own.fixed) == 1 else ("factors", "keep")
-        free = own.free[0] if len(own.free) == 1 else f"one of {listed(own.free)}"
-        fixed = named_words(listed(own.fixed), s.names)
-        yield f"The {what} {fixed} {keeps} a value other than $0$ in every pose; left to vanish is "
-        yield f"{named_words(free, s.names)}."
+    yield from (named_words(words, s.names) for words in kept_factors(own))
 
 
 # --- a fact as a row -----------------------------------------------------------------------------------------------

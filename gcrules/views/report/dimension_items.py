@@ -11,7 +11,15 @@ from gcrules.core.english import listed
 from gcrules.views.detail import first
 from gcrules.views.report.items import Formula, Item, KeyValue
 
-__all__ = ["DIMENSIONS", "DIMENSIONS_OF_ROBOT", "condition_beside", "dimension_items", "dimension_lines", "main_facts"]
+__all__ = [
+    "DIMENSIONS",
+    "DIMENSIONS_OF_ROBOT",
+    "condition_beside",
+    "dimension_items",
+    "dimension_lines",
+    "kept_factors",
+    "main_facts",
+]
 
 DIMENSIONS_OF_ROBOT = "What home says of the bodies beyond the relations of the family; it holds in every pose."
 DIMENSIONS = "What the coordinates say beyond the names of the joints; it holds in every pose."
@@ -75,10 +83,15 @@ def _own(own: OwnCondition) -> Iterator[Item]:
             yield KeyValue("cofactor", f"{text(own.condition.cofactor)} (where it is 0 the condition says nothing)")
         same = f"compared with the legs at {own.poses} exact random poses of this robot"
         yield KeyValue("proof", f"{own.condition.certificate.detail}; {same}")
+    yield from kept_factors(own)
+
+
+def kept_factors(own: OwnCondition) -> Iterator[str]:
+    """Which factors keep a value other than 0, and which are left; nothing where that is not known."""
     if own.fixed and own.free:
         what, keeps = ("factor", "keeps") if len(own.fixed) == 1 else ("factors", "keep")
         free = own.free[0] if len(own.free) == 1 else f"one of {listed(own.free)}"
         yield (
-            f"The {what} {listed(own.fixed)} {keeps} a value other than 0 in every pose; what can still"
-            f" vanish is {free}."
+            f"The {what} {listed(own.fixed)} {keeps} a value other than 0 in every pose; what can still vanish is"
+            f" {free}."
         )
