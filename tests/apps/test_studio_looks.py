@@ -87,16 +87,22 @@ def test_what_is_opened_while_the_platform_moves_stands_at_home(sit_down: SitDow
     assert desk.pose["translation"] == [0, 0, 0]
 
 
-def test_a_pose_far_away_is_drawn_and_left_again(sit_down: SitDown) -> None:
+@pytest.mark.parametrize(("away", "drawn"), [(1e3, True), (1e9, False)])
+def test_a_pose_far_away_is_drawn_or_refused_and_left_again(sit_down: SitDown, away: float, drawn: bool) -> None:
     desk = sit_down().visit().open("class", "4-4.5")
     field = desk.one("slider-x-number")
-    field.fill("1e3")
+    field.fill(f"{away:g}")
     field.press("Enter")
-    desk.answered()
+    if drawn:
+        desk.answered()
+    else:
+        desk.page.wait_for_function("() => gcrules.posing.fault.value?.message.includes('times the robot')")
     desk.painted()
-    assert desk.pose["translation"][0] == 1e3
+    assert desk.pose["translation"][0] == away
     desk.one("home").click()
     desk.page.wait_for_function("() => gcrules.pose$.value.translation[0] === 0")
+    desk.answered()
+    desk.painted()
 
 
 @pytest.mark.parametrize("away", [1e9, 1e12])
