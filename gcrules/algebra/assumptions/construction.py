@@ -194,9 +194,15 @@ class Construction:
         return (*self.free, *(n for s in self.steps for n in s.fresh))
 
     @cached_property
-    def _order(self) -> tuple[str, ...]:
+    def order(self) -> tuple[str, ...]:
+        """The points that nothing is asked of: free ones, those at infinity first, then fresh ones."""
         fresh = [n for s in self.steps for n in s.fresh]
         return (*tableau_order(self.free, self.free, self.ideal), *fresh)
+
+    @cached_property
+    def at_infinity(self) -> int:
+        """How many of `order` are at infinity."""
+        return sum(n in self.ideal for n in self.order)
 
     def vanishes(self, e: Expr, *, samples: int = 2, seed: object = 0) -> bool:
         """Whether an expression is zero at random points modulo `PRIME`, which depend on the expression; False is
@@ -228,25 +234,29 @@ class Construction:
 
         Raises LimitReached where more than `limit` terms would be made.
         """
-        parts = self._expanded(e, limit)
-        n = len(self._order)
-        new = tuple(range(n, n + self.rank - e.step)) if e.step else ()
         groups: dict[Monomial, Terms] = {}
-        for row, terms in parts.items():
+        for m, c in self.closed_terms(e, limit).items():
+            letters = tuple(r for r in m if len(r) == 1)
+            groups.setdefault(letters, {})[tuple(r for r in m if len(r) > 1)] = c
+        return all(terms_are_zero(terms, self.at_infinity, limit) for terms in groups.values())
+
+    def closed_terms(self, e: Expr, limit: int = MAX_TERMS) -> Terms:
+        """The expression as a polynomial in brackets of the points of `order`, whose numbers make its rows, and in the
+        parameters, which are rows of one entry; an extensor of step k is closed by d - k more points, numbered last.
+        """
+        n = len(self.order)
+        new = tuple(range(n, n + self.rank - e.step)) if e.step else ()
+        closed: Terms = {}
+        for row, terms in self._expanded(e, limit).items():
             for m, c in terms.items():
                 checkpoint()
-                letters = tuple(r for r in m if len(r) == 1)
-                rows = [r for r in m if len(r) > 1]
-                key = tuple(sorted([*rows, row + new] if e.step else rows))
-                group = groups.setdefault(letters, {})
-                group[key] = group.get(key, 0) + c
-        ideal = sum(n in self.ideal for n in self._order)
-        return all(terms_are_zero(terms, ideal, limit) for terms in groups.values())
+                key = tuple(sorted((*m, row + new))) if e.step else m
+                closed[key] = closed.get(key, 0) + c
+        return closed
 
     def _expanded(self, e: Expr, limit: int) -> Multivector:
         """The expression with the constructed points written out; parameters are rows of one entry."""
-        ideal = sum(n in self.ideal for n in self._order)
-        expander = Expander(self._order, self.rank, ideal, limit)
+        expander = Expander(self.order, self.rank, self.at_infinity, limit)
         letters = 0
         for step in self.steps:
             value: Multivector = {}

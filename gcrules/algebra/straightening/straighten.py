@@ -35,10 +35,12 @@ from gcrules.core.errors import LimitReached
 
 __all__ = [
     "WORK_PER_TERM",
+    "Last",
     "Straightening",
     "is_standard",
     "is_zero",
     "next_syzygy",
+    "offence",
     "straighten",
     "straighten_steps",
     "straighten_terms",
@@ -153,7 +155,7 @@ def _possible_rows(terms: Terms) -> int:
 
 def _largest_first(pending: Terms, ideal: int, work: Work, enough: float) -> Terms:
     """Moves monomials from `pending` into the normal form until none is left or there was `enough` work."""
-    heap = [_Last(m) for m in pending]
+    heap = [Last(m) for m in pending]
     heapify(heap)
     normal: Terms = {}
     seen: set[_Pair] = set()
@@ -162,7 +164,7 @@ def _largest_first(pending: Terms, ideal: int, work: Work, enough: float) -> Ter
         coefficient = pending.pop(monomial)
         if not coefficient:
             continue
-        at = _offence(monomial)
+        at = offence(monomial)
         if at is None:
             normal[monomial] = coefficient
             checkpoint()
@@ -181,13 +183,13 @@ def _largest_first(pending: Terms, ideal: int, work: Work, enough: float) -> Ter
                 pending[new] += c * coefficient
             else:
                 pending[new] = c * coefficient
-                heappush(heap, _Last(new))
+                heappush(heap, Last(new))
         work.replacements.spend(len(replacements))
         work.terms.check(len(pending) + len(normal))
     return normal
 
 
-class _Last:
+class Last:
     """Reverses the order, so that a heap yields the largest monomial first."""
 
     __slots__ = ("monomial",)
@@ -195,7 +197,7 @@ class _Last:
     def __init__(self, monomial: Monomial) -> None:
         self.monomial = monomial
 
-    def __lt__(self, other: _Last) -> bool:
+    def __lt__(self, other: Last) -> bool:
         return self.monomial > other.monomial
 
 
@@ -205,10 +207,10 @@ def is_standard(monomial: Monomial) -> bool:
     >>> is_standard(((0, 1, 2), (0, 3, 4))), is_standard(((0, 3, 4), (1, 2, 5)))
     (True, False)
     """
-    return _offence(monomial) is None
+    return offence(monomial) is None
 
 
-def _offence(monomial: Monomial) -> int | None:
+def offence(monomial: Monomial) -> int | None:
     """The first row that is larger than the one below it in some column."""
     for i, (above, below) in enumerate(pairwise(monomial)):
         if above != below and any(map(gt, above, below)):
@@ -279,7 +281,7 @@ def next_syzygy(poly: BracketPolynomial) -> tuple[Straightening, BracketPolynomi
 
 def _on_monomial(monomial: Monomial, poly: BracketPolynomial) -> Straightening | None:
     """The syzygy on the first two rows that keep a monomial over the points of `poly` from being standard."""
-    at = _offence(monomial)
+    at = offence(monomial)
     if at is None:
         return None
     column = offending_column(monomial[at], monomial[at + 1])

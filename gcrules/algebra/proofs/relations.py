@@ -1,0 +1,88 @@
+r"""A polynomial in brackets that is zero, written as a combination of exchange relations.
+
+The exchange relation of two brackets says that [S][T] is the sum of the products in which the first k points of S
+change places with k points of T, in every way (Grassmann–Plücker; see `syzygies`). Straightening applies nothing else,
+so what it reduces to nothing is Σ multiplier · relation, which anyone can multiply out.
+
+>>> from gcrules.algebra.expand import expand
+>>> from gcrules.algebra.language.syntax import parse
+>>> found = relations(expand(parse("[abc][def] - [dbc][aef] - [adc][bef] - [abd][cef]", rank=3)).terms)
+>>> [(r.first, r.second, r.number, dict(r.multiplier)) for r in found]
+[((0, 4, 5), (1, 2, 3), 1, {(): -1})]
+"""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Mapping
+from heapq import heapify, heappop, heappush
+from math import comb
+
+from gcrules.algebra.bracket import Coefficient, Monomial, Row, Terms
+from gcrules.algebra.straightening.straighten import Last, offence
+from gcrules.algebra.straightening.syzygies import exchange
+from gcrules.core.budget import checkpoint
+from gcrules.core.dataclass import dataclass
+from gcrules.core.errors import LimitReached
+from gcrules.core.frozen import FrozenMap
+
+__all__ = ["MAX_RELATIONS", "Relation", "relations"]
+
+MAX_RELATIONS = 200_000
+
+
+@dataclass(frozen=True)
+class Relation:
+    """`multiplier` times what [first][second] is less than its exchange of the first `number` points of `first`."""
+
+    first: Row
+    second: Row
+    number: int
+    multiplier: Mapping[Monomial, Coefficient]
+
+
+def relations(
+    terms: Mapping[Monomial, Coefficient], ideal: int = 0, limit: int = MAX_RELATIONS
+) -> tuple[Relation, ...] | None:
+    """Relations whose sum is a polynomial (`terms`); None where it is not zero.
+
+    Rows whose points all come before `ideal` are zero; those of one entry are scalars. Raises LimitReached where more
+    than `limit` products of brackets are exchanged.
+    """
+    pending: Terms = {m: c for m, c in terms.items() if c and not any(_at_infinity(row, ideal) for row in m)}
+    heap = [Last(m) for m in pending]
+    heapify(heap)
+    found: dict[tuple[Row, Row, int], Terms] = defaultdict(dict)
+    done = 0
+    while heap:
+        checkpoint()
+        monomial = heappop(heap).monomial
+        coefficient = pending.pop(monomial)
+        if not coefficient:
+            continue
+        at = offence(monomial)
+        if at is None:
+            return None
+        done += 1
+        if done > limit:
+            raise LimitReached(f"the proof takes more than {limit:,} exchanges")
+        one, other = monomial[at], monomial[at + 1]
+        number = min(
+            (j for j, (x, y) in enumerate(zip(one, other, strict=True)) if x > y), key=lambda j: comb(len(one), j)
+        )
+        rest = (*monomial[:at], *monomial[at + 2 :])
+        found[one, other, number][rest] = found[one, other, number].get(rest, 0) + coefficient
+        for sign, (a, b) in exchange(one, other, number):
+            if _at_infinity(a, ideal):
+                continue
+            new = tuple(sorted((*rest, a, b)))
+            if new in pending:
+                pending[new] += sign * coefficient
+            else:
+                pending[new] = sign * coefficient
+                heappush(heap, Last(new))
+    return tuple(Relation(*key, FrozenMap(multiplier)) for key, multiplier in found.items())
+
+
+def _at_infinity(row: Row, ideal: int) -> bool:
+    return len(row) > 1 and row[-1] < ideal
