@@ -9,7 +9,8 @@ nothing is left. What it relies on, and nothing else:
   them change places, vanishes where two are the same, and where all are at infinity (last coordinate 0);
 * the join of points is their exterior product, a bracket that of full step;
 * the meet of extensors A = a1 ... ak and B of step h is the sum over all splits of A into d - h points P and the
-  others Q, in their order: sign [P B] Q (the Grassmann-Cayley algebra of Doubilet, Rota and Stein);
+  others Q, in their order: sign [P B] Q, and A ^ B is (-1)^((d-k)(d-h)) B ^ A, which here is split where that gives
+  fewer terms (the Grassmann-Cayley algebra of Doubilet, Rota and Stein);
 * the superbracket of six lines is the determinant of their coordinates 12, 13, 14, 23, 24, 34: the formula in brackets
   that is used here is compared with it at all 46,656 choices of six basis lines, when it is first used; in the plane
   the superbracket of three lines is their meet;
@@ -28,6 +29,7 @@ import sys
 from fractions import Fraction
 from functools import cache
 from itertools import combinations, product
+from math import comb
 
 MOST = 5_000_000  # terms that an expansion may have
 
@@ -223,10 +225,13 @@ class Reader:
             met = {}
             for r, p in value.items():
                 for s, q in other.items():
-                    for sign, first, rest in splits(len(r), self.rank - len(s)):
-                        coefficient = times(times(p, q), bracket([r[i] for i in first] + list(s), self.ideal))
-                        row = tuple(r[i] for i in rest)
-                        met[row] = plus(met.get(row, {}), coefficient, sign)
+                    split, whole, outer = r, s, 1
+                    if comb(len(s), self.rank - len(r)) < comb(len(r), self.rank - len(s)):
+                        split, whole, outer = s, r, (-1) ** ((self.rank - len(r)) * (self.rank - len(s)))
+                    for sign, first, rest in splits(len(split), self.rank - len(whole)):
+                        closed = bracket([split[i] for i in first] + list(whole), self.ideal)
+                        row = tuple(split[i] for i in rest)
+                        met[row] = plus(met.get(row, {}), times(times(p, q), closed), outer * sign)
             step += further - self.rank
             value = {row: p for row, p in met.items() if p}
         return step, value

@@ -78,6 +78,8 @@ class Proof(Shown):
     Where assumptions allow several kinds of positions, `kinds` holds the verdict for each; proved is what is proved for
     all of them, refuted what is refuted for one. A claim is about all homogeneous coordinates of its points;
     `unit_weights` says that one that is refuted holds nevertheless wherever the finite points have last coordinate 1.
+    `rank`, `ideal`
+    and `given` are those of the claim.
     """
 
     left: Expr
@@ -91,6 +93,9 @@ class Proof(Shown):
     meanings: tuple[str, ...] = field(default=(), compare=False, repr=False)
     kinds: tuple[KindVerdict, ...] = ()
     unit_weights: bool = False
+    rank: int = field(default=4, compare=False, repr=False)
+    ideal: tuple[str, ...] = field(default=(), compare=False, repr=False)
+    given: tuple[Assumption, ...] = field(default=(), compare=False, repr=False)
 
     def __post_init__(self) -> None:
         if self.counterexample is not None:
@@ -139,18 +144,26 @@ def prove(
     assumptions = tuple(given)
     rank = common_rank(rank, left, right, *(e for a in assumptions for e in a.args))
     difference = neg(right) if left == ZERO else left if right == ZERO else sub(left, right, rank=rank)
+    order, at_infinity = tuple(points), tuple(ideal)
     if assumptions:
-        space = Space(rank, tuple(points), tuple(ideal), assumptions)
-        return _under_assumptions(left, right, difference, space, limit)
-    at_infinity = tuple(ideal)
+        proof = _under_assumptions(left, right, difference, Space(rank, order, at_infinity, assumptions), limit)
+    else:
+        proof = _everywhere(left, right, difference, order, at_infinity, rank, limit)
+    return replace(proof, rank=rank, ideal=at_infinity, given=assumptions)
+
+
+def _everywhere(
+    left: Expr, right: Expr, difference: Expr, points: tuple[str, ...], ideal: tuple[str, ...], rank: int, limit: int
+) -> Proof:
+    """Random points first, then the normal form."""
     known = ""
     try:
-        if not vanishes(difference, rank=rank, ideal=at_infinity, samples=_SAMPLES):
-            return _refuted(left, right, difference, rank, at_infinity, limit)
+        if not vanishes(difference, rank=rank, ideal=ideal, samples=_SAMPLES):
+            return _refuted(left, right, difference, rank, ideal, limit)
         known = f"{_EQUAL} ({error_below(difference, _SAMPLES)})"
-        if not is_zero(difference, points=points, ideal=at_infinity, rank=rank, limit=limit):
+        if not is_zero(difference, points=points, ideal=ideal, rank=rank, limit=limit):
             # The coefficients of the difference are multiples of that prime.
-            return _refuted(left, right, difference, rank, at_infinity, limit)
+            return _refuted(left, right, difference, rank, ideal, limit)
     except LimitReached as limited:
         return Proof(left, right, "undecided", "random-points", _reason(limited, known))
     return Proof(left, right, "proved", "normal-form", "both sides have the same normal form of standard tableaux")

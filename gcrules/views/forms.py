@@ -63,6 +63,11 @@ FORMS: dict[str, Forms] = {
     "gcrules.algebra.prove.Proof": _in_ascii("proof"),
     "gcrules.algebra.factoring.result.Factorization": _in_ascii("factorization"),
     "gcrules.algebra.shortening.result.Shortening": _in_ascii("shortening"),
+    "gcrules.algebra.proofs.proof_file.ProofFile": _result(
+        "proof_file",
+        unicode=False,
+        others={"coq": f"{_VIEWS}.proofs.coq:script", "lean": f"{_VIEWS}.proofs.lean:script"},
+    ),
     # rules
     "gcrules.rules.condition.Condition": _in_ascii("condition"),
     "gcrules.rules.derivation.Derivation": _result("derivation", latex="as_aligned"),

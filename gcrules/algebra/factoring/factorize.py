@@ -73,7 +73,9 @@ def factor(
             found = each_once(pieces, terms)
         else:
             found = _in_groups(pieces, effort, terms, every)
-        return with_cofactor(found, effort, terms=terms, every=every) if cofactor and not found.exists else found
+        if cofactor and not found.exists:
+            found = with_cofactor(found, effort, terms=terms, every=every)
+    return replace(found, input=e if isinstance(e, Expr) else e.to_expr(), ideal=pieces.points[: pieces.ideal])
 
 
 def _in_groups(pieces: Pieces, effort: Effort, terms: int, every: bool) -> Factorization:

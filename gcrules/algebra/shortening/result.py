@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from dataclasses import field
 from typing import Any
 
 from gcrules.algebra.bracket import BracketPolynomial
 from gcrules.algebra.certificate import Certificate
+from gcrules.algebra.expr import Expr
 from gcrules.core.dataclass import dataclass
 from gcrules.core.shown import Shown
 
@@ -19,7 +21,8 @@ class Shortening(Shown):
 
     `given` is the number of terms of the input as it was expanded, `monomials` that of the bracket monomials of its
     multidegree among which was searched (0 where the answer did not take it), `symmetries` the number of permutations
-    of the points known to take the input to plus or minus itself. `notes` say what stopped a search.
+    of the points known to take the input to plus or minus itself. `notes` say what stopped a search;
+    `input` is what was shortened.
     """
 
     polynomial: BracketPolynomial
@@ -30,6 +33,7 @@ class Shortening(Shown):
     monomials: int = 0
     symmetries: int = 1
     notes: tuple[str, ...] = ()
+    input: Expr | None = field(default=None, compare=False, repr=False)
 
     @property
     def terms(self) -> int:

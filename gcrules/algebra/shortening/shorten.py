@@ -9,6 +9,7 @@ r"""The shortest bracket polynomial equal to a given one, with a proof that none
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
+from dataclasses import replace
 from functools import reduce
 from operator import add
 from time import monotonic
@@ -60,23 +61,24 @@ def shorten(
     terms = max(_TERMS_PER_MONOMIAL * limit, MAX_TERMS)
     start, seconds = monotonic(), as_float(seconds)
     limits = SearchLimits(limit, terms)
+    written = e if isinstance(e, Expr) else e.to_expr()
     with within(seconds, grace=max(0.0, _PREPARATION - seconds)):
         pieces = factor_pieces(e, what="shortened", points=points, ideal=ideal, rank=rank, limit=terms)
         rows, poly = tuple(sorted(pieces.rows.elements())), _multiplied(pieces, terms)
         kept = _canonical(poly * poly.with_terms({rows: 1}))
         if len(kept) == 1:
-            return Shortening(kept, len(poly), 1, _MONOMIAL, _COLLECTED)
+            return Shortening(kept, len(poly), 1, _MONOMIAL, _COLLECTED, input=written)
         normal = straighten(poly, limit=terms)
         assert isinstance(normal, BracketPolynomial)
         if not normal:
-            return Shortening(normal, len(poly), 0, _ZERO, _ZERO)
+            return Shortening(normal, len(poly), 0, _ZERO, _ZERO, input=written)
         forms = [kept, *(_canonical(f.over(poly.points, poly.ideal)) for f in _superbracket_forms(e, poly))]
         divided = [Divided.of(rows, part, terms) for part in _by_multidegree(normal).values()]
         alike = [_alike(forms, part) for part in divided]
     with within(max(0.0, seconds - (monotonic() - start)), progress=progress):
         found = [shortest_of(part, some, limits) for part, some in zip(divided, alike, strict=True)]
     with within(_PREPARATION):
-        return _together(poly, kept, found, terms)
+        return replace(_together(poly, kept, found, terms), input=written)
 
 
 def _multiplied(pieces: Pieces, terms: int) -> BracketPolynomial:

@@ -21,6 +21,7 @@ from gcrules.apps.cli.files import working
 from gcrules.apps.cli.limits import time_limit
 from gcrules.apps.cli.options import SpaceOptions, given_option, limit_option, space_options
 from gcrules.apps.cli.output import Output, output_options
+from gcrules.apps.cli.proof_options import ProofOptions, proof_options
 from gcrules.apps.cli.verdicts import EXIT_CODES, coloured
 from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import InputError
@@ -39,10 +40,17 @@ _seconds = time_limit()
 @space_options()
 @_limit
 @_seconds
+@proof_options
 @output_options()
 @click.pass_context
 def prove(
-    ctx: click.Context, claim: str, assumptions: tuple[str, ...], space: SpaceOptions, limit: int, out: Output
+    ctx: click.Context,
+    claim: str,
+    assumptions: tuple[str, ...],
+    space: SpaceOptions,
+    limit: int,
+    proofs: ProofOptions,
+    out: Output,
 ) -> None:
     """Decide whether two expressions are equal for all positions of their points; "-" reads standard input.
 
@@ -67,6 +75,7 @@ def prove(
         )
     else:
         out.show(proof, coloured(proof.verdict, proof.text(unicode=out.unicode)))
+    proofs.write(proof, proof.verdict)
     ctx.exit(EXIT_CODES[proof.verdict])
 
 

@@ -15,6 +15,7 @@ from gcrules.apps.cli.limits import time_limit
 from gcrules.apps.cli.naming import completing
 from gcrules.apps.cli.options import catalog_option
 from gcrules.apps.cli.output import IDS, Output, output_options
+from gcrules.apps.cli.proof_options import ProofOptions, proof_options
 from gcrules.apps.cli.rule_options import plugins_option
 from gcrules.conditions.analysis import analyze
 from gcrules.core.budget import report
@@ -103,9 +104,17 @@ def show(class_id: str, catalogs: tuple[str, ...], folders: tuple[str, ...], out
 @plugins_option
 @click.option("--write", is_flag=True, help="Write the digests of what is shipped, once all of it is proved.")
 @time_limit(None)
+@proof_options
 @output_options(latex=False)
 @click.pass_context
-def check(ctx: click.Context, catalogs: tuple[str, ...], folders: tuple[str, ...], write: bool, out: Output) -> None:
+def check(
+    ctx: click.Context,
+    catalogs: tuple[str, ...],
+    folders: tuple[str, ...],
+    write: bool,
+    proofs: ProofOptions,
+    out: Output,
+) -> None:
     """Prove every identity from scratch and compute every number again. Exit code 1 if anything is wrong.
 
     Of the shipped catalog the digests are compared too, by which an analysis knows what was proved here.
@@ -125,6 +134,7 @@ def check(ctx: click.Context, catalogs: tuple[str, ...], folders: tuple[str, ...
     checked += check_digests(load())
     answer = _Checked(tuple(checked))
     out.show(answer, brief="\n".join([*answer.lines(faulty=True), answer.total]))
+    proofs.write(loaded, "refuted" if answer.faults else "proved")
     ctx.exit(1 if answer.faults else 0)
 
 

@@ -11,6 +11,7 @@ from gcrules.apps.cli.expressions import searched
 from gcrules.apps.cli.limits import AROUND, limited, time_limit
 from gcrules.apps.cli.options import SpaceOptions, limit_option, space_options
 from gcrules.apps.cli.output import Output, output_options
+from gcrules.apps.cli.proof_options import ProofOptions, proof_options
 
 __all__ = ["factor"]
 
@@ -21,6 +22,7 @@ __all__ = ["factor"]
 @limit_option(MAX_EXTENSORS, "Give up beyond this many extensors.")
 @time_limit(SECONDS, "Give up after this time.", itself=True)
 @space_options()
+@proof_options
 @output_options(full="Show every expression, not only the simplest.")
 @click.pass_context
 def factor(
@@ -30,6 +32,7 @@ def factor(
     limit: int,
     seconds: float,
     space: SpaceOptions,
+    proofs: ProofOptions,
     out: Output,
 ) -> None:
     """Decide whether a scalar is a product of brackets and one expression of joins and meets.
@@ -48,4 +51,5 @@ def factor(
     with limited(seconds, AROUND):
         found = searched("factoring", factored, expression, space, limit, seconds, every=out.full, cofactor=cofactor)
         out.show(found)
+        proofs.write(found, "proved" if found.proved else "undecided")
     ctx.exit(1 if not found.exists else 0 if found.proved else 3)

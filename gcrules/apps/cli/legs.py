@@ -15,6 +15,7 @@ from gcrules.apps.cli.limits import beside, limited, time_limit
 from gcrules.apps.cli.manual_options import ManualOptions, manual_options
 from gcrules.apps.cli.naming import complete_source
 from gcrules.apps.cli.output import Output, output_options
+from gcrules.apps.cli.proof_options import ProofOptions, proof_options
 from gcrules.apps.cli.question_options import question_options
 from gcrules.conditions.analysis import Analysis
 from gcrules.core.dataclass import dataclass
@@ -40,6 +41,7 @@ _LEGS = "LEGS|FILE.yaml|ROBOT"
 @figure_option
 @time_limit(itself=True)
 @analysis_options
+@proof_options
 @output_options()
 def analyze(
     legs: tuple[str, ...],
@@ -47,6 +49,7 @@ def analyze(
     figure: str | None,
     seconds: float,
     asked: AnalysisOptions,
+    proofs: ProofOptions,
     out: Output,
 ) -> None:
     """Tell when and why a robot with six legs is singular: every stage, the proved condition, a sentence.
@@ -84,6 +87,7 @@ def analyze(
         if figure:
             save(figure_of(analysis), figure)
         out.show(_InFull(analysis) if out.full and isinstance(analysis, Analysis) else analysis)
+        proofs.write(analysis)
 
 
 @click.command(cls=ExpressionCommand)

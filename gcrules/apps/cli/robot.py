@@ -17,6 +17,7 @@ from gcrules.apps.cli.limits import time_limit
 from gcrules.apps.cli.naming import completing
 from gcrules.apps.cli.options import length_option, nearest_option, search_option
 from gcrules.apps.cli.output import IDS, Output, output_options
+from gcrules.apps.cli.proof_options import ProofOptions, proof_options
 from gcrules.apps.cli.robot_docs import docs
 from gcrules.apps.cli.robot_export import export
 from gcrules.apps.cli.robot_import import import_
@@ -187,6 +188,7 @@ def check_command(ctx: click.Context, names: tuple[str, ...], folders: tuple[str
 @facts_options
 @figure_option
 @time_limit(plus="search")
+@proof_options
 @output_options()
 def analyze_command(
     name: str,
@@ -196,6 +198,7 @@ def analyze_command(
     facts: bool,
     tolerance: float,
     figure: str | None,
+    proofs: ProofOptions,
     out: Output,
 ) -> None:
     """Tell when and why a robot is singular: wrenches of its limbs, equivalent lines, condition, sentence.
@@ -209,6 +212,7 @@ def analyze_command(
     if figure:
         _save(_figure(found), figure)
     out.show(found)
+    proofs.write(found)
 
 
 @robot.command("pose", cls=ExpressionCommand, short_help="Tell how close it is to a singularity, and solve its joints.")

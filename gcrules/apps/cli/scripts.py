@@ -16,6 +16,7 @@ from gcrules.apps.cli.files import read_stdin, working
 from gcrules.apps.cli.limits import SECONDS, time_limit
 from gcrules.apps.cli.options import SpaceOptions, given_option, limit_option, space_options
 from gcrules.apps.cli.output import Output, output_options
+from gcrules.apps.cli.proof_options import ProofOptions, proof_options
 from gcrules.apps.cli.rule_options import Choice, rules_options
 from gcrules.apps.cli.verdicts import EXIT_CODES, coloured
 from gcrules.core.alarm import paced
@@ -63,9 +64,12 @@ def rewrite(expression: str, choice: Choice, assumptions: tuple[str, ...], space
 @click.argument("files", metavar="FILE.gca…", nargs=-1, required=True)
 @_limit
 @time_limit(SECONDS, "Give up on a statement after this time.", itself=True)
+@proof_options
 @output_options(latex=False)
 @click.pass_context
-def run(ctx: click.Context, files: tuple[str, ...], limit: int, seconds: float, out: Output) -> None:
+def run(
+    ctx: click.Context, files: tuple[str, ...], limit: int, seconds: float, proofs: ProofOptions, out: Output
+) -> None:
     """Run scripts and report every claim with its line; "-" reads standard input.
 
     \b
@@ -91,6 +95,7 @@ def run(ctx: click.Context, files: tuple[str, ...], limit: int, seconds: float, 
     else:
         parts = (f"{s.filename}\n{indent(text, '  ')}" for s, text in zip(scripts, shown, strict=True))
         out.show(_Scripts(scripts, answers, whole), "\n\n".join([*parts, "\n".join(totals(whole))]))
+    proofs.write(whole, whole.verdict)
     ctx.exit(EXIT_CODES[whole.verdict])
 
 

@@ -11,6 +11,7 @@ from gcrules.apps.cli.expressions import searched
 from gcrules.apps.cli.limits import AROUND, limited, time_limit
 from gcrules.apps.cli.options import SpaceOptions, limit_option, space_options
 from gcrules.apps.cli.output import Output, output_options
+from gcrules.apps.cli.proof_options import ProofOptions, proof_options
 
 __all__ = ["shorten"]
 
@@ -20,8 +21,11 @@ __all__ = ["shorten"]
 @limit_option(MAX_MONOMIALS, "Give up beyond this many bracket monomials.")
 @time_limit(SECONDS, "Search for no longer than this; what was found is the answer.", itself=True)
 @space_options()
+@proof_options
 @output_options()
-def shorten(expression: str, limit: int, seconds: float, space: SpaceOptions, out: Output) -> None:
+def shorten(
+    expression: str, limit: int, seconds: float, space: SpaceOptions, proofs: ProofOptions, out: Output
+) -> None:
     """Find the bracket polynomial with the fewest terms that equals a scalar.
 
     \b
@@ -36,3 +40,4 @@ def shorten(expression: str, limit: int, seconds: float, space: SpaceOptions, ou
     with limited(seconds, AROUND):
         found = searched("shortening", shortened, expression, space, limit, seconds)
         out.show(found, found.text(unicode=out.unicode, short=True) if out.terminal else None)
+        proofs.write(found)

@@ -9,6 +9,7 @@ from gcrules.apps.cli.files import read_stdin, working
 from gcrules.apps.cli.limits import time_limit
 from gcrules.apps.cli.options import SpaceOptions, given_option, space_options
 from gcrules.apps.cli.output import Output, output_options
+from gcrules.apps.cli.proof_options import ProofOptions, proof_options
 from gcrules.conditions.transversals import transversals as compared
 
 __all__ = ["transversals"]
@@ -21,6 +22,7 @@ NOT_DECIDED = 3
 @given_option
 @time_limit()
 @space_options(rank=False)
+@proof_options
 @output_options(full="Show every reading, not only the simplest.")
 @click.pass_context
 def transversals(
@@ -28,6 +30,7 @@ def transversals(
     legs: tuple[str, ...],
     assumptions: tuple[str, ...],
     space: SpaceOptions,
+    proofs: ProofOptions,
     out: Output,
 ) -> None:
     """Compare the turns about two lines: the lines that meet four legs, found from the common joints of the legs.
@@ -46,4 +49,6 @@ def transversals(
     with working("looking for transversals"):
         found = compared(source, every=out.full, points=space.points, ideal=space.ideal, given=assumptions)
     out.show(found)
+    if found.exists:
+        proofs.write(found)
     ctx.exit(0 if found.exists else 1 if found.definite else NOT_DECIDED)

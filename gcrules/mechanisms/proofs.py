@@ -1,0 +1,192 @@
+r"""What an answer claims, with the proofs that a checker can replay.
+
+>>> from gcrules.conditions.analysis import analyze
+>>> found = proof_file(analyze("ab af cb cd ed ef"))
+>>> [(t.name, t.size) for t in found.theorems]
+[('condition: four-planes', 8), ('reading 1: four-planes', 2), ('reading 2: linear-complex', 0)]
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator
+from typing import Any
+
+from gcrules.algebra.evaluate import vanishes
+from gcrules.algebra.expr import Expr, Number, mul, sub
+from gcrules.algebra.factoring.result import Factorization
+from gcrules.algebra.proofs.proof_file import LeftOut, ProofFile
+from gcrules.algebra.proofs.theorem import Theorem, identity
+from gcrules.algebra.prove import Proof
+from gcrules.algebra.shortening.result import Shortening
+from gcrules.algebra.space import Assumption
+from gcrules.algebra.structure import Structure
+from gcrules.conditions.analysis import Analysis
+from gcrules.conditions.transversals import Transversals
+from gcrules.core.budget import checkpoint, report
+from gcrules.core.dataclass import dataclass
+from gcrules.core.errors import InputError, LimitReached
+from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
+from gcrules.rules.catalog.catalog import Catalog
+from gcrules.rules.condition import Condition
+from gcrules.rules.script import ClaimResult, RuleResult, ScriptResult
+
+__all__ = ["proof_file"]
+
+_ASSUMED = "it holds under assumptions, of which proof files have no proofs"
+_RANDOM = "it was tested at random points only"
+
+
+@dataclass(frozen=True)
+class _Claim:
+    """left == right, to be proved; or, with a `reason`, what is not proved in a file."""
+
+    name: str
+    left: Expr
+    right: Expr
+    rank: int
+    ideal: tuple[str, ...] = ()
+    given: tuple[Assumption, ...] = ()
+    reason: str = ""
+
+
+def proof_file(answer: Any) -> ProofFile:
+    """The theorems of an answer, each with a proof that can be replayed without gcrules (`tools/check_proof.py`).
+
+    An answer is a proof, a factorization, a shortest form, a script's results, an analysis of legs or of a robot, a
+    transversal condition, or a catalog. What an answer says without a proof, or under assumptions, is `left_out` with
+    the reason. Raises InputError for any other kind of answer, and where nothing is left to prove.
+    """
+    for kind, claims in _KINDS.items():
+        if isinstance(answer, kind):
+            return _proved(*claims(answer))
+    names = ", ".join(kind.__name__ for kind in _KINDS)
+    raise InputError(f"no proofs can be written of a {type(answer).__name__}", hint=f"they are written of: {names}")
+
+
+def _proved(title: str, claims: Iterable[_Claim]) -> ProofFile:
+    theorems: list[Theorem] = []
+    left_out: list[LeftOut] = []
+    for claim in claims:
+        checkpoint()
+        report(claim.name)
+        reason = claim.reason
+        if not reason and claim.given and not _everywhere(claim):
+            reason = _ASSUMED
+        if not reason:
+            try:
+                theorems.append(identity(claim.name, claim.left, claim.right, ideal=claim.ideal, rank=claim.rank))
+            except LimitReached as limited:
+                reason = limited.message
+        if reason:
+            left_out.append(LeftOut(claim.name, reason))
+    if not theorems:
+        why = "; ".join(map(str, left_out)) or "it claims nothing"
+        raise InputError(f"{title}: there is no proof to write: {why}")
+    return ProofFile(title, tuple(theorems), tuple(left_out))
+
+
+def _everywhere(claim: _Claim) -> bool:
+    """Whether what is claimed under assumptions holds without them too."""
+    return vanishes(sub(claim.left, claim.right, rank=claim.rank), rank=claim.rank, ideal=claim.ideal)
+
+
+# --- what each kind of answer claims ---------------------------------------------------------------------------------
+
+_Claims = tuple[str, Iterable[_Claim]]
+
+
+def _of_proof(proof: Proof) -> _Claims:
+    return f"{proof.left} == {proof.right}", [_equation("claim", proof)]
+
+
+def _equation(name: str, proof: Proof) -> _Claim:
+    reason = "" if proof.proved else f"it is {proof.verdict}"
+    return _Claim(name, proof.left, proof.right, proof.rank, proof.ideal, proof.given, reason)
+
+
+def _of_factorization(found: Factorization) -> _Claims:
+    return f"factors of {found.input}", _factored(found)
+
+
+def _factored(found: Factorization) -> Iterator[_Claim]:
+    assert found.input is not None
+    if not found.proved:
+        yield _Claim("factorization", found.input, found.whole(), found.rank, reason=_RANDOM)
+        return
+    yield _Claim("factorization", found.input, found.whole(), found.rank, found.ideal)
+    for i, form in enumerate((*found.alternatives, *found.rational), 1):
+        yield _Claim(f"form {i}", mul(form.cofactor, found.input), form.product(), found.rank, found.ideal)
+
+
+def _of_shortening(found: Shortening) -> _Claims:
+    p = found.polynomial
+    assert found.input is not None
+    ideal = p.points[: p.ideal]
+    return f"shortest form of {found.input}", [_Claim("shortest form", found.input, p.to_expr(), p.rank, ideal)]
+
+
+def _of_script(found: ScriptResult) -> _Claims:
+    return "a script", (claim for result in found.results for claim in _of_result(result))
+
+
+def _of_result(result: object) -> Iterator[_Claim]:
+    if isinstance(result, ClaimResult) and result.proof is not None:
+        yield _equation(f"line {result.line}: {result.label}", result.proof)
+    elif isinstance(result, RuleResult) and result.check.ok:
+        for one in result.check.rule.instances:
+            name = f"line {result.line}: {result.label} in rank {one.rank}"
+            yield _Claim(name, one.left, one.right, one.rank, given=one.given)
+
+
+def _of_analysis(found: Analysis) -> _Claims:
+    return found.structure.text(), _readings(found.structure, (found.condition, *found.readings))
+
+
+def _of_transversals(found: Transversals) -> _Claims:
+    return found.structure.text(), _readings(found.structure, [r.condition for r in found.readings])
+
+
+def _readings(structure: Structure, conditions: Iterable[Condition]) -> Iterator[_Claim]:
+    for i, c in enumerate(dict.fromkeys(conditions)):
+        name = f"reading {i}: {c.kind}" if i else f"condition: {c.kind}"
+        yield _Claim(
+            name,
+            mul(c.cofactor, structure.superbracket),
+            c.right_side,
+            structure.rank,
+            structure.ideal,
+            structure.given,
+            _RANDOM if c.certificate.method == "random-points" else "",
+        )
+
+
+def _of_robot(found: RobotAnalysis) -> _Claims:
+    if found.lines is None:
+        raise InputError(f"{found.robot.id}: its limbs apply wrenches that are no lines of its points: no identity")
+    conditions = [c for c in (found.condition, found.lines.condition, *found.lines.readings) if c is not None]
+    return found.robot.title, _readings(found.lines.structure, conditions)
+
+
+def _of_catalog(found: Catalog) -> _Claims:
+    return "the catalog of classes", (
+        _Claim(
+            f"{entry.id}: {c.kind}" + (f" ({i})" if i else ""),
+            mul(c.cofactor, entry.structure.superbracket),
+            mul(Number(c.coefficient), c.expression),
+            entry.structure.rank,
+        )
+        for entry in found.entries
+        for i, c in enumerate((entry.condition, *entry.readings))
+    )
+
+
+_KINDS: dict[type, Callable[[Any], _Claims]] = {
+    Proof: _of_proof,
+    Factorization: _of_factorization,
+    Shortening: _of_shortening,
+    ScriptResult: _of_script,
+    Analysis: _of_analysis,
+    RobotAnalysis: _of_robot,
+    Transversals: _of_transversals,
+    Catalog: _of_catalog,
+}
