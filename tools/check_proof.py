@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-r"""Check the theorems of a proof file of gcrules: python tools/check_proof.py FILE.json[.gz] [--show]
+r"""Check the theorems of a proof file of gcrules: python tools/check_proof.py FILE.json
 
 It needs Python alone and shares no code with gcrules. Of each theorem it prints the claim as it reads it, expands both
 sides by the definitions, subtracts the relations that the file gives with their multipliers, and says yes only where
@@ -8,46 +8,56 @@ nothing is left. What it relies on, and nothing else:
 * a bracket of rank d is the determinant of the homogeneous coordinates of d points: it changes its sign where two of
   them change places, vanishes where two are the same, and where all are at infinity (last coordinate 0);
 * the join of points is their exterior product, a bracket that of full step;
-* the meet of extensors A = a1 ... ak and B of step h is the sum over all splits of A into d - h points P and the
-  others Q, in their order: sign [P B] Q, and A ^ B is (-1)^((d-k)(d-h)) B ^ A, which here is split where that gives
-  fewer terms (the Grassmann-Cayley algebra of Doubilet, Rota and Stein);
-* the superbracket of six lines is the determinant of their coordinates 12, 13, 14, 23, 24, 34: the formula in brackets
-  that is used here is compared with it at all 46,656 choices of six basis lines, when it is first used; in the plane
-  the superbracket of three lines is their meet;
+* the meet of A = a1 ... ak and B of step h is the sum over all splits of A into d - h points P and the others Q, in
+  their order: sign [P B] Q; A ^ B is (-1)^((d-k)(d-h)) B ^ A, and is split where that gives fewer terms;
+* the superbracket of six lines is the determinant of their coordinates 12, 13, 14, 23, 24, 34: its formula in brackets
+  is compared with it at all 46,656 choices of six basis lines; that of three lines in the plane is their meet;
 * the exchange relation: [S][T] is the sum of all products in which the first k points of S change places with k of T;
 * an extensor of step k is zero exactly if its brackets with any d - k further points are zero.
+
+Under assumptions (`given`: what vanishes, `nonzero`: what does not) both sides are claimed to be equal wherever these
+hold. Points are placed one after the other: X on an extensor W, which is the join of parts P, is the sum of a scalar
+times P, or of P ^ R with a join R of fresh points; so the sides are expanded. Every position is reached, since X lies
+on W and W is not zero:
+
+* X lies on F where F v X is a multiple of something given, or where all of F v X lies on an extensor that is not zero
+  and has no room for it; on A ^ B where it lies on both, and on A v R where it lies on A;
+* a part of a join, meet or bracket that is not zero is not zero; (S v R) ^ T is not zero for some R where T is not, and
+  S joined with points of T up to the step that R leaves is not;
+* where W joins free points that, as X, were not bound before, W may be zero: dependent positions of them and X are an
+  irreducible variety in which those with W not zero are dense, and later points add linear spaces of one dimension.
 
 Exit codes: 0 all theorems are proved, 1 one is not (its name, and what is left), 2 the file is no proof file.
 """
 
-from __future__ import annotations
-
-import argparse
-import gzip
 import json
+import re
 import sys
+from collections import Counter
 from fractions import Fraction
 from functools import cache
 from itertools import combinations, product
 from math import comb
 
-MOST = 5_000_000  # terms that an expansion may have
-
-
-class Refused(Exception):
-    """The file is no proof file."""
+# The superbracket in the ends a b | c d | e f | g h | i j | k l of the lines (McMillan and White).
+TERMS = (
+    "-abcd efgi hjkl|+abcd efhi gjkl|+abcd efgj hikl|-abcd efhj gikl|+abce dfgh ijkl|-abde cfgh ijkl|"
+    "-abcf degh ijkl|+abdf cegh ijkl|-abce dghi fjkl|+abde cghi fjkl|+abcf dghi ejkl|+abce dghj fikl|"
+    "-abdf cghi ejkl|-abde cghj fikl|-abcf dghj eikl|+abdf cghj eikl|+abcg defi hjkl|-abdg cefi hjkl|"
+    "-abch defi gjkl|-abcg defj hikl|+abdh cefi gjkl|+abdg cefj hikl|+abch defj gikl|-abdh cefj gikl"
+)
+NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]*'*(:[0-9]+)?|#[0-9]+")
+OPERATIONS = ["join", "meet", "sum", "product", "power", "bracket", "superbracket"]
+SIGN = dict(zip(OPERATIONS, [" v ", " ^ ", " + ", " * ", "**", " ", " "]))
 
 
 class NotProved(Exception):
     """A theorem does not follow from what the file gives."""
 
 
-def expect(condition, what):
+def expect(condition, what, fault=ValueError):
     if not condition:
-        raise Refused(what)
-
-
-# --- signs ------------------------------------------------------------------------------------------------------------
+        raise fault(what)
 
 
 def in_order(points):
@@ -55,38 +65,29 @@ def in_order(points):
     sign = 1
     for i, x in enumerate(points):
         for y in points[:i]:
-            sign = 0 if x == y else -sign if x < y else sign
-            if not sign:
+            if x == y:
                 return 0, ()
+            sign = -sign if x < y else sign
     return sign, tuple(sorted(points))
 
 
 @cache
 def splits(length, first):
     """Sign, places of the first part, places of the rest, of every split."""
-    found = []
-    for chosen in combinations(range(length), first):
-        rest = tuple(i for i in range(length) if i not in chosen)
-        found.append((in_order(chosen + rest)[0], chosen, rest))
-    return found
-
-
-# --- polynomials: {monomial: coefficient}, a monomial being the sorted tuple of its brackets --------------------------
+    chosen = ((c, tuple(i for i in range(length) if i not in c)) for c in combinations(range(length), first))
+    return [(in_order(c + rest)[0], c, rest) for c, rest in chosen]
 
 
 def plus(a, b, factor=1):
+    """Of polynomials {monomial: coefficient}, a monomial being the sorted tuple of its brackets and scalars."""
     total = dict(a)
     for m, c in b.items():
-        value = total.get(m, 0) + factor * c
-        if value:
-            total[m] = value
-        else:
-            total.pop(m, None)
-    return total
+        total[m] = total.get(m, 0) + factor * c
+    return {m: c for m, c in total.items() if c}
 
 
 def times(a, b):
-    expect(len(a) * len(b) <= MOST, "an expansion is too long for this checker")
+    expect(len(a) * len(b) <= 5_000_000, "an expansion is too long for this checker")
     total = {}
     for m, c in a.items():
         for n, k in b.items():
@@ -95,43 +96,12 @@ def times(a, b):
     return {m: c for m, c in total.items() if c}
 
 
-def bracket(points, ideal):
-    """A bracket as a polynomial."""
-    sign, row = in_order(points)
-    return {(row,): sign} if sign and row[-1] >= ideal else {}
-
-
-def exchanged(first, second, number, ideal):
-    """[first][second] less the products in which the first `number` points of `first` change places."""
-    difference = times(bracket(first, ideal), bracket(second, ideal))
-    for chosen in combinations(range(len(second)), number):
-        row = list(second)
-        for x, i in zip(first[:number], chosen, strict=True):
-            row[i] = x
-        other = [second[i] for i in chosen] + first[number:]
-        difference = plus(difference, times(bracket(row, ideal), bracket(other, ideal)), -1)
-    return difference
-
-
-# --- the superbracket of six lines ------------------------------------------------------------------------------------
-
-
-# In the ends a b | c d | e f | g h | i j | k l of the lines (McMillan and White).
-TERMS = """
--abcd efgi hjkl +abcd efhi gjkl +abcd efgj hikl -abcd efhj gikl +abce dfgh ijkl -abde cfgh ijkl
--abcf degh ijkl +abdf cegh ijkl -abce dghi fjkl +abde cghi fjkl +abcf dghi ejkl +abce dghj fikl
--abdf cghi ejkl -abde cghj fikl -abcf dghj eikl +abdf cghj eikl +abcg defi hjkl -abdg cefi hjkl
--abch defi gjkl -abcg defj hikl +abdh cefi gjkl +abdg cefj hikl +abch defj gikl -abdh cefj gikl
-"""
-
-
 @cache
 def superbracket_terms():
     """The formula, once it has been compared with the determinant at all choices of basis lines."""
-    words = TERMS.split()
     terms = [
-        (-1 if first[0] == "-" else 1, [["abcdefghijkl".index(x) for x in row] for row in (first[1:], *others)])
-        for first, *others in zip(words[::3], words[1::3], words[2::3], strict=True)
+        (-1 if term[0] == "-" else 1, [["abcdefghijkl".index(x) for x in row] for row in term[1:].split()])
+        for term in TERMS.split("|")
     ]
     lines = list(combinations(range(4), 2))
     for choice in product(range(6), repeat=6):
@@ -139,62 +109,55 @@ def superbracket_terms():
         value = 0
         for sign, rows in terms:
             for row in rows:
-                sign *= in_order([ends[e] for e in row])[0]
-                if not sign:
-                    break
+                sign = sign and sign * in_order([ends[e] for e in row])[0]
             value += sign
-        if value != in_order(choice)[0]:
-            raise AssertionError(f"the formula of the superbracket is wrong at {choice}")
+        expect(value == in_order(choice)[0], f"the formula of the superbracket is wrong at {choice}", AssertionError)
     return terms
 
 
-# --- expressions ------------------------------------------------------------------------------------------------------
-
-
 class Reader:
-    """Reads expressions and expands them: {points of an extensor: polynomial}, () for a scalar."""
+    """Reads expressions and expands them: a step, and {points of an extensor: polynomial}, () for a scalar."""
 
-    def __init__(self, theorem):
-        self.rank = theorem["rank"]
-        self.points = theorem["points"]
-        self.ideal = theorem["ideal"]
-        expect(isinstance(self.rank, int) and 2 <= self.rank <= 12, "the rank is no number from 2 to 12")
-        expect(isinstance(self.points, list) and all(isinstance(p, str) for p in self.points), "points are not names")
-        expect(len(set(self.points)) == len(self.points), "a point is named twice")
-        expect(isinstance(self.ideal, int) and 0 <= self.ideal <= len(self.points), "`ideal` is no number of points")
+    def __init__(self, theorem, placed=None):  # else points are read as points of their own
+        self.rank, self.ideal, self.placed = theorem["rank"], theorem["ideal"], placed or {}
+        self.points, self.definitions = list(theorem["points"]), dict(theorem["definitions"])
+        if "given" in theorem and placed is None:
+            self.points += theorem["any"] + [p["name"] for p in theorem["placed"]]
+        names = [*self.points, *(name for name, _ in theorem["definitions"])]
+        expect(type(self.rank) is int and 2 <= self.rank <= 12, "the rank is no number from 2 to 12")
+        expect(all(map(NAME.fullmatch, names)) and len({*names}) == len(names), "names that are none, or not different")
+        expect(type(self.ideal) is int and 0 <= self.ideal <= len(theorem["points"]), "`ideal` is no number of points")
         self.known = {p: (1, {(i,): {(): 1}}) for i, p in enumerate(self.points)}
-        self.shown = {}
-        for name, e in theorem["definitions"]:
-            expect(isinstance(name, str) and name not in self.known, f"{name} is defined twice")
-            self.known[name] = self.read(e)
-            self.shown[name] = self.text(e)
+
+    def open(self, e):
+        return self.open(self.definitions[e]) if isinstance(e, str) and e in self.definitions else e
+
+    def names(self, e):
+        e = self.open(e)
+        parts = e[1:] if e[0] not in ("number", "power") else e[1:2] if e[0] == "power" else []
+        return {e} if isinstance(e, str) else {n for part in parts for n in self.names(part)}
 
     def read(self, e):
-        """Step and value."""
         if isinstance(e, str):
-            expect(e in self.known, f"{e} is not defined")
+            if e not in self.known:
+                self.known[e] = self.read(self.definitions[e]) if e in self.definitions else self.placed[e](self)
             return self.known[e]
-        expect(isinstance(e, list) and len(e) > 1 and e[0] in OPERATIONS, f"no expression: {e!r}"[:200])
         if e[0] == "number":
-            value = number(e[1])
-            return 0, {(): {(): value}} if value else {}
-        if e[0] == "power":
-            expect(len(e) == 3 and isinstance(e[2], int) and 2 <= e[2] <= 64, "a power needs an exponent from 2 to 64")
-            return self.product([self.read(e[1])] * e[2])
-        return getattr(self, e[0])([self.read(part) for part in e[1:]])
+            return 0, {(): {(): Fraction(e[1])}} if Fraction(e[1]) else {}
+        expect(len(e) > 1 and e[0] in SIGN and (e[0] != "power" or e[2] in range(2, 65)), f"no expression: {e}"[:200])
+        parts = [self.read(e[1])] * e[2] if e[0] == "power" else [self.read(part) for part in e[1:]]
+        if e[0] not in ("product", "power"):
+            return getattr(self, e[0])(parts)
+        expect(sum(step > 0 for step, _ in parts) < 2, "a product of two extensors")
+        return self.join(parts)
 
     def sum(self, parts):
-        steps = {step for step, value in parts if value}
+        steps, total = {step for step, value in parts if value}, {}
         expect(len(steps) < 2, "a sum of unlike steps")
-        total = {}
         for _, value in parts:
             for row, p in value.items():
                 total[row] = plus(total.get(row, {}), p)
-        return max(step for step, _ in parts), {row: p for row, p in total.items() if p}
-
-    def product(self, parts):
-        expect(sum(step > 0 for step, _ in parts) < 2, "a product of two extensors")
-        return self.join(parts)
+        return max(steps, default=parts[0][0]), {row: p for row, p in total.items() if p}
 
     def join(self, parts):
         step, value = parts[0]
@@ -202,20 +165,24 @@ class Reader:
             step += further
             expect(step <= self.rank, "a join beyond the rank")
             joined = {}
-            for r, p in value.items():
-                for s, q in other.items():
-                    sign, row = in_order(r + s)
-                    if sign:
-                        joined[row] = plus(joined.get(row, {}), times(p, q), sign)
+            for (r, p), (s, q) in product(value.items(), other.items()):
+                sign, row = in_order(r + s)
+                if sign:
+                    joined[row] = plus(joined.get(row, {}), times(p, q), sign)
             value = {row: p for row, p in joined.items() if p}
         return step, value
+
+    def row(self, points):
+        """A bracket as a polynomial."""
+        sign, row = in_order(tuple(points))
+        return {(row,): sign} if sign and row[-1] >= self.ideal else {}
 
     def bracket(self, parts):
         step, value = self.join(parts)
         expect(step == self.rank, "a bracket that is not full")
         total = {}
         for row, p in value.items():
-            total = plus(total, times(p, bracket(row, self.ideal)))
+            total = plus(total, times(p, self.row(row)))
         return 0, {(): total} if total else {}
 
     def meet(self, parts):
@@ -223,150 +190,211 @@ class Reader:
         for further, other in parts[1:]:
             expect(step + further >= self.rank, "a meet of extensors that are too small")
             met = {}
-            for r, p in value.items():
-                for s, q in other.items():
-                    split, whole, outer = r, s, 1
-                    if comb(len(s), self.rank - len(r)) < comb(len(r), self.rank - len(s)):
-                        split, whole, outer = s, r, (-1) ** ((self.rank - len(r)) * (self.rank - len(s)))
-                    for sign, first, rest in splits(len(split), self.rank - len(whole)):
-                        closed = bracket([split[i] for i in first] + list(whole), self.ideal)
-                        row = tuple(split[i] for i in rest)
-                        met[row] = plus(met.get(row, {}), times(times(p, q), closed), outer * sign)
+            for (r, p), (s, q) in product(value.items(), other.items()):
+                split, whole, outer = r, s, 1
+                if comb(len(s), self.rank - len(r)) < comb(len(r), self.rank - len(s)):
+                    split, whole, outer = s, r, (-1) ** ((self.rank - len(r)) * (self.rank - len(s)))
+                for sign, first, rest in splits(len(split), self.rank - len(whole)):
+                    closed = times(times(p, q), self.row([split[i] for i in first] + list(whole)))
+                    key = tuple(split[i] for i in rest)
+                    met[key] = plus(met.get(key, {}), closed, outer * sign)
             step += further - self.rank
             value = {row: p for row, p in met.items() if p}
         return step, value
 
     def superbracket(self, parts):
-        expect(all(step == 2 for step, _ in parts), "a superbracket of what is no line")
-        expect(len(parts) == self.rank * (self.rank - 1) // 2, "a superbracket of too many or too few lines")
-        if self.rank == 2:
-            return self.bracket(parts)
-        if self.rank == 3:  # in the plane the determinant of three lines is their meet
-            return self.meet(parts)
+        expect([step for step, _ in parts] == [2] * comb(self.rank, 2), "no superbracket of all lines")
+        if self.rank < 4:  # of one line its bracket; in the plane the determinant of three lines is their meet
+            return self.bracket(parts) if self.rank == 2 else self.meet(parts)
         expect(self.rank == 4, "a superbracket of rank 5 or more, which this checker does not know")
         total = {}
         for choice in product(*(value.items() for _, value in parts)):
             ends = [x for row, _ in choice for x in row]
-            coefficient = {(): 1}
-            for _, p in choice:
-                coefficient = times(coefficient, p)
             for sign, rows in superbracket_terms():
                 term = {(): sign}
-                for row in rows:
-                    term = times(term, bracket([ends[e] for e in row], self.ideal))
-                total = plus(total, times(coefficient, term))
+                for factor in (*(self.row(ends[e] for e in row) for row in rows), *(p for _, p in choice)):
+                    term = times(term, factor)
+                total = plus(total, term)
         return 0, {(): total} if total else {}
+
+    def closed(self, e):
+        """An expression as one polynomial; an extensor of step k is closed by d - k further points."""
+        step, value = self.read(e)
+        n, total = len(self.points), {}
+        for row, p in value.items():
+            further = tuple(range(n, n + self.rank - step)) if step else ()
+            total = plus(total, times(p, self.row(row + further)) if step else p)
+        return total
 
     def text(self, e):
         """What an expression says."""
-        if isinstance(e, str):
-            return self.shown.get(e, e)
-        parts = [str(part) if isinstance(part, int) else self.text(part) for part in e[1:]] if e[0] != "number" else []
-        match e[0]:
-            case "number":
-                return str(e[1])
-            case "bracket":
-                return f"[{' '.join(parts)}]"
-            case "superbracket":
-                return f"[[{', '.join(parts)}]]"
-        return f"({OPERATIONS[e[0]].join(parts)})"
+        e = self.open(e)
+        if not isinstance(e, list) or e[0] == "number":
+            return str(e if not isinstance(e, list) else e[1])
+        inside = SIGN[e[0]].join(map(self.text, e[1:]))
+        return {"bracket": f"[{inside}]", "superbracket": f"[[{inside}]]"}.get(e[0], f"({inside})")
+
+    def args(self, e, operation="join"):
+        """The parts of a join (or bracket) or meet, taken apart as far as they are such; of anything else itself."""
+        e = self.open(e)
+        if isinstance(e, str) or e[0] not in (operation, "bracket" if operation == "join" else operation):
+            return [e]
+        return [x for part in e[1:] for x in self.args(part, operation)]
+
+    def plain(self, e):
+        """Whether an expression is made of points by joins and meets."""
+        e = self.open(e)
+        return isinstance(e, str) or (e[0] in ("join", "meet") and all(map(self.plain, e[1:])))
+
+    def key(self, e):
+        """The same for joins and for meets of the same parts in any sequence."""
+        e = self.open(e)
+        if isinstance(e, str) or e[0] == "number":
+            return str(e)
+        operation = "join" if e[0] == "bracket" else e[0]
+        parts = self.args(e, operation) if operation in ("join", "meet") else e[1:]
+        return f"{operation}({' '.join(sorted(map(self.key, parts)))})" if len(parts) > 1 else self.key(parts[0])
 
 
-OPERATIONS = {
-    "number": "",
-    "bracket": "",
-    "superbracket": "",
-    "join": " v ",
-    "meet": " ^ ",
-    "sum": " + ",
-    "product": " * ",
-    "power": "**",
-}
+class Positions:
+    """What the assumptions of a theorem say, and the points that are placed by them, checked one after the other."""
 
+    def __init__(self, theorem):
+        self.reader = reader = Reader(theorem)
+        self.given = [reader.closed(e) for e in theorem["given"]]
+        self.alive = [part for e in theorem["nonzero"] for part in self.parts(e)]
+        self.scalars, self.places, seen, before = 0, {}, set(), {*theorem["points"]}
+        placed = [(p["name"], p["fresh"], reader.open(p["on"]), p["flats"]) for p in theorem["placed"]]
+        known = [*theorem["claim"], *theorem["given"], *theorem["nonzero"], *(on for _, _, on, _ in placed)]
+        used = Counter(n for e in known for n in reader.names(e))
+        finite = {*theorem["points"][reader.ideal :]}.difference(*(fresh for _, fresh, _, _ in placed))
+        for name, fresh, on, flats in placed:
+            self.fresh, own, points = fresh, reader.names(on), reader.args(on)
+            expect(own.union(fresh) <= before and not seen.intersection(fresh), f"{name} is placed too early")
+            inside = Counter(n for part in points for n in reader.names(part))
+            expect(all(used[f] == inside[f] < 2 for f in fresh) and len({*fresh}) == len(fresh), "not fresh")
+            self.flats = {reader.key(flat["flat"]) for flat in flats if self.lies_on(name, flat)}
+            expect(self.lies(on), f"{name} need not lie on {reader.text(on)}", NotProved)
+            dense = own <= finite - seen and len(points) == len(own) and all(isinstance(n, str) for n in points)
+            expect(dense or self.not_zero(on), f"{name}: {reader.text(on)} may vanish", NotProved)
+            seen |= {name, *own, *fresh}
+            before.add(name)
+            self.places[name] = self.place(on, [f for f in fresh if f not in own])
 
-def number(value):
-    try:
-        expect(isinstance(value, (int, str)) and not isinstance(value, bool), f"no number: {value!r}")
-        return Fraction(value)
-    except (ValueError, ZeroDivisionError) as fault:
-        raise Refused(f"no number: {value!r}") from fault
+    def parts(self, e):
+        """An expression and the parts of it that are not zero where it is not."""
+        e = self.reader.open(e)
+        inside = e[1:] if isinstance(e, list) and e[0] in ("join", "bracket", "meet", "product") else []
+        return [e, *(x for part in inside for x in self.parts(part))]
 
+    def vanishes(self, e, index, number):
+        return number != 0 and self.reader.closed(e) == {m: number * c for m, c in self.given[index].items()}
 
-# --- theorems ---------------------------------------------------------------------------------------------------------
+    def lies_on(self, name, flat):
+        """Whether a flat joined with the point vanishes."""
+        because, room, r = flat["because"], flat["room"], self.reader
+        joined = ["join", flat["flat"], name]
+        expect(r.plain(joined), "a flat that is not made by joins and meets")
+        if room is None:
+            return self.vanishes(joined, *because[0])
+        points, others = r.args(room), [part for part in r.args(joined) if part not in r.args(room)]
+        expect(all(isinstance(n, str) for n in points) and self.not_zero(room), "a room that may vanish")
+        expect(len(points) < sum(r.read(part)[0] for part in r.args(joined)), "there is room")
+        for part, why in zip(others, because, strict=True):
+            expect(isinstance(part, str) or len(points) == r.rank - 1, "an extensor on what is no hyperplane")
+            expect(self.vanishes(["join" if isinstance(part, str) else "meet", part, room], *why), "it is not there")
+        return True
 
+    def lies(self, e):
+        met, joined = self.reader.args(e, "meet"), self.reader.args(e)
+        kept = [part for part in joined if part not in self.fresh]
+        return (
+            self.reader.key(e) in self.flats
+            or (len(met) > 1 and all(map(self.lies, met)))
+            or (0 < len(kept) < len(joined) and self.lies(["join", *kept]))
+        )
 
-def difference(reader, claim):
-    """Both sides' difference as one polynomial; extensors are closed by further points."""
-    (left, a), (right, b) = map(reader.read, claim)
-    expect(left == right or not a or not b, "the sides are of unlike steps")
-    step = left if a else right
-    n = len(reader.points)
-    closing = tuple(range(n, n + reader.rank - step)) if step else None
-    total = {}
-    for value, factor in ((a, 1), (b, -1)):
-        for row, p in value.items():
-            total = plus(total, p if closing is None else times(p, bracket(row + closing, reader.ideal)), factor)
-    return total
+    def not_zero(self, e):
+        r = self.reader
+        wanted, met = Counter(map(r.key, r.args(e))), r.args(e, "meet")
+        if any(not wanted - Counter(map(r.key, r.args(part))) for part in self.alive):
+            return True
+        first, other = r.args(met[0]), ["meet", *met[1:]] if len(met) > 2 else met[-1]
+        kept = [part for part in first if part not in self.fresh]
+        missing = r.rank - len(first) + len(kept) - sum(r.read(part)[0] for part in kept)
+        if len(met) < 2 or len(kept) == len(first) or missing < 0 or not self.not_zero(other):
+            return False
+        ends = combinations([part for part in r.args(other) if isinstance(part, str)], missing)
+        return any(self.not_zero(["join", *kept, *some]) for some in ends)
+
+    def place(self, on, fresh):
+        """How a point is written, for the reader of the claim."""
+        terms, fresh = [], list(fresh)
+        expect(self.reader.plain(on), "a point on what is not made by joins and meets")
+        for part in self.reader.args(on):
+            step = self.reader.read(part)[0]
+            new = [fresh.pop(0) for _ in range(self.reader.rank - step + 1 if step > 1 else 0)]
+            scaled = not new and not self.reader.names(part).intersection(self.fresh)
+            scalar = {((self.scalars,),): 1} if scaled else {(): 1}
+            terms.append((["meet", part, ["join", *new]] if new else part, scalar))
+            self.scalars += 1
+
+        def value(reader):
+            parts = [(reader.read(e), scalar) for e, scalar in terms]
+            return reader.sum([(step, {row: times(p, k) for row, p in v.items()}) for (step, v), k in parts])
+
+        return value
 
 
 def check(theorem):
     """The claim as text. Raises NotProved where something is left."""
-    expect(isinstance(theorem, dict), "a theorem is no object")
-    missing = {"name", "rank", "points", "ideal", "definitions", "claim", "relations"} - set(theorem)
-    expect(not missing, f"a theorem without {', '.join(sorted(missing))}")
-    reader = Reader(theorem)
-    expect(len(theorem["claim"]) == 2, "a claim has two sides")
-    text = " == ".join(map(reader.text, theorem["claim"]))
-    left = difference(reader, theorem["claim"])
+    assumed = "given" in theorem
+    reader = Reader(theorem, Positions(theorem).places if assumed else None)
+    left, right = theorem["claim"]
+    text = f"{reader.text(left)} == {reader.text(right)}"
+    (step, a), (other, b) = reader.read(left), reader.read(right)
+    expect(step == other or not a or not b, "the sides are of unlike steps")
+    rest = plus(reader.closed(left), reader.closed(right), -1)
     for first, second, count, multiplier in theorem["relations"]:
         expect(len(first) == len(second) == reader.rank and 0 < count <= reader.rank, "a relation of unlike brackets")
-        relation = exchanged(first, second, count, reader.ideal)
+        relation = times(reader.row(first), reader.row(second))
+        for chosen in combinations(range(reader.rank), count):
+            row = [first[chosen.index(i)] if i in chosen else x for i, x in enumerate(second)]
+            other = [second[i] for i in chosen] + first[count:]
+            relation = plus(relation, times(reader.row(row), reader.row(other)), -1)
+        total = {}
         for coefficient, *rows in multiplier:
-            rest = {(): number(coefficient)}
+            term = {(): Fraction(coefficient)}
             for row in rows:
-                expect(len(row) == reader.rank, "a bracket that is not full")
-                rest = times(rest, bracket(row, reader.ideal))
-            left = plus(left, times(rest, relation), -1)
-    if left:
-        raise NotProved(f"{len(left)} terms are left of {text}"[:2000])
-    return text
+                expect(len(row) in (1, reader.rank), "a bracket that is not full")
+                term = times(term, {(tuple(row),): 1} if len(row) == 1 else reader.row(row))
+            total = plus(total, term)
+        for m, c in times(total, relation).items():
+            rest[m] = rest.get(m, 0) - c
+    expect(not any(rest.values()), f"{sum(map(bool, rest.values()))} terms are left of {text}"[:2000], NotProved)
+    where = [f"{reader.text(e)} == 0" for e in theorem["given"]] if assumed else []
+    where += [f"{reader.text(e)} != 0" for e in theorem["nonzero"]] if assumed else []
+    every = f" (for all {', '.join(theorem['any'])})" if assumed and theorem["any"] else ""
+    return text + (", where " + " and ".join(where) if where else "") + every
 
 
-def read(path):
+def main(path):
     try:
-        with (gzip.open if path.endswith(".gz") else open)(path, "rt", encoding="utf-8") as file:
+        with open(path, encoding="utf-8") as file:
             data = json.load(file)
-    except (OSError, ValueError, RecursionError) as fault:
-        raise Refused(f"{path}: {fault}") from fault
-    expect(isinstance(data, dict) and data.get("format") == "gcrules proof", f"{path}: not a proof file of gcrules")
-    expect(data.get("version") == 1, f"{path}: a version of the format that this checker does not know")
-    expect(isinstance(data.get("theorems"), list) and data["theorems"], f"{path}: no theorems")
-    return data
-
-
-def main(arguments=None):
-    parser = argparse.ArgumentParser(description="Check the theorems of a proof file of gcrules.")
-    parser.add_argument("file")
-    parser.add_argument("--show", action="store_true", help="print each claim in full")
-    asked = parser.parse_args(arguments)
-    try:
-        theorems = read(asked.file)["theorems"]
-        for theorem in theorems:
-            name = theorem.get("name") if isinstance(theorem, dict) else None
-            try:
-                claim = check(theorem)
-            except NotProved as fault:
-                print(f"NOT PROVED  {name}: {fault}")
-                return 1
-            except (TypeError, ValueError, KeyError, IndexError, RecursionError, AttributeError) as fault:
-                raise Refused(f"{name}: malformed ({fault})") from fault
-            print(f"proved  {name}: {claim if asked.show or len(claim) <= 160 else claim[:157] + '...'}")
-    except Refused as fault:
-        print(f"{asked.file}: {fault}" if asked.file not in str(fault) else fault, file=sys.stderr)
+        expect(data["format"] == "gcrules proof" and data["version"] == 1, "not a proof file of this version")
+        expect(data["theorems"], "no theorems")
+        for theorem in data["theorems"]:
+            print(f"proved  {theorem['name']}: {check(theorem)}")
+    except NotProved as fault:
+        print(f"NOT PROVED  {theorem['name']}: {fault}")
+        return 1
+    except (OSError, ValueError, TypeError, LookupError, AttributeError, ArithmeticError, RecursionError) as fault:
+        print(f"{path}: no proof file: {type(fault).__name__}: {fault}", file=sys.stderr)
         return 2
-    print(f"{len(theorems)} theorem{'s' if len(theorems) > 1 else ''} proved")
+    print(f"theorems proved: {len(data['theorems'])}")
     return 0
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(main(sys.argv[1]) if len(sys.argv) == 2 else __doc__)

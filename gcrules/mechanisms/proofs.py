@@ -15,7 +15,7 @@ from gcrules.algebra.evaluate import vanishes
 from gcrules.algebra.expr import Expr, Number, mul, sub
 from gcrules.algebra.factoring.result import Factorization
 from gcrules.algebra.proofs.proof_file import LeftOut, ProofFile
-from gcrules.algebra.proofs.theorem import Theorem, identity
+from gcrules.algebra.proofs.theorem import Theorem, theorem
 from gcrules.algebra.prove import Proof
 from gcrules.algebra.shortening.result import Shortening
 from gcrules.algebra.space import Assumption
@@ -32,7 +32,6 @@ from gcrules.rules.script import ClaimResult, RuleResult, ScriptResult
 
 __all__ = ["proof_file"]
 
-_ASSUMED = "it holds under assumptions, of which proof files have no proofs"
 _RANDOM = "it was tested at random points only"
 
 
@@ -70,13 +69,14 @@ def _proved(title: str, claims: Iterable[_Claim]) -> ProofFile:
         checkpoint()
         report(claim.name)
         reason = claim.reason
-        if not reason and claim.given and not _everywhere(claim):
-            reason = _ASSUMED
         if not reason:
+            given = () if claim.given and _everywhere(claim) else claim.given
             try:
-                theorems.append(identity(claim.name, claim.left, claim.right, ideal=claim.ideal, rank=claim.rank))
-            except LimitReached as limited:
-                reason = limited.message
+                theorems.append(
+                    theorem(claim.name, claim.left, claim.right, ideal=claim.ideal, rank=claim.rank, given=given)
+                )
+            except (InputError, LimitReached) as fault:
+                reason = fault.message
         if reason:
             left_out.append(LeftOut(claim.name, reason))
     if not theorems:

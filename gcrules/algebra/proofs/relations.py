@@ -21,9 +21,8 @@ from math import comb
 from gcrules.algebra.bracket import Coefficient, Monomial, Row, Terms
 from gcrules.algebra.straightening.straighten import Last, offence
 from gcrules.algebra.straightening.syzygies import exchange
-from gcrules.core.budget import checkpoint
+from gcrules.core.budget import Count, checkpoint
 from gcrules.core.dataclass import dataclass
-from gcrules.core.errors import LimitReached
 from gcrules.core.frozen import FrozenMap
 
 __all__ = ["MAX_RELATIONS", "Relation", "relations"]
@@ -49,11 +48,30 @@ def relations(
     Rows whose points all come before `ideal` are zero; those of one entry are scalars. Raises LimitReached where more
     than `limit` products of brackets are exchanged.
     """
-    pending: Terms = {m: c for m, c in terms.items() if c and not any(_at_infinity(row, ideal) for row in m)}
+    found: dict[tuple[Row, Row, int], Terms] = defaultdict(dict)
+    done = Count(limit, "the proof takes", "exchanges")
+    for scalars, brackets in _by_scalars(terms, ideal).items():
+        if not _reduced(brackets, scalars, ideal, found, done):
+            return None
+    return tuple(Relation(*key, FrozenMap(multiplier)) for key, multiplier in found.items())
+
+
+def _by_scalars(terms: Mapping[Monomial, Coefficient], ideal: int) -> dict[Monomial, Terms]:
+    """The polynomial in brackets with which each product of scalars occurs."""
+    parts: dict[Monomial, Terms] = defaultdict(dict)
+    for m, c in terms.items():
+        brackets = tuple(row for row in m if len(row) > 1)
+        if c and not any(row[-1] < ideal for row in brackets):
+            parts[tuple(row for row in m if len(row) == 1)][brackets] = c
+    return parts
+
+
+def _reduced(
+    pending: Terms, scalars: Monomial, ideal: int, found: dict[tuple[Row, Row, int], Terms], done: Count
+) -> bool:
+    """Whether a polynomial is reduced to nothing by relations, which are added to those `found`."""
     heap = [Last(m) for m in pending]
     heapify(heap)
-    found: dict[tuple[Row, Row, int], Terms] = defaultdict(dict)
-    done = 0
     while heap:
         checkpoint()
         monomial = heappop(heap).monomial
@@ -62,18 +80,17 @@ def relations(
             continue
         at = offence(monomial)
         if at is None:
-            return None
-        done += 1
-        if done > limit:
-            raise LimitReached(f"the proof takes more than {limit:,} exchanges")
+            return False
+        done.spend(1)
         one, other = monomial[at], monomial[at + 1]
         number = min(
             (j for j, (x, y) in enumerate(zip(one, other, strict=True)) if x > y), key=lambda j: comb(len(one), j)
         )
         rest = (*monomial[:at], *monomial[at + 2 :])
-        found[one, other, number][rest] = found[one, other, number].get(rest, 0) + coefficient
+        multiplier = found[one, other, number]
+        multiplier[rest + scalars] = multiplier.get(rest + scalars, 0) + coefficient
         for sign, (a, b) in exchange(one, other, number):
-            if _at_infinity(a, ideal):
+            if a[-1] < ideal:
                 continue
             new = tuple(sorted((*rest, a, b)))
             if new in pending:
@@ -81,8 +98,4 @@ def relations(
             else:
                 pending[new] = sign * coefficient
                 heappush(heap, Last(new))
-    return tuple(Relation(*key, FrozenMap(multiplier)) for key, multiplier in found.items())
-
-
-def _at_infinity(row: Row, ideal: int) -> bool:
-    return len(row) > 1 and row[-1] < ideal
+    return True

@@ -1,7 +1,7 @@
 r"""A theorem with its proof, as anyone can check it: a claim, and exchange relations that add up to it.
 
 >>> from gcrules.algebra.language.syntax import parse_equation
->>> found = identity("a line meets a plane", *parse_equation("ab /\\ cde == cde /\\ ab"))
+>>> found = theorem("a line meets a plane", *parse_equation("ab /\\ cde == cde /\\ ab"))
 >>> found.to_json()["claim"]
 [['meet', ['join', 'a', 'b'], ['join', 'c', 'd', 'e']], ['meet', ['join', 'c', 'd', 'e'], ['join', 'a', 'b']]]
 """
@@ -9,29 +9,42 @@ r"""A theorem with its proof, as anyone can check it: a claim, and exchange rela
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Mapping
-from fractions import Fraction
+from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
 
+from gcrules.algebra.assumptions.assumed import kinds
 from gcrules.algebra.assumptions.construction import Construction
-from gcrules.algebra.bracket import Coefficient, Monomial, Terms, sorted_row, tableau_order
+from gcrules.algebra.bracket import Coefficient, Monomial, Terms, sorted_row
 from gcrules.algebra.expand import MAX_TERMS
-from gcrules.algebra.expr import ZERO, Dotted, Expr, Number, Point, Power, common_rank, neg, points_of, sub
+from gcrules.algebra.expr import ZERO, Expr, common_rank, neg, points_of, sub
+from gcrules.algebra.proofs.coverage import Flat, flats
 from gcrules.algebra.proofs.relations import Relation, relations
-from gcrules.algebra.scalars import written_out
+from gcrules.algebra.proofs.written import Written, number
+from gcrules.algebra.space import Assumption, Space
 from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import InputError
 
-__all__ = ["Theorem", "identity"]
+__all__ = ["PlacedPoint", "Theorem", "theorem"]
 
-_SHALLOW = 2  # joins and brackets of points are written each time
+
+@dataclass(frozen=True)
+class PlacedPoint:
+    """A constructed point, the extensor that it is on, fresh points of its step, and flats that show that."""
+
+    name: str
+    within: Expr
+    fresh: tuple[str, ...]
+    flats: tuple[Flat, ...]
 
 
 @dataclass(frozen=True)
 class Theorem:
-    """`left` == `right` at all positions of the points: those of `order`, of which the first `ideal` are at infinity,
-    and those that are constructed from them. The difference of both sides, closed by further points where it is no
-    scalar, is the sum of `relations`, whose rows are numbers of points in this order.
+    """`left` == `right` at all positions of the points at which the expressions of `given` vanish and those of
+    `nonzero` do not.
+
+    `placed` are the points that `given` binds, in terms of those of `order`, of which the first `ideal` are at
+    infinity. Written out in these, the difference of both sides, closed by further points where it is no scalar, is the
+    sum of `relations`, whose rows are numbers of points in this order.
     """
 
     name: str
@@ -41,6 +54,9 @@ class Theorem:
     order: tuple[str, ...]
     ideal: int
     relations: tuple[Relation, ...]
+    given: tuple[Expr, ...] = ()
+    nonzero: tuple[Expr, ...] = ()
+    placed: tuple[PlacedPoint, ...] = ()
 
     @property
     def size(self) -> int:
@@ -48,9 +64,33 @@ class Theorem:
         return sum(len(r.multiplier) for r in self.relations)
 
     def to_json(self) -> dict[str, Any]:
-        """`{name, rank, points, ideal, definitions, claim, relations}`, as `proof.schema.json` describes it."""
-        written = _Written((self.left, self.right))
-        claim = [written.of(self.left), written.of(self.right)]
+        """The theorem as `proof.schema.json` describes it."""
+        written = Written(self._expressions())
+        of = written.of
+        more: dict[str, Any] = {}
+        if self.given:
+            more = {
+                "any": sorted(set(points_of(*self.given)) - {*self.order, *(p.name for p in self.placed)}),
+                "given": [of(e) for e in self.given],
+                "nonzero": [of(e) for e in self.nonzero],
+                "placed": [
+                    {
+                        "name": p.name,
+                        "on": of(p.within),
+                        "fresh": list(p.fresh),
+                        "flats": [
+                            {
+                                "flat": of(f.extensor),
+                                "room": None if f.room is None else of(f.room),
+                                "because": [[m.index, m.number] for m in f.because],
+                            }
+                            for f in p.flats
+                        ],
+                    }
+                    for p in self.placed
+                ],
+            }
+        claim = [of(self.left), of(self.right)]
         return {
             "name": self.name,
             "rank": self.rank,
@@ -58,39 +98,57 @@ class Theorem:
             "ideal": self.ideal,
             "definitions": written.definitions,
             "claim": claim,
+            **more,
             "relations": [
-                [
-                    list(r.first),
-                    list(r.second),
-                    r.number,
-                    [[_number(c), *map(list, m)] for m, c in r.multiplier.items()],
-                ]
+                [list(r.first), list(r.second), r.number, [[number(c), *map(list, m)] for m, c in r.multiplier.items()]]
                 for r in self.relations
             ],
         }
 
+    def _expressions(self) -> Iterator[Expr]:
+        yield from (self.left, self.right, *self.given, *self.nonzero)
+        for p in self.placed:
+            yield p.within
+            for f in p.flats:
+                yield from f.expressions()
 
-def identity(
+
+def theorem(
     name: str,
     left: Expr,
     right: Expr,
     *,
-    points: Iterable[str] = (),
     ideal: Iterable[str] = (),
     rank: int | None = None,
+    given: Iterable[Assumption] = (),
     limit: int = MAX_TERMS,
 ) -> Theorem:
-    """The proof of an identity. Raises InputError where it does not hold, LimitReached where the proof is too long."""
-    rank = common_rank(rank, left, right)
-    at_infinity = tuple(ideal)
-    order = tableau_order(points_of(left, right), tuple(points), at_infinity)
-    free = Construction(rank, order, tuple(n for n in order if n in at_infinity), points=order)
+    """The proof that two expressions are equal, under assumptions where there are any.
+
+    Raises InputError where they are not equal, or where it cannot be written down yet, LimitReached where the proof is
+    too long.
+    """
+    assumptions, at_infinity = tuple(given), tuple(ideal)
+    rank = common_rank(rank, left, right, *(e for a in assumptions for e in a.args))
     difference = neg(right) if left == ZERO else left if right == ZERO else sub(left, right, rank=rank)
-    places, moved = _by_frequency(free.closed_terms(difference, limit), len(order), free.at_infinity)
-    found = relations(moved, free.at_infinity)
-    if found is None:
-        raise InputError(f"{name}: the sides are not equal, so there is no proof")
-    return Theorem(name, rank, left, right, tuple(order[i] for i in places), free.at_infinity, found)
+    found = kinds(Space(rank, (), at_infinity, assumptions), points_of(left, right), (difference,))
+    if len(found) > 1:
+        raise InputError(f"the assumptions allow {len(found)} kinds of positions, of which no proof is written")
+    c = found[0].construction
+    places, moved = _by_frequency(c.closed_terms(difference, limit), len(c.order), c.at_infinity)
+    proof = relations(moved, c.at_infinity)
+    if proof is None:
+        raise InputError("the sides are not equal")
+    order = tuple(c.order[i] for i in places)
+    return Theorem(name, rank, left, right, order, c.at_infinity, proof, c.equations, c.nonzero, tuple(_placed(c)))
+
+
+def _placed(c: Construction) -> Iterator[PlacedPoint]:
+    for step in c.steps:
+        found = None if step.exact else flats(step, c)
+        if found is None:
+            raise InputError(f"that {step.name} is on {step.within} does not follow from one assumption")
+        yield PlacedPoint(step.name, step.within, step.fresh, found)
 
 
 def _by_frequency(terms: Mapping[Monomial, Coefficient], points: int, ideal: int) -> tuple[tuple[int, ...], Terms]:
@@ -111,47 +169,3 @@ def _by_frequency(terms: Mapping[Monomial, Coefficient], points: int, ideal: int
         key = tuple(sorted(rows))
         moved[key] = moved.get(key, 0) + c
     return tuple(order), moved
-
-
-class _Written:
-    """Expressions as lists of the operation and its parts. Larger parts that occur again are definitions: #1, #2, …"""
-
-    def __init__(self, exprs: Iterable[Expr]) -> None:
-        self.definitions: list[list[Any]] = []
-        self.named: dict[Expr, str] = {}
-        self.known: set[Expr] = set()
-        self.again: set[Expr] = set()
-        stack = list(exprs)
-        while stack:
-            e = stack.pop()
-            if isinstance(e, Dotted):
-                e = written_out(e)
-            if e in self.known:
-                self.again.add(e)
-                continue
-            self.known.add(e)
-            stack += e.children
-
-    def of(self, e: Expr) -> Any:
-        if isinstance(e, Dotted):
-            e = written_out(e)
-        if isinstance(e, Point):
-            return e.name
-        if isinstance(e, Number):
-            return ["number", _number(e.value)]
-        if e not in self.again or e.depth <= _SHALLOW:
-            return self._parts(e)
-        if e not in self.named:
-            parts = self._parts(e)
-            self.named[e] = f"#{len(self.definitions) + 1}"
-            self.definitions.append([self.named[e], parts])
-        return self.named[e]
-
-    def _parts(self, e: Expr) -> list[Any]:
-        last = [e.exponent] if isinstance(e, Power) else []
-        return [type(e).__name__.lower(), *map(self.of, e.children), *last]
-
-
-def _number(value: Coefficient) -> int | str:
-    exact = Fraction(value)
-    return exact.numerator if exact.denominator == 1 else str(exact)

@@ -1,0 +1,134 @@
+r"""Why a construction reaches every position that satisfies the assumptions, in steps that a checker can follow.
+
+A point X that is constructed on an extensor W lies there at every such position, since it lies on flats F of which W is
+made by meets and joins. F ∨ X = 0 is an equation of the assumptions, or it has more points than there is room for on an
+extensor on which all of them lie.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from gcrules.algebra import expr as ex
+from gcrules.algebra.assumptions.construction import Construction, ConstructionStep
+from gcrules.algebra.evaluate import PRIME, Evaluator, random_points
+from gcrules.algebra.expr import Expr, Join, Meet, Point, points_of
+from gcrules.core.dataclass import dataclass
+
+__all__ = ["Flat", "Multiple", "flats"]
+
+_LARGEST = 24
+
+
+@dataclass(frozen=True)
+class Multiple:
+    """`expression` = `number` · the equation with this `index`, so that it vanishes."""
+
+    expression: Expr
+    index: int
+    number: int
+
+
+@dataclass(frozen=True)
+class Flat:
+    """`extensor` ∨ the point vanishes: `because` of one equation, or for want of room on `room`, which does not."""
+
+    extensor: Expr
+    because: tuple[Multiple, ...]
+    room: Expr | None = None
+
+    def expressions(self) -> tuple[Expr, ...]:
+        """All that are named."""
+        more = (self.room,) if self.room is not None else ()
+        return (self.extensor, *(m.expression for m in self.because), *more)
+
+
+def flats(step: ConstructionStep, construction: Construction) -> tuple[Flat, ...] | None:
+    """Flats on which a constructed point lies, from which it follows that it lies on the extensor of its step; None
+    where they are not found.
+    """
+    found: list[Flat] = []
+    if not _plain(step.within):
+        return None
+    return tuple(dict.fromkeys(found)) if _lies(step.name, step.within, construction, found) else None
+
+
+def _plain(e: Expr) -> bool:
+    """Whether an expression is made of points by joins and meets, and so is an extensor."""
+    return isinstance(e, Point) or (isinstance(e, Join | Meet) and all(map(_plain, e.args)))
+
+
+def _lies(name: str, within: Expr, c: Construction, found: list[Flat]) -> bool:
+    flat = _flat(name, within, c)
+    if flat is not None:
+        found.append(flat)
+        return True
+    match within:
+        case Meet(args=args):
+            return all(_lies(name, a, c, found) for a in args)
+        case Join(args=args):
+            kept = [a for a in args if not (isinstance(a, Point) and ":" in a.name)]
+            return len(kept) < len(args) and _lies(name, ex.join(*kept, rank=c.rank), c, found)
+    return False
+
+
+def _flat(name: str, extensor: Expr, c: Construction) -> Flat | None:
+    if extensor.step >= c.rank:
+        return None
+    joined = ex.join(extensor, Point(name), rank=c.rank)
+    own = _multiple(joined, c)
+    if own is not None:
+        return Flat(extensor, (own,))
+    for room in _rooms(c):
+        if room.step < joined.step:
+            because = _inside(joined, room, c)
+            if because is not None:
+                return Flat(extensor, because, room)
+    return None
+
+
+def _rooms(c: Construction) -> Iterator[Expr]:
+    """Extensors of joined points that must not vanish."""
+    for e in c.nonzero:
+        if isinstance(e, Join) and all(isinstance(a, Point) for a in e.args):
+            yield e
+
+
+def _inside(joined: Expr, room: Expr, c: Construction) -> tuple[Multiple, ...] | None:
+    """Why every part of a join lies on an extensor that does not vanish; None where one may not."""
+    because = []
+    for part in joined.children:
+        if part in room.children:
+            continue
+        with_room = ex.join if isinstance(part, Point) else ex.meet
+        if not isinstance(part, Point) and room.step != c.rank - 1:
+            return None
+        why = _multiple(with_room(part, room, rank=c.rank), c)
+        if why is None:
+            return None
+        because.append(why)
+    return tuple(because)
+
+
+def _multiple(e: Expr, c: Construction) -> Multiple | None:
+    names = set(points_of(e))
+    for index, equation in enumerate(c.equations):
+        if set(points_of(equation)) == names and equation.step % c.rank == e.step % c.rank:
+            number = _ratio(e, equation, sorted(names), c.rank)
+            if number is not None:
+                return Multiple(e, index, number)
+    return None
+
+
+def _ratio(e: Expr, other: Expr, names: Sequence[str], rank: int) -> int | None:
+    """The small whole number by which an expression is a multiple of another one, at random points."""
+    at = Evaluator(random_points(names, rank=rank, seed=("ratio", str(e))), rank, PRIME)
+    one, two = at.value(e), at.value(other)
+    first = next((i for i, x in enumerate(two) if x), None)
+    if first is None:
+        return None
+    number: int = one[first] * pow(two[first], -1, PRIME) % PRIME
+    number = number if number < PRIME // 2 else number - PRIME
+    if not number or abs(number) > _LARGEST or any((x - number * y) % PRIME for x, y in zip(one, two, strict=True)):
+        return None
+    return number
