@@ -262,7 +262,7 @@ class Positions:
     def __init__(self, theorem):
         self.reader = reader = Reader(theorem)
         self.given = [reader.closed(e) for e in theorem["given"]]
-        self.alive = [part for e in theorem["nonzero"] for part in self.parts(e)]
+        self.alive = [part for e in theorem["nonzero"] if reader.read(e) for part in self.parts(e)]
         self.scalars, self.places, seen, before = 0, {}, set(), {*theorem["points"]}
         placed = [(p["name"], p["fresh"], reader.open(p["on"]), p["flats"]) for p in theorem["placed"]]
         known = [*theorem["claim"], *theorem["given"], *theorem["nonzero"], *(on for _, _, on, _ in placed)]
