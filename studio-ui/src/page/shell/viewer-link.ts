@@ -138,10 +138,10 @@ function drawSurface({ touring, study, pose$, posing }: Store, viewer: Viewer): 
   });
 }
 
-/** The entities that the guided steps have come to; null for all. */
-export function foundNow({ study, panel$, stage$ }: Store): string[] | null {
+/** The entities that the guided steps have come to; null for all, as at a singular pose of the way, whose words name them. */
+export function foundNow({ study, panel$, stage$, timeline }: Store): string[] | null {
   const shown = study.value;
-  return shown && panel$.value === "guided" ? foundBy(shown.stages, stage$.value) : null;
+  return shown && panel$.value === "guided" && timeline.place.value === null ? foundBy(shown.stages, stage$.value) : null;
 }
 
 function entitiesNow(store: Store) {
