@@ -7,7 +7,7 @@ import json
 import random
 import subprocess
 import sys
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from fractions import Fraction
 from functools import cache, reduce
 from itertools import combinations
@@ -73,7 +73,7 @@ def test_the_condition_of_a_robot(name: str) -> None:
     assert checked(file)
 
 
-ANSWERS = {
+ANSWERS: dict[str, Callable[[], Any]] = {
     "factors": lambda: gc.factor("[abfc][acde][bdef] + [abfd][acbe][cdef]"),
     "no factors": lambda: gc.factor("[[Aa,Ab,Bc,Bd,Ca,Dc]]", cofactor=True),
     "shortest": lambda: gc.shorten("[abc][def] - [abd][cef] + [abe][cdf]", rank=3),

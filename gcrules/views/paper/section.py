@@ -335,8 +335,8 @@ def _proved(s: Subject) -> str:
     if file is None:
         return ""
     return (
-        rf" Its identities with their proofs, which \texttt{{-{{}}-certificate}} writes and a program checks that shares no"
-        rf" code with gcrules, have a digest that begins with \texttt{{{file.digest[:16]}}}."
+        rf" Its identities with their proofs, which \texttt{{-{{}}-certificate}} writes and a program checks that"
+        rf" shares no code with gcrules, have a digest that begins with \texttt{{{file.digest[:16]}}}."
     )
 
 
