@@ -26,6 +26,7 @@ __all__ = [
     "FACTORS",
     "LIMBS",
     "LINES",
+    "OF_LIMBS",
     "as_text",
     "factor_kind",
     "factor_words",
@@ -39,6 +40,7 @@ LIMBS = "Limbs: wrenches with the actuators locked"
 LINES = "Equivalent structure"
 CONDITION = "Condition of the lines"
 FACTORS = "Its factors for this robot"
+OF_LIMBS = "Singularities of the limbs by themselves (of codimension one)"
 """Titles of sections."""
 
 _WIDTH = 100
@@ -90,7 +92,7 @@ def sections(a: RobotAnalysis, unicode: bool) -> Iterator[tuple[str, list[str]]]
         too_high = ["not compared: they are too many, or have a degree above 63 in the parameters of the family"]
         yield title, _common(a, a.common, unicode) if a.common else too_high
     if a.structure.limbs:
-        yield "Singularities of the limbs by themselves (of codimension one)", [_serial(one) for one in a.limbs]
+        yield OF_LIMBS, [_serial(one) for one in a.limbs]
     if a.dimensions is not None:
         lines = dimension_lines(a.dimensions)
         yield TITLES["dimensions"], lines if unicode else [ascii_words(line) for line in lines]
