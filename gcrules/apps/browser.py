@@ -10,10 +10,12 @@ import contextlib
 import io
 import json
 import os
+import re
 import shlex
 import shutil
 import sys
 import traceback
+from itertools import takewhile
 from pathlib import Path
 from typing import Any
 
@@ -81,13 +83,12 @@ class Desk:
 
     def _run(self, example: str) -> bool:
         """Whether an example runs to its end; what raises ends it."""
-        import doctest
-
-        for one in doctest.DocTestParser().get_examples(example):
-            first, *rest = one.source.splitlines()
-            print(f">>> {first}", *(f"... {line}" for line in rest), sep="\n")
+        for lines in (part.splitlines() for part in re.split(r"^>>> ", example, flags=re.MULTILINE)[1:]):
+            further = list(takewhile(lambda line: line.startswith("..."), lines[1:]))
+            source = "\n".join([lines[0], *(line[4:] for line in further)]) + "\n"
+            print(f">>> {lines[0]}", *further, sep="\n")
             try:
-                exec(compile(one.source, "<example>", "single"), self._names)
+                exec(compile(source, "<example>", "single"), self._names)
             except ModuleNotFoundError as fault:
                 if (fault.name or "").startswith("gcrules."):
                     traceback.print_exc(limit=0)
