@@ -46,13 +46,24 @@ def build(root: Path, site: Path, engine: Path | None = None) -> list[str]:
     _keep_at_home(folder / "site")
     _scripts_apart(folder / "site")
     if engine:
-        for page in (folder / "site").rglob("*.html"):
-            page.write_text(site_runs.marked(page.read_text(encoding="utf-8")), encoding="utf-8")
+        try:
+            _mark(folder / "site", engine)
+        except (OSError, ValueError) as fault:
+            return [*guide.faults, str(fault)]
         shutil.copytree(engine, folder / "site" / "assets" / "engine")
         site_engine.write_studio(folder / "site" / "studio", "../assets/try/worker.mjs")
     shutil.rmtree(site, ignore_errors=True)
     shutil.move(folder / "site", site)
     return guide.faults
+
+
+def _mark(site: Path, engine: Path) -> None:
+    """Say of the examples of all pages how they run."""
+    pages = {page: page.read_text(encoding="utf-8") for page in sorted(site.rglob("*.html"))}
+    tried = site_engine.tried(engine, [site_runs.sessions(html) for html in pages.values()])
+    for (page, html), answers in zip(pages.items(), tried, strict=True):
+        reasons = [site_runs.why_not_session(code, printed) for code, printed in answers]
+        page.write_text(site_runs.marked(html, reasons), encoding="utf-8")
 
 
 _SCRIPT = re.compile(r"<script>(.*?)</script>", re.DOTALL)

@@ -51,6 +51,21 @@ def gather(folder: Path) -> None:
             raise OSError("Node could not compile the modules")
 
 
+def tried(folder: Path, sessions: list[list[str]]) -> list[list[tuple[int, str]]]:
+    """What the engine in a folder gives for examples of Python, page by page: exit codes, and what is printed. Raises
+    OSError where Node fails.
+    """
+    asked = [[session[: n + 1] for n in range(len(session))] for session in sessions]
+    with tempfile.TemporaryDirectory() as place:
+        questions, answers = Path(place, "asked.json"), Path(place, "answers.json")
+        questions.write_text(json.dumps(asked), encoding="utf-8")
+        node = ["node", "sessions.mjs", str(folder.resolve()), str(questions), str(answers)]
+        if subprocess.run(node, cwd=HERE, check=False).returncode:
+            raise OSError("Node could not try the examples of Python")
+        found = json.loads(answers.read_text(encoding="utf-8"))
+    return [[(code, printed) for code, printed in page] for page in found]
+
+
 def write_studio(folder: Path, worker: str) -> None:
     """The page of the studio as a folder of files, which asks the engine of a worker in place of a server."""
     for source in STUDIO:

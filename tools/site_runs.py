@@ -1,7 +1,9 @@
-"""Which examples of the guide run in its pages, and how: the commands that the engine of site_engine.py answers.
+"""Which examples of the guide run in its pages, and how: what the engine of site_engine.py answers.
 
-A block of a console, or a script of statements, gets the attribute `data-run` with its command lines or `data-script`
-with its text, from which docs/assets/try/try.js makes a button.
+A block of a console gets the attribute `data-run` with its command lines, a script of statements `data-script` and an
+example of Python `data-session` with its text, from which docs/assets/try/try.js makes a button. A block that does not
+run here has `data-why`, which says why not. Whether commands run is known from their words; examples of Python have
+been tried in the engine.
 """
 
 from __future__ import annotations
@@ -9,9 +11,10 @@ from __future__ import annotations
 import json
 import re
 import shlex
+from collections.abc import Iterable
 from html import escape, unescape
 
-__all__ = ["EXAMPLES", "command_lines", "marked", "runs"]
+__all__ = ["EXAMPLES", "command_lines", "marked", "sessions", "why_not", "why_not_session"]
 
 EXAMPLES = (
     ("The octahedral platform", 'gcrules analyze "ab af cb cd ed ef"'),
@@ -45,11 +48,21 @@ COMMANDS = {
     "straighten",
     "transversals",
 }
-ROBOT = {"analyze", "list", "show"}
-WITHOUT = {"--cofactor", "3-upu", "4-rpr"}
-"""Words with which a command needs what a page does not have: numbers beside the algebra, or more speed."""
+ROBOT = {"analyze", "list", "new", "show"}
+WITHOUT = {"3-upu", "4-rpr"}
+"""Robots whose analysis computes with numbers too."""
+
+ELSEWHERE = ": run it on your machine."
+NUMPY = f"Needs NumPy{ELSEWHERE}"
+SHELL = f"Needs a shell{ELSEWHERE}"
+LONG = f"Takes a minute here{ELSEWHERE}"
+NOTEBOOK = f"Needs a notebook{ELSEWHERE}"
+EARLIER = f"Goes on from an example that does not run here{ELSEWHERE}"
+NAMES = {"numpy": "NumPy", "networkx": "NetworkX", "sympy": "SymPy", "scipy": "SciPy"}
 
 CONSOLE = re.compile(r'<div class="language-console highlight">(<pre.*?</pre>)</div>', re.DOTALL)
+SHELLS = re.compile(r'<div class="language-sh highlight">')
+PYTHON = re.compile(r'<div class="language-pycon highlight">(<pre.*?</pre>)</div>', re.DOTALL)
 SCRIPT = re.compile(
     r'<div class="language-gca highlight">((?:<span class="filename">[^<]*</span>)?)(<pre.*?</pre>)</div>', re.DOTALL
 )
@@ -61,27 +74,64 @@ def command_lines(text: str) -> list[str]:
     return [line[2:] for line in text.replace("\\\n", "").splitlines() if line.startswith("$ ")]
 
 
-def runs(line: str) -> bool:
-    """Whether the engine of the pages answers a command line."""
+def why_not(line: str) -> str:
+    """Why the engine of the pages does not answer a command line; empty if it does."""
     if re.search(r"[|<>&;]", re.sub(r"\"[^\"]*\"|'[^']*'", "", line)):
-        return False
+        return SHELL
     try:
         first, command, *rest = shlex.split(line)
     except ValueError:  # no command, or an open quotation mark
-        return False
-    if first != "gcrules" or WITHOUT & {command, *rest}:
-        return False
-    return command in COMMANDS or (command == "robot" and rest[:1] != [] and rest[0] in ROBOT)
+        return SHELL
+    if first != "gcrules":
+        return SHELL
+    if "--cofactor" in rest:
+        return LONG
+    return "" if "--help" in rest or _algebra(command, rest) else NUMPY
 
 
-def marked(html: str) -> str:
-    """A page whose examples say how they run."""
+def _algebra(command: str, rest: list[str]) -> bool:
+    """Whether a command computes with symbols and exact numbers alone."""
+    if WITHOUT & {*rest}:
+        return False
+    beside = {"robot": bool(ROBOT & {*rest[:1]}), "repl": "-e" in rest, "report": "--no-3d" in rest}
+    return command in COMMANDS or beside.get(command, False)
+
+
+def why_not_session(code: int, printed: str) -> str:
+    """Why an example of Python does not run in a page, from its exit code and what it printed there; empty if it does.
+    Raises ValueError where it should.
+    """
+    if code == 0:
+        return ""
+    if found := re.search(r"error: this answer needs (\w+),", printed):
+        return f"Needs {NAMES[found[1]]}{ELSEWHERE}"
+    if "No module named 'gcrules.apps.notebook'" in printed:
+        return NOTEBOOK
+    if re.search(r"^NameError: ", printed, re.MULTILINE):
+        return EARLIER
+    raise ValueError(f"an example fails in the engine of the guide's pages:\n{printed}")
+
+
+def sessions(html: str) -> list[str]:
+    """The examples of Python of a page, which are one session."""
+    return [_text(match[1]).strip("\n") for match in PYTHON.finditer(html)]
+
+
+def marked(html: str, reasons: Iterable[str] = ()) -> str:
+    """A page whose examples say how they run. The reasons why its examples of Python do not are in their order."""
+    left = iter(reasons)
 
     def console(match: re.Match[str]) -> str:
         lines = command_lines(_text(match[1]))
-        if not lines or not all(map(runs, lines)):
-            return match[0]
-        return f'<div class="language-console highlight" data-run="{_attribute(lines)}">{match[1]}</div>'
+        why = next(filter(None, map(why_not, lines)), "")
+        attribute = f'data-why="{why}"' if why else f'data-run="{_attribute(lines)}"'
+        return f'<div class="language-console highlight" {attribute}>{match[1]}</div>' if lines else match[0]
+
+    def python(match: re.Match[str]) -> str:
+        why = next(left)
+        attribute = f' data-why="{why}"' if why else ""
+        text = _attribute([_text(match[1]).strip("\n")])
+        return f'<div class="language-pycon highlight" data-session="{text}"{attribute}>{match[1]}</div>'
 
     def script(match: re.Match[str]) -> str:
         text = _attribute([_text(match[2]).strip("\n")])
@@ -89,7 +139,9 @@ def marked(html: str) -> str:
 
     examples = json.dumps([{"title": title, "text": text} for title, text in EXAMPLES]).replace("<", "\\u003c")
     start = f'<div id="gc-try"><script type="application/json">{examples}</script>'
-    return SCRIPT.sub(script, CONSOLE.sub(console, html)).replace('<div id="gc-try">', start)
+    html = SHELLS.sub(f'<div class="language-sh highlight" data-why="{SHELL}">', html)
+    html = PYTHON.sub(python, SCRIPT.sub(script, CONSOLE.sub(console, html)))
+    return html.replace('<div id="gc-try">', start)
 
 
 def _text(html: str) -> str:

@@ -162,11 +162,11 @@ def in_special_position(condition: Condition, structure: Structure, oracle: Rand
     far = [name for name, line in condition.lines if name and oracle.at_infinity(line)]
     if not far:
         return condition
-    lies = "lies at infinity, a turn about it is a translation" if len(far) == 1 else _BOTH
+    lies = "lies at infinity: a turn about it is a translation" if len(far) == 1 else _BOTH
     where = f"{listed(far)} {lies} at right angles to the directions in it."
     return replace(condition, meaning=say("{} Here {}", condition.meaning, where))
 
 
 _SAMPLES = 3
-_BOTH = "lie at infinity, a turn about one of them is a translation"
+_BOTH = "lie at infinity: a turn about one of them is a translation"
 _SAID_BY_WORDS = ("three-tetrahedra", "tetrahedron-planes-line", "four-planes")

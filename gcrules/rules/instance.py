@@ -14,7 +14,7 @@ from gcrules.algebra.parts import substitute
 from gcrules.algebra.space import Space
 from gcrules.core.errors import InputError
 from gcrules.rules.catalog.file import load
-from gcrules.rules.catalog.proofs import standing
+from gcrules.rules.catalog.proofs import proof_status
 
 __all__ = ["of_the_catalog", "structure_of", "structures_in"]
 
@@ -58,7 +58,7 @@ def of_the_catalog(e: Expr, space: Space) -> Expr | None:
         names: dict[str, Expr] = {a: Point(b) for a, b in match.mapping.items()}
         for reading in (match.entry.condition, *match.entry.readings):
             same = ex.mul(substitute(reading.cofactor, names), structure.superbracket) == e
-            if same and standing(match.entry, reading).verdict != "unproved":
+            if same and proof_status(match.entry, reading).verdict != "unproved":
                 coefficient = match.sign(structure) * reading.coefficient
                 return ex.signed(coefficient, substitute(reading.expression, names))
     return None

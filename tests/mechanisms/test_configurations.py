@@ -19,6 +19,7 @@ from places import EXAMPLES
 
 import gcrules as gc
 from gcrules.apps.cli import cli
+from gcrules.core.errors import FileError
 from gcrules.mechanisms.description.as_platform import as_platform
 from gcrules.mechanisms.description.discovery import robots
 from gcrules.mechanisms.description.robot_file import parse_robot
@@ -309,20 +310,58 @@ mobility: 3
 home: {A1: [0, 0, 0], A3: [2, 5, 0], e: [1, 0, 0], C1: [2, 1, 0], C2: [3, 1, 0], C3: [2.5, 2, 0]}
 """
 
-ONE_NAME = {
-    "a carriage that its relation holds": (RAILS, "B2 would violate its relation, A2 [+] e2: it is carried by what P"),
-    "a carriage and the base": (
+TWO_BODIES = {
+    "a point": (
         SHARED_RAIL,
-        r"A1 would be in two places: it is carried by what P\*\(e\) of one moves and by",
+        "R(A1, z) P*(A1 C2)",
+        "A1 would be in two places: it is carried by what P*(e) of one moves and by the base",
+    ),
+    "a direction": (
+        """
+title: rails of which one turns
+space: plane
+points: {A1: free, A2: free, C1: free, C2: free}
+directions: {e: free}
+limbs:
+  - {name: one, joints: "P*(e) R(A1, z) R*(C1, z)"}
+  - {name: two, joints: "R*(A2, z) P(e) R(C2, z)"}
+platform: C1 C2
+mobility: 3
+""",
+        "R*(A2, z) P(e)",
+        "e would have two directions: it is carried by the base and by what R*(A2, z) of two moves",
+    ),
+    "a direction of the frame": (
+        """
+title: wrist with an axis of the frame on the platform
+points: {O: free, A%: free, B%: free}
+copies: 3
+limbs: [{name: leg %, joints: "S(A%) P*(A% B%) U(B%, x, y)"}, {name: centre, joints: "S(O)"}]
+platform: O B%
+mobility: 3
+""",
+        "S(A%)",
+        "x would have two directions: it is carried by the base and by what P*(A1 B1) of leg 1 moves",
     ),
 }
 
 
-@pytest.mark.parametrize(("text", "said"), ONE_NAME.values(), ids=ONE_NAME)
-def test_what_moves_needs_a_name_of_its_own(text: str, said: str) -> None:
-    with pytest.raises(gc.InputError, match=said) as caught:
-        gc.pose(parse_robot(text), "x=0.1, y=0, yaw=0deg")
+def test_what_its_relation_holds_needs_a_name_of_its_own() -> None:
+    with pytest.raises(
+        gc.InputError, match=r"B2 would violate its relation, A2 [+] e2: it is carried by what P"
+    ) as caught:
+        gc.pose(parse_robot(RAILS), "x=0.1, y=0, yaw=0deg")
     assert "a name of its own" in str(caught.value.hint)
+
+
+@pytest.mark.parametrize(("text", "where", "said"), TWO_BODIES.values(), ids=TWO_BODIES)
+def test_what_two_bodies_carry_apart_is_refused_where_it_stands(text: str, where: str, said: str) -> None:
+    with pytest.raises(FileError) as caught:
+        parse_robot(text)
+    assert caught.value.message == said
+    line, column = map(int, str(caught.value.place).split(":")[-2:])
+    assert text.splitlines()[line - 1][column - 1 :].lstrip('"').startswith(where)
+    assert "give a name of its own to one of them" in str(caught.value.hint)
 
 
 def test_a_robot_that_is_singular_at_home() -> None:

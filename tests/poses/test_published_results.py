@@ -116,6 +116,36 @@ def test_similar_hexagons_in_circles_are_always_singular() -> None:
     assert all(determinant(PUBLISHED / "similar-hexagons.yaml", some(rng), some(rng)) == 0 for _ in range(12))
 
 
+@pytest.mark.parametrize("seed", range(4))
+def test_the_forces_of_similar_hexagons_in_circles_balance(seed: int) -> None:
+    """With factors that depend on the base alone: those with which 1, x, y, x², xy and y² sum to 0 over its joints."""
+    rng = Random(seed)
+    halves = rng.sample([F(n, 5) for n in range(-15, 16)], 6)
+    radius, middle = F(rng.randint(2, 9)), some(rng, 2)
+    base = [
+        (middle[0] + radius * (1 - t * t) / (1 + t * t), middle[1] + radius * 2 * t / (1 + t * t), F(0)) for t in halves
+    ]
+    functions = sympy.Matrix(
+        [[sympy.Rational(f.numerator, f.denominator) for f in (F(1), x, y, x * x, x * y, y * y)] for x, y, _ in base]
+    )
+    (kernel,) = functions.T.nullspace()
+    factors = [F(int(k.p), int(k.q)) for k in kernel]
+    for _ in range(3):
+        shift, (turn, n), ratio = some(rng), cayley(some(rng)), F(rng.randint(1, 9), 4)
+        rows = []
+        for a in base:
+            moved = [
+                s + ratio * sum(r * q for r, q in zip(row, a, strict=True)) / n
+                for row, s in zip(turn, shift, strict=True)
+            ]
+            u, v, w = (q - p for p, q in zip(a, moved, strict=True))
+            x, y, z = a
+            rows.append([u, v, w, y * w - z * v, z * u - x * w, x * v - y * u])
+        assert [sum(f * e for f, e in zip(factors, column, strict=True)) for column in zip(*rows, strict=True)] == [
+            0
+        ] * 6
+
+
 # --- robots with limbs ----------------------------------------------------------------------------------------------
 
 

@@ -264,7 +264,7 @@ def test_a_home_in_an_operation_mode_is_its_witness() -> None:
     [
         ("4-upu", "operation 9", "its modes are 1 to 2"),
         ("examples/octahedral.yaml", "operation 1", "are those of robots of joints"),
-        ("3-upu", "operation 2", "3-upu is not a member of its family in that pose: u1 would be in two places"),
+        ("3-upu", "operation 2", "3-upu is not a member of its family in that pose: u1 would have two directions"),
     ],
 )
 def test_operation_modes_that_are_no_homes_are_refused(name: str, mode: str, said: str) -> None:

@@ -2,9 +2,18 @@
 
 from __future__ import annotations
 
+import re
+import sys
+
+import pytest
 from places import ROOT
 
-from gcrules.views.glossary import GLOSSARY, markdown
+sys.path.insert(0, str(ROOT / "tools"))
+import site_glossary  # type: ignore[import-not-found, unused-ignore]
+
+sys.path.remove(str(ROOT / "tools"))
+
+from gcrules.views.glossary import GLOSSARY, anchor, markdown
 
 
 def test_the_page_of_the_guide_is_that_of_the_table() -> None:
@@ -18,3 +27,37 @@ def test_terms_stand_in_order_and_no_word_means_two_things() -> None:
     words = [w.lower() for e in GLOSSARY for w in [e["term"], *filter(None, e["forms"].split("|"))]]
     assert len(words) == len(set(words))
     assert all(e["meaning"].endswith(".") for e in GLOSSARY)
+
+
+@pytest.mark.parametrize(
+    "term",
+    [
+        "reading",
+        "family",
+        "member",
+        "idle freedom",
+        "cofactor",
+        "codimension",
+        "group of conditions",
+        "line variety",
+        "standard tableau",
+        "replayed",
+        "softest motion",
+    ],
+)
+def test_pages_link_a_term_where_they_first_use_it(term: str) -> None:
+    (entry,) = (e for e in GLOSSARY if e["term"] == term)
+    names = "|".join(map(re.escape, [term, *filter(None, entry["forms"].split("|"))]))
+    used = []
+    for path in (ROOT / "docs").rglob("*.md"):
+        page = path.relative_to(ROOT / "docs").as_posix()
+        if page == site_glossary.PAGE or page.startswith("assets/"):
+            continue
+        text = path.read_text(encoding="utf-8")
+        prose = text
+        for pattern in site_glossary.OTHER:
+            prose = pattern.sub("", prose)
+        if re.search(rf"(?<![\w-])(?:{names})(?![\w-])", prose, re.IGNORECASE):
+            used.append(page)
+            assert site_glossary.link(text, page).count(f'glossary.md#{anchor(term)} "') == 1, page
+    assert used

@@ -40,6 +40,16 @@ def test_one_version(root: Path) -> None:
     assert citation["license"] == project["license"].partition(" AND ")[0]
 
 
+def test_the_citation_is_whole(root: Path) -> None:
+    """What the format asks for; the date comes with a release (tools/release_check.py)."""
+    citation = yaml.safe_load((root / "CITATION.cff").read_text(encoding="utf-8"))
+    assert citation["cff-version"] == "1.2.0"
+    assert {"message", "title", "authors"} <= citation.keys()
+    assert [author["name"] for author in citation["authors"]] == ["The gcrules developers"]
+    released = f"## [{citation['version']}]" in (root / "CHANGELOG.md").read_text(encoding="utf-8")
+    assert ("date-released" in citation) is released
+
+
 def test_the_licence_names_all_that_is_brought_along(root: Path) -> None:
     project = tomllib.loads((root / "pyproject.toml").read_text(encoding="utf-8"))["project"]
     own, *others = project["license"].split(" AND ")

@@ -4,6 +4,7 @@ browser shows (`make site-check`; GCRULES_SITE names the folder of the guide).
 
 from __future__ import annotations
 
+import json
 import os
 import sys
 import threading
@@ -63,6 +64,32 @@ def test_a_script(desk: Desk, capfd: pytest.CaptureFixture[str]) -> None:
     assert desk.new_files() == []
 
 
+def _session(desk: Desk, *examples: str) -> int:
+    return desk.run_session(json.dumps(examples))
+
+
+def test_examples_of_python_are_one_session(desk: Desk, capfd: pytest.CaptureFixture[str]) -> None:
+    first, second = ">>> x = 1\n>>> x\n1\n", ">>> for i in range(2):\n...     x += 1\n>>> x\n3\n"
+    assert _session(desk, first, second) == 0
+    assert capfd.readouterr().out == second
+    assert _session(desk, first, second, ">>> x\n") == 0
+    assert capfd.readouterr().out == ">>> x\n3\n"
+    assert _session(desk, first, second) == 0  # once more, from the start
+    assert capfd.readouterr().out == second
+    assert _session(desk, ">>> x\n") == 2  # another page
+    assert "NameError: name 'x' is not defined" in capfd.readouterr().err
+
+
+def test_an_example_goes_on_from_what_runs(desk: Desk, capfd: pytest.CaptureFixture[str]) -> None:
+    fails = ">>> x = 1\n>>> import a_package_that_is_not_there\n>>> x = 2\n"
+    assert _session(desk, fails) == 2
+    assert "error: this answer needs a_package_that_is_not_there, which is not installed" in capfd.readouterr().err
+    assert _session(desk, fails, ">>> x\n") == 0
+    assert capfd.readouterr() == (">>> x\n1\n", "")
+    assert _session(desk, ">>> import gcrules.apps.nothing\n") == 2
+    assert "ModuleNotFoundError: No module named 'gcrules.apps.nothing'" in capfd.readouterr().err
+
+
 def test_a_package_that_is_missing(
     desk: Desk, monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]
 ) -> None:
@@ -81,30 +108,60 @@ def test_a_package_that_is_missing(
 
 
 @pytest.mark.parametrize(
-    ("line", "runs"),
+    ("line", "why"),
     {
-        'gcrules prove "ab /\\ cd == [abcd]"': True,
-        'gcrules factor "(abc /\\ def)|gh|"': True,
-        "gcrules robot analyze 3-rps": True,
-        "gcrules robot pose 3-rps": False,
-        "gcrules pose examples/octahedral.yaml": False,
-        "gcrules analyze - < legs.txt": False,
-        "gcrules cite | head": False,
-        "make demo": False,
+        'gcrules prove "ab /\\ cd == [abcd]"': "",
+        'gcrules factor "(abc /\\ def)|gh|"': "",
+        "gcrules robot analyze 3-rps": "",
+        "gcrules studio --help": "",
+        "gcrules repl -e :help": "",
+        "gcrules robot analyze 4-rpr": "Needs NumPy",
+        "gcrules robot pose 3-rps": "Needs NumPy",
+        "gcrules pose examples/octahedral.yaml": "Needs NumPy",
+        "gcrules analyze - < legs.txt": "Needs a shell",
+        "gcrules cite | head": "Needs a shell",
+        "make demo": "Needs a shell",
+        "gcrules factor [abcd] --cofactor": "Takes a minute here",
     }.items(),
 )
-def test_commands_that_run(line: str, runs: bool) -> None:
-    assert site_runs.runs(line) is runs
+def test_commands_that_run(line: str, why: str) -> None:
+    assert site_runs.why_not(line) == (why and f"{why}: run it on your machine.")
+
+
+@pytest.mark.parametrize(
+    ("code", "printed", "why"),
+    [
+        (0, ">>> 1\n1\n", ""),
+        (2, ">>> x\nerror: this answer needs networkx, which is not installed here\n", "Needs NetworkX"),
+        (2, "ModuleNotFoundError: No module named 'gcrules.apps.notebook'\n", "Needs a notebook"),
+        (2, "NameError: name 'x' is not defined\n", "Goes on from an example that does not run here"),
+    ],
+)
+def test_examples_of_python_that_do_not_run(code: int, printed: str, why: str) -> None:
+    assert site_runs.why_not_session(code, printed) == (why and f"{why}: run it on your machine.")
+
+
+def test_an_example_of_python_that_should_run() -> None:
+    with pytest.raises(ValueError, match=r"fails in the engine of the guide's pages:\nZeroDivisionError"):
+        site_runs.why_not_session(2, "ZeroDivisionError: division by zero\n")
 
 
 def test_examples_are_marked() -> None:
     console = '<div class="language-console highlight"><pre><code>$ gcrules cite\n@misc\n</code></pre></div>'
     script = '<div class="language-gca highlight"><pre><code>rank 3\nclaim <b>1</b> &lt; 2\n</code></pre></div>'
     other = console.replace("cite", "studio")
-    marked = site_runs.marked(console + script + other)
+    python = '<div class="language-pycon highlight"><pre><code><b>&gt;&gt;&gt;</b> 1 + 1\n2\n</code></pre></div>'
+    shell = '<div class="language-sh highlight"><pre><code>make demo\n</code></pre></div>'
+    page = console + script + other + python + shell + python
+    assert site_runs.sessions(page) == [">>> 1 + 1\n2"] * 2
+    marked = site_runs.marked(page, ["", "Needs a notebook"])
     assert marked.count("data-run") == 1
     assert 'data-run="gcrules cite">' in marked
     assert 'data-script="rank 3&#10;claim 1 &lt; 2">' in marked
+    assert marked.count('data-session="&gt;&gt;&gt; 1 + 1&#10;2"') == 2
+    assert marked.count('2" data-why="Needs a notebook">') == 1
+    assert '"language-sh highlight" data-why="Needs a shell: ' in marked
+    assert marked.count("data-why") == 3
 
 
 # --- in a browser ----------------------------------------------------------------------------------------------------
@@ -218,3 +275,34 @@ def test_an_example_of_the_guide_runs_where_it_stands(page: Any, address: str) -
     shown = page.inner_text(".gc-answer code")
     assert shown.startswith("abc ∧ aef ∧ bdf ∧ cde\n")
     assert page.locator("[data-run] code").first.inner_text().endswith(shown)
+
+
+@pytest.mark.browser
+@built
+@pytest.mark.parametrize("name", ["lines", "screws"])
+def test_examples_of_python_print_what_the_page_shows(page: Any, address: str, name: str) -> None:
+    page.goto(f"{address}{name}.html")
+    page.wait_for_selector(".gc-run")
+    blocks = page.locator("[data-session]:not([data-why])")
+    assert blocks.count() > 3
+    for number in reversed(range(blocks.count())):  # each goes on from those above
+        block = blocks.nth(number).element_handle()
+        block.query_selector(".gc-run").click()
+        page.wait_for_function("block => block.nextElementSibling.dataset.state === 'done'", arg=block)
+        shown, answer = page.evaluate(
+            "block => [block, block.nextElementSibling].map((one) => one.querySelector('code').innerText.trim())", block
+        )
+        assert answer == shown
+
+
+@pytest.mark.browser
+@built
+def test_an_example_without_a_button_says_why(page: Any, address: str) -> None:
+    page.goto(f"{address}robots.html")
+    page.wait_for_selector(".gc-run")
+    blocks = page.locator(".language-console, .language-pycon, .language-gca, .language-sh")
+    silent = blocks.evaluate_all("all => all.filter((one) => !one.querySelector('.gc-run') && !one.dataset.why).length")
+    assert silent == 0
+    why = page.locator("[data-why] + .gc-why")
+    assert why.count() == page.locator("[data-why]").count() > 3
+    assert why.first.inner_text().endswith(": run it on your machine.")

@@ -191,7 +191,7 @@ def test_all_that_is_shipped_has_its_digest() -> None:
     assert dict(shipped.statement_sources) == {}
     for one in shipped.entries:
         for reading in (one.condition, *one.readings):
-            assert catalog_proofs.standing(one, reading).verdict == "shipped"
+            assert catalog_proofs.proof_status(one, reading).verdict == "shipped"
 
 
 LINES = ("Aa Ab Bc Bd Ce Df", "Aa Bb Bc Cd Ce Df")
@@ -234,10 +234,10 @@ def test_each_change_of_a_shipped_entry_is_noticed(change: str) -> None:
     assert catalog_proofs.is_shipped(one, reading)
     assert not catalog_proofs.is_shipped(one, changed)
     if change == "statement":
-        assert catalog_proofs.standing(one, changed).verdict == "proved"
+        assert catalog_proofs.proof_status(one, changed).verdict == "proved"
     else:
         with pytest.raises(FileError, match="is not an identity"):
-            catalog_proofs.standing(one, changed)
+            catalog_proofs.proof_status(one, changed)
 
 
 # --- what is remembered --------------------------------------------------------------------------------------------
@@ -255,21 +255,21 @@ def test_a_proof_costs_once(own: Any, tmp_path: Path, monkeypatch: pytest.Monkey
     monkeypatch.setattr(catalog_proofs, "prove", counted)
     (one,) = load_file(path).entries
     for _ in range(3):
-        assert catalog_proofs.standing(one, one.condition).verdict == "proved"
+        assert catalog_proofs.proof_status(one, one.condition).verdict == "proved"
     assert len(calls) == 1
     (note,) = (tmp_path / "cache" / "proofs").iterdir()
     for damage in ("", "proved by somebody\n", "\udcff\x00"):
         note.write_text(damage, encoding="utf-8", errors="surrogateescape")
-        assert catalog_proofs.standing(one, one.condition).verdict == "proved"
+        assert catalog_proofs.proof_status(one, one.condition).verdict == "proved"
     assert len(calls) == 4
     monkeypatch.setattr(proof_memory, "engine", lambda: "another engine")
-    catalog_proofs.standing(one, one.condition)
+    catalog_proofs.proof_status(one, one.condition)
     assert len(calls) == 5
     monkeypatch.setenv("GCRULES_CACHE", "off")
-    catalog_proofs.standing(one, one.condition)
+    catalog_proofs.proof_status(one, one.condition)
     assert len(calls) == 6
     monkeypatch.setenv("GCRULES_CACHE", str(path))  # a file, where nothing can be kept
-    assert catalog_proofs.standing(one, one.condition).verdict == "proved"
+    assert catalog_proofs.proof_status(one, one.condition).verdict == "proved"
 
 
 def test_a_false_identity_is_not_remembered(own: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

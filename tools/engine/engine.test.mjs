@@ -1,4 +1,5 @@
-// Every example of the built guide that has a button gives, in the engine of its pages, what the guide shows.
+// Every example of the built guide that has a button gives, in the engine of its pages, what the guide shows; every
+// other one says why it does not.
 import assert from "node:assert/strict";
 import { readdirSync, readFileSync } from "node:fs";
 import { execFileSync } from "node:child_process";
@@ -8,7 +9,8 @@ import { before, test } from "node:test";
 const SITE = new URL("../../build/site/", import.meta.url);
 const FOLDER = fileURLToPath(new URL("assets/engine/", SITE));
 const NAMED = { amp: "&", lt: "<", gt: ">", quot: '"' };
-const BLOCK = /<div class="language-(?:console|gca) highlight" data-(run|script)="([^"]*)">(.*?)<\/pre><\/div>/gs;
+const BLOCK = /<div class="language-(?:console|gca|pycon|sh) highlight"((?: data-\w+="[^"]*")*)>(.*?)<\/pre><\/div>/gs;
+const WHY = /^(Needs (NumPy|NetworkX|SymPy|a shell|a notebook)|Takes a minute here|Goes on from an example that does not run here): run it on your machine\.$/;
 
 const unescape = (text) => text.replace(/&(?:#x([\da-f]+)|#(\d+)|(\w+));/gi, (_, hex, decimal, name) =>
   name ? NAMED[name] : String.fromCodePoint(hex ? parseInt(hex, 16) : Number(decimal)));
@@ -28,19 +30,47 @@ function ask(kind, text) {
 }
 
 const pages = readdirSync(SITE, { recursive: true }).filter((name) => name.endsWith(".html"));
-const blocks = pages.flatMap((page) =>
-  [...readFileSync(new URL(page, SITE), "utf8").matchAll(BLOCK)].map(([, kind, text, shown]) => ({ page, kind, text: unescape(text), shown })));
+const all = pages.flatMap((page) => {
+  const session = [];
+  return [...readFileSync(new URL(page, SITE), "utf8").matchAll(BLOCK)].map(([, attributes, shown]) => {
+    const given = Object.fromEntries([...attributes.matchAll(/data-(\w+)="([^"]*)"/g)].map(([, name, value]) => [name, unescape(value)]));
+    if (given.session) session.push(given.session);
+    const kind = ["run", "script", "session"].find((name) => given[name]);
+    return { page, kind, text: given[kind], why: given.why, session: [...session], plain: unescape(shown.replaceAll(/<[^>]*>/g, "")) };
+  });
+});
+const blocks = all.filter(({ why }) => !why);
 
-test("the guide has examples that run", () => assert.ok(blocks.length > 100, `${blocks.length} examples`));
+test("the guide has examples that run", () => {
+  assert.ok(blocks.length > 200, `${blocks.length} examples`);
+  for (const one of ["run", "script", "session"]) assert.ok(blocks.some(({ kind }) => kind === one), one);
+});
 
-for (const [number, { page, kind, text, shown }] of blocks.entries()) {
+for (const { page, why, session, text, plain } of all.filter((one) => one.why || !one.kind)) {
+  test(`${page}: ${plain.trim().split("\n")[0]} does not run: ${why}`, () => {
+    assert.match(why ?? "", WHY);
+    if (text) {
+      assert.notEqual(ask("session", JSON.stringify(session)).code, 0);
+    } else if (/NumPy|NetworkX|SymPy/.test(why)) {
+      const lines = plain.replaceAll("\\\n", "").split("\n").filter((line) => line.startsWith("$ "));
+      assert.ok(lines.some((line) => /is not installed here/.test(ask("line", line).out)), lines.join());
+    }
+  });
+}
+
+for (const [number, { page, kind, text, session, plain }] of blocks.entries()) {
   test(`${page}: ${text.split("\n")[0]} (${number})`, () => {
+    if (kind === "session") {
+      const { code, out } = ask("session", JSON.stringify(session));
+      assert.equal(code, 0, out);
+      assert.equal(words(out), words(text));
+      return;
+    }
     if (kind === "script") {
       const { code, out } = ask("script", text);
       assert.ok(code === 0 || code === 1, out);
       return;
     }
-    const plain = unescape(shown.replaceAll(/<[^>]*>/g, ""));
     const parts = plain.replaceAll("\\\n", "").split(/^\$ .*$/m).slice(1);
     for (const [k, line] of text.split("\n").entries()) {
       const { out } = ask("line", line);

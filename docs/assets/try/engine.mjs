@@ -1,4 +1,4 @@
-// gcrules under Pyodide: one interpreter, asked one command line or script after the other. In a page it lives in
+// gcrules under Pyodide: one interpreter, asked one command line, script or example after the other. In a page it lives in
 // worker.mjs; the tests drive it under Node.
 
 const ARCHIVE = "gcrules.zip";
@@ -39,5 +39,6 @@ export async function start(loadPyodide, folder, read) {
     request,
     line: (text, hear) => asked("answer", text, hear),
     script: (text, hear) => asked("run_script", text, hear),
+    session: (text, hear) => asked("run_session", text, hear),
   };
 }

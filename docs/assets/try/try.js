@@ -125,9 +125,16 @@
   // The examples of the guide.
   document.addEventListener("DOMContentLoaded", () => {
     if (!location.protocol.startsWith("http")) return absent();
-    for (const block of document.querySelectorAll("[data-run], [data-script]")) {
-      const { run, script } = block.dataset;
-      const questions = script ? [["script", script]] : run.split("\n").map((line) => ["line", line]);
+    const session = [];
+    for (const block of document.querySelectorAll("[data-run], [data-script], [data-session], [data-why]")) {
+      const { run, script, why } = block.dataset;
+      if (block.dataset.session) session.push(block.dataset.session);
+      if (why) {
+        block.after(make("p", "gc-why", why));
+        continue;
+      }
+      const questions = run ? run.split("\n").map((line) => ["line", line])
+        : script ? [["script", script]] : [["session", JSON.stringify(session)]];
       const button = make("button", "gc-run", "Run");
       button.type = "button";
       button.title = "Run it in this page";

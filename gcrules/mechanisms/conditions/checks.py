@@ -9,6 +9,7 @@ from typing import Any
 
 from gcrules.core.errors import InputError, LimitReached
 from gcrules.core.yaml_file import Node
+from gcrules.mechanisms.conditions.carrying import check_carriers
 from gcrules.mechanisms.description.family import Definition
 from gcrules.mechanisms.description.limb_file import JointSpec, LimbSpec
 from gcrules.mechanisms.description.relations import Values, combined
@@ -112,6 +113,8 @@ def check_limbs(robot: Robot, nodes: Sequence[Node], mobility: Node) -> None:
         nodes[0].fault("no joint is actuated", "a star marks what is driven: P*(A1 B1)")
     elif len(limbs) == len(robot.limbs):
         _check_platform(robot, limbs, mobility)
+        if not faulty:
+            check_carriers(robot, limbs, member, nodes)
 
 
 def _check_limb(robot: Robot, text: LimbSpec, limb: Limb, node: Node) -> None:

@@ -10,9 +10,9 @@ from __future__ import annotations
 from collections.abc import Collection
 
 from gcrules.algebra.expr import Bracket, Expr, Point, points_of
+from gcrules.mechanisms.description.carriers import attachments, carrier
 from gcrules.mechanisms.description.limb_file import BASE, PLATFORM
 from gcrules.mechanisms.description.relations import AXES
-from gcrules.mechanisms.kinematics.attachments import attachments, carrier
 from gcrules.mechanisms.robot import Robot
 
 __all__ = ["is_of_design", "rigid_bodies"]

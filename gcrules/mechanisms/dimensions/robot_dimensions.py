@@ -21,11 +21,11 @@ from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import InputError
 from gcrules.mechanisms.conditions.design import rigid_bodies
 from gcrules.mechanisms.description.as_platform import as_platform
+from gcrules.mechanisms.description.carriers import attachments, carrier
 from gcrules.mechanisms.description.limb_file import LimbSpec
 from gcrules.mechanisms.dimensions.axes import Line, axis_facts
 from gcrules.mechanisms.dimensions.directions import direction_facts
 from gcrules.mechanisms.dimensions.every_pose import architecture_of_robot
-from gcrules.mechanisms.kinematics.attachments import attachments, carrier
 from gcrules.mechanisms.platform_analysis import legs_of
 from gcrules.mechanisms.robot import Robot
 from gcrules.screws import JOINTS, RATIONALS

@@ -23,10 +23,10 @@ from gcrules.core.dataclass import dataclass
 from gcrules.core.english import listed
 from gcrules.core.errors import InputError
 from gcrules.core.frozen import FrozenMap
+from gcrules.mechanisms.description.carriers import sample_of
 from gcrules.mechanisms.description.limb_file import BASE, PLATFORM, JointSpec, LimbSpec
 from gcrules.mechanisms.kinematics.rigid_motions import Floats, carried, crossed, exponential
 from gcrules.screws import FLOATS, JOINTS, RATIONALS, JointKind
-from gcrules.screws.fields import Row
 
 __all__ = ["Chain", "ElementaryMotion", "Run", "Shape", "chain_of", "geometry_of", "moved", "products", "shape_of"]
 
@@ -51,16 +51,11 @@ class ElementaryMotion:
 
 @dataclass(frozen=True)
 class Shape:
-    """The motions of a kind of joint, and on which of its links each part rides: link n comes after n motions.
-
-    A part rides on all links from the first to the second number. `loose` parts fix only a line, so that another joint
-    that names the same point has precedence. `locked` are freedoms that have to stay at 0 for the joint to be one of
-    its kind.
+    """The motions of a kind of joint; `locked` are freedoms that have to stay at 0 for the joint to be one of its kind.
+    On which of its links its parts ride is told by `riding` of the same kind.
     """
 
     motions: tuple[ElementaryMotion, ...]
-    attachments: Mapping[str, tuple[int, int]]
-    loose: tuple[str, ...] = ()
     locked: tuple[int, ...] = ()
 
 
@@ -99,15 +94,12 @@ _OWN: Mapping[str, Shape] = FrozenMap(
                 ElementaryMotion("slide across", 1, 1, False, lambda g: _slide(_across(g["normal"], 1))),
                 ElementaryMotion("turn", 2, 1, True, _about("point", "normal")),
             ),
-            {"point": (2, 3), "normal": (0, 3)},
-            ("point",),
         ),
         "Pa": Shape(
             (
                 ElementaryMotion("swing", 0, 1, True, _about("near", "axis")),
                 ElementaryMotion("swing back", 0, -1, True, _about("far", "axis")),
             ),
-            {"bars": (1, 1), "axis": (0, 2)},
         ),
         "4S": Shape(
             (
@@ -126,7 +118,6 @@ _OWN: Mapping[str, Shape] = FrozenMap(
                     lambda g: _turn(g["first"] + g["bars"], _unit(g["second"] - g["first"])),
                 ),
             ),
-            {"first": (0, 0), "second": (0, 0), "bars": (2, 3)},
             locked=(2,),
         ),
     }
@@ -146,25 +137,11 @@ def shape_of(symbol: str) -> Shape:
 
 @cache
 def _by_twists(kind: JointKind) -> Shape:
-    sample = {part: _SAMPLES[form][n] for n, (part, form) in enumerate(kind.parts.items())}
-    twists = kind.twists(sample, RATIONALS)
+    twists = kind.twists(sample_of(kind), RATIONALS)
     motions = tuple(
         ElementaryMotion(freedom, n, 1, any(twists[n][:3]), _twist(kind, n)) for n, freedom in enumerate(kind.freedoms)
     )
-    vectors = {part: form for part, form in kind.parts.items() if form != "number"}
-    links = {part: _longest([_fixes(row, sample[part], form) for row in twists]) for part, form in vectors.items()}
-    loose = (part for part, form in vectors.items() if form == "point" and links[part] != (0, len(twists)))
-    return Shape(motions, FrozenMap(links), tuple(loose))
-
-
-_SAMPLES: Mapping[str, tuple[Any, ...]] = FrozenMap(
-    {
-        "point": ((2, 3, 5), (7, 1, 4), (3, 8, 2), (1, 6, 9)),
-        "direction": ((1, 4, 2), (5, 1, 3), (2, 7, 1), (3, 2, 8)),
-        "number": (2, 3, 5, 7),
-    }
-)
-"""Parts in general position, on which it is seen what each motion leaves where it is."""
+    return Shape(motions)
 
 
 def _twist(kind: JointKind, place: int) -> Callable[[Geometry], Floats]:
@@ -173,19 +150,6 @@ def _twist(kind: JointKind, place: int) -> Callable[[Geometry], Floats]:
         return np.stack(np.broadcast_arrays(*kind.rows(FLOATS, parts)[place]), axis=-1).astype(float)
 
     return screw
-
-
-def _fixes(twist: Row, part: tuple[int, int, int], form: str) -> bool:
-    """Whether a motion leaves a point (ω × p + v = 0) or a direction (ω × d = 0) where it is."""
-    velocity = RATIONALS.cross(twist[:3], part)
-    return not any(a + b if form == "point" else a for a, b in zip(velocity, twist[3:], strict=True))
-
-
-def _longest(fixed: Sequence[bool]) -> tuple[int, int]:
-    """The first and last link of the longest run of links between which a part stays; of equal ones the first."""
-    ends = [k for k, stays in enumerate(fixed) if not stays]
-    runs = list(zip([0, *(k + 1 for k in ends)], [*ends, len(fixed)], strict=True))
-    return max(runs, key=lambda run: run[1] - run[0])
 
 
 def geometry_of(joint: JointSpec, values: Values) -> dict[str, Any]:

@@ -6,7 +6,8 @@ from collections.abc import Sequence
 
 from gcrules.core.english import agreeing
 from gcrules.core.errors import InputError
-from gcrules.mechanisms.kinematics.attachments import Attachment, carrier
+from gcrules.mechanisms.description.carriers import Attachment, carrier
+from gcrules.mechanisms.description.carriers import in_two_places as two_places
 from gcrules.mechanisms.kinematics.configurations import Configurations
 from gcrules.mechanisms.kinematics.coordinates import coordinates, without_rounding
 from gcrules.mechanisms.kinematics.linkage import Configuration, Linkage
@@ -30,11 +31,7 @@ class NotClosed(Exception):
 
 def in_two_places(m: Linkage, name: str, two: Sequence[Attachment]) -> NotClosed:
     """For a name that two links carry apart."""
-    one, other = (carrier(m.robot, a) for a in two)
-    return NotClosed(
-        f"{name} would be in two places: it is carried by {one} and by {other}",
-        f"give a name of its own to one of them, with the coordinates of {name} at home",
-    )
+    return NotClosed(*two_places(m.robot, name, two))
 
 
 def off_its_relation(m: Linkage, name: str) -> NotClosed:

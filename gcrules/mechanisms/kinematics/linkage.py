@@ -12,10 +12,10 @@ import numpy as np
 from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import InputError
 from gcrules.mechanisms.conditions.checks import home_values
+from gcrules.mechanisms.description.carriers import Attachment, attachments
 from gcrules.mechanisms.description.driven import driven_freedoms
 from gcrules.mechanisms.description.limb_file import BASE, PLATFORM
 from gcrules.mechanisms.description.relations import Values
-from gcrules.mechanisms.kinematics.attachments import Attachment, attachments
 from gcrules.mechanisms.kinematics.chains import Chain, chain_of, geometry_of, shape_of
 from gcrules.mechanisms.kinematics.rigid_motions import Floats
 from gcrules.mechanisms.lines.ranks import Ranks, ranks

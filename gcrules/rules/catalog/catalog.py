@@ -19,7 +19,7 @@ from gcrules.core.frozen import FrozenMap
 from gcrules.core.linear_algebra import permutation_sign
 from gcrules.rules.catalog.entries import SHIPPED, CatalogIdentity, Entry
 from gcrules.rules.catalog.isomorphism import isomorphism
-from gcrules.rules.catalog.proofs import Standing, is_shipped, standing
+from gcrules.rules.catalog.proofs import ProofStatus, is_shipped, proof_status
 from gcrules.rules.claims import certify
 from gcrules.rules.condition import Condition
 from gcrules.rules.random_witness import SAMPLES, RandomWitness
@@ -101,7 +101,7 @@ class Catalog:
         found = []
         use_own = own.kind in FROM_CATALOG or entry.owner != SHIPPED
         for reading in ([own] if use_own else []) + list(entry.readings):
-            known = standing(entry, reading)
+            known = proof_status(entry, reading)
             expression, cofactor = map(relabelled, (reading.expression, reading.cofactor))
             condition = Condition(
                 kind=reading.kind,
@@ -127,7 +127,7 @@ class Catalog:
 
 
 def _certificate(
-    condition: Condition, known: Standing, reading: CatalogIdentity, match: Match, structure: Structure
+    condition: Condition, known: ProofStatus, reading: CatalogIdentity, match: Match, structure: Structure
 ) -> Certificate:
     """How sure an instance of an identity is, which holds at the points of the oracle."""
     entry, construction = match.entry, structure.construction
@@ -145,7 +145,7 @@ def _certificate(
     return Certificate("random-points", detail, data | {"points": _FURTHER})
 
 
-def _false(condition: Condition, known: Standing, reading: CatalogIdentity, entry: Entry) -> Exception:
+def _false(condition: Condition, known: ProofStatus, reading: CatalogIdentity, entry: Entry) -> Exception:
     """The fault of an identity that does not hold at exact random points: of the catalog, unless it was proved."""
     if known.verdict != "unproved":
         return EngineFault(f"the identity of class {entry.id} does not hold for its instance {condition}")

@@ -21,14 +21,14 @@ from gcrules.core.errors import FileError
 from gcrules.core.proof_memory import digest_of, remember, remembered
 from gcrules.rules.catalog.entries import CatalogIdentity, Entry
 
-__all__ = ["DIGESTS", "Standing", "counterexample", "digests", "is_shipped", "is_shipped_sentence", "standing"]
+__all__ = ["DIGESTS", "ProofStatus", "counterexample", "digests", "is_shipped", "is_shipped_sentence", "proof_status"]
 
 DIGESTS = "catalog.sha256"
 _SHOWN = 12  # figures of a digest in words
 
 
 @dataclass(frozen=True)
-class Standing:
+class ProofStatus:
     """How an identity of a class stands: `verdict` is shipped | proved | unproved, `detail` in words."""
 
     verdict: str
@@ -36,15 +36,15 @@ class Standing:
     digest: str
 
 
-def standing(entry: Entry, reading: CatalogIdentity) -> Standing:
+def proof_status(entry: Entry, reading: CatalogIdentity) -> ProofStatus:
     """Look the proof of an identity up, or prove it. Raises FileError, with the place and exact points, where it is
     false or says nothing.
     """
     if is_shipped(entry, reading):
         digest = _digest(entry, reading)
-        return Standing("shipped", f"proved by gcrules catalog check (digest {digest[:_SHOWN]})", digest)
+        return ProofStatus("shipped", f"proved by gcrules catalog check (digest {digest[:_SHOWN]})", digest)
     digest = _identity_digest(entry, reading)
-    proved = Standing("proved", "proved: both sides have the same normal form of standard tableaux", digest)
+    proved = ProofStatus("proved", "proved: both sides have the same normal form of standard tableaux", digest)
     if remembered(digest):
         return proved
     what = f"the reading {reading.expression_text} of class {entry.id}"
@@ -56,7 +56,7 @@ def standing(entry: Entry, reading: CatalogIdentity) -> Standing:
         why = f"{what} is not an identity: it fails at {counterexample(found)}"
         raise FileError(why, filename=reading.place or entry.place, hint=hint)
     if not found.proved:
-        return Standing("unproved", found.reason, digest)
+        return ProofStatus("unproved", found.reason, digest)
     remember(digest)
     return proved
 

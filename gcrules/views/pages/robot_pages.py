@@ -14,6 +14,7 @@ from gcrules.algebra import expr as ex
 from gcrules.algebra.expr import Expr, Superbracket
 from gcrules.algebra.language.text import text
 from gcrules.core.budget import report
+from gcrules.core.english import in_parts
 from gcrules.mechanisms.analyze import analyze_robot
 from gcrules.mechanisms.conditions.checks import home_values
 from gcrules.mechanisms.conditions.factor_causes import FactorCause
@@ -28,7 +29,7 @@ from gcrules.views.pages.markdown import inline, reference
 from gcrules.views.pages.page_names import page_names
 from gcrules.views.pages.robot_index import FIGURES, HEAD, MOST_POSES, gallery
 from gcrules.views.pages.robot_pages_singular import singular_section
-from gcrules.views.results.robot import CONDITION, FACTORS, LIMBS, LINES, sections
+from gcrules.views.results.robot import CONDITION, FACTORS, LIMBS, LINES, OF_LIMBS, sections
 from gcrules.views.robots.robot_drawing import draw_robot, draw_singular, robot_thumbnail
 
 __all__ = ["FIGURES", "HEAD", "robot_pages"]
@@ -76,7 +77,8 @@ def _page(
 ) -> Iterator[str]:
     robot = a.robot
     title = inline(robot.title)
-    yield from (HEAD, f"# {title}", "", f"**{inline(a.statement)}**", "")
+    parts = [f"**{inline(part)}**" for part in in_parts(a.statement)]
+    yield from (HEAD, f"# {title}", "", *(parts if len(parts) == 1 else (f"* {part}" for part in parts)), "")
     if drawn:
         yield from (f"![{title}: joints, wrenches and equivalent structure]({name}-robot.svg)", "")
         yield from (_CAPTION if a.structure.lines else _ALONE, "")
@@ -91,6 +93,7 @@ def _page(
             left = ex.mul(a.condition.cofactor, a.lines.structure.superbracket)
             yield from _formula(left, a.condition.right_side)
         else:
+            yield from (_OF_LIMBS, "") if heading == OF_LIMBS else ()
             yield from (*(f"* {_sentence(line)}" for line in lines), "")
         if heading == FACTORS and poses:
             yield from singular_section(a, name, poses)
@@ -99,7 +102,9 @@ def _page(
     yield ""
 
 
-_HEADINGS: Mapping[str, str] = {LIMBS: "Limbs", FACTORS: "Factors for this robot"}
+_BY_THEMSELVES = "Singularities of the limbs by themselves"
+_HEADINGS: Mapping[str, str] = {LIMBS: "Limbs", FACTORS: "Factors for this robot", OF_LIMBS: _BY_THEMSELVES}
+_OF_LIMBS = "Only those of codimension one are looked for."
 
 
 def _sentence(line: str) -> str:

@@ -27,6 +27,7 @@ __all__ = [
     "IN_FULL",
     "LIMBS",
     "LINES",
+    "OF_LIMBS",
     "alike",
     "as_text",
     "factor_kind",
@@ -41,6 +42,7 @@ LIMBS = "Limbs: wrenches with the actuators locked"
 LINES = "Equivalent structure"
 CONDITION = "Condition of the lines"
 FACTORS = "Its factors for this robot"
+OF_LIMBS = "Singularities of the limbs by themselves (of codimension one)"
 """Titles of sections."""
 
 _WIDTH = 100
@@ -92,7 +94,7 @@ def sections(a: RobotAnalysis, unicode: bool) -> Iterator[tuple[str, list[str]]]
         too_high = ["not compared: they are too many, or have a degree above 63 in the parameters of the family"]
         yield title, _common(a, a.common, unicode) if a.common else too_high
     if a.structure.limbs:
-        yield "Singularities of the limbs by themselves (of codimension one)", alike(map(_serial, a.limbs))
+        yield OF_LIMBS, alike(map(_serial, a.limbs))
     if a.dimensions is not None:
         lines = dimension_lines(a.dimensions)
         yield TITLES["dimensions"], lines if unicode else [ascii_words(line) for line in lines]
