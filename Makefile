@@ -90,8 +90,9 @@ docs-check: $(READY)
 	@$(build-site)
 
 .PHONY: docs
-docs: $(READY) ## write the generated pages of docs/, check every link, build the guide
+docs: $(READY) ## write the generated pages of docs/, check every link and picture, build the guide
 	$(BIN)/python tools/check_docs.py --write
+	$(BIN)/python tools/answer_pictures.py --check
 	@$(build-site)
 	@echo "The guide is in $(CURDIR)/$(SITE)/index.html"
 

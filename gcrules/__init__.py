@@ -87,6 +87,7 @@ if TYPE_CHECKING:
         verify_map,
         working_modes,
     )
+    from gcrules.api.proofs import ProofFile, proof_file
     from gcrules.apps.notebook.studio import studio
     from gcrules.apps.notebook.view import view
 
@@ -104,6 +105,7 @@ __all__ = [
     "Platform",
     "Plugin",
     "Proof",
+    "ProofFile",
     "Rewriting",
     "Robot",
     "RobotAnalysis",
@@ -138,6 +140,7 @@ __all__ = [
     "path",
     "plan",
     "pose",
+    "proof_file",
     "prove",
     "refine_map",
     "report",
@@ -185,6 +188,7 @@ _ELSEWHERE = {
         ),
         "gcrules.api.poses",
     ),
+    **dict.fromkeys(("ProofFile", "proof_file"), "gcrules.api.proofs"),
     "studio": "gcrules.apps.notebook.studio",
     "view": "gcrules.apps.notebook.view",  # these two show a robot in an app
 }

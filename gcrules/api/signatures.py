@@ -263,6 +263,7 @@ SIGNATURES: dict[str, dict[str, ArgumentKind]] = {
         "plugins": _FOLDERS,
     },
     "paper": {"source": _SOURCE, "folder": FILE, "full": FLAG, "force": FLAG, "plugins": _FOLDERS},
+    "proof_file": {"answer": ANYTHING},
     "prove": {"claim": _EXPR, "right": optional(_EXPR), **_LIMITED, "given": TEXTS},
     "report": {
         "source": _SOURCE,

@@ -138,6 +138,7 @@ RIGHT: dict[str, dict[str, Any]] = {
     "length_regions": {"source": "3-rpr", "over": "q2 1..2, q3 1..2"},
     "plan": {"source": PLATFORM, "start": "0 0 0", "goal": "0 0 1", "states": 2},
     "pose": {"source": PLATFORM, "at": "0 0 0", "nearest": False},
+    "proof_file": {"answer": ANALYSIS},
     "prove": {"claim": "[abcd] == [abcd]"},
     "refine_map": {"store": "no.zarr", "output": "none.zarr"},
     "report": {"source": ANALYSIS, "interactive": False, "path": ["0 0 0", "0 0 1"], "modes": True},

@@ -134,6 +134,7 @@ NUMBERS: dict[str, Callable[[], Any]] = {
     "working modes": lambda: gc.working_modes("5r"),
     "factorization": lambda: gc.factor("[abcd][abef] + [abce][abdf]"),
     "shortening": lambda: gc.shorten("[abcd][abef] - [abce][abdf]"),
+    "proof file": lambda: gc.proof_file(gc.prove(r"ab /\ cd == [abcd]")),
     "rewriting": lambda: gc.rewrite(r"(ab /\ cde) \/ f", ["expansion"]),
     "transversals": lambda: gc.transversals("Aa Ab Bc Bd Ce Df"),
     "rules": gc.load_rules,

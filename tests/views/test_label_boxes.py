@@ -4,20 +4,23 @@ from __future__ import annotations
 
 import re
 import xml.etree.ElementTree as ET
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from itertools import combinations
 from pathlib import Path
-from typing import Literal
+from typing import Any, Literal
 
 import pytest
 from places import EXAMPLES, ROOT
 
 import gcrules as gc
+from gcrules.mechanisms.description.discovery import robots
 from gcrules.views.drawing.drawing import Drawing, Run, Text, mapped, name_runs, without_text
 from gcrules.views.drawing.labels import Box, Label, label_box, overlap, place_labels
 from gcrules.views.drawing.pdf import pdf
 from gcrules.views.figure import figure
 from gcrules.views.paper.tikz import tikz
+from gcrules.views.robots import picture
+from gcrules.views.robots.robot_drawing import draw_robot
 
 SVG = "{http://www.w3.org/2000/svg}"
 
@@ -67,6 +70,24 @@ def test_labels_of_the_shipped_drawings(folder: str, least: int) -> None:
 @pytest.mark.parametrize("name", sorted(f.name for f in EXAMPLES.glob("*.yaml")))
 def test_labels_of_the_examples(name: str) -> None:
     assert faults(figure(gc.analyze(EXAMPLES / name)).svg()) == []
+
+
+@pytest.mark.parametrize("robot", [one.id for one in robots(())])
+def test_labels_of_robots_stand_on_no_joint(robot: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    """At home no label covers the sign of a joint, or another label."""
+    seen: list[tuple[Sequence[Box], list[Text]]] = []
+
+    def spy(labels: Sequence[Label], *, taken: Sequence[Box] = (), **more: Any) -> list[Text]:
+        seen.append((taken, place_labels(labels, taken=taken, **more)))
+        return seen[-1][1]
+
+    monkeypatch.setattr(picture, "place_labels", spy)
+    a = gc.analyze(robot)
+    draw_robot(a, a.robot.values_at())
+    ((signs, texts),) = seen
+    boxes = [("".join(run.text for run in t.runs), label_box(t)) for t in texts]
+    assert [n for n, box in boxes for sign in signs if overlap(box, sign) > 0.5] == []
+    assert [f"{n} {m}" for (n, p), (m, q) in combinations(boxes, 2) if overlap(p, q) > 0.05] == []
 
 
 def test_the_reader_of_these_tests_sees_what_collides() -> None:

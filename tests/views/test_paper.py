@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 import subprocess
+from collections.abc import Sequence
 from pathlib import Path
 
 import pytest
@@ -11,10 +12,12 @@ from commands import invoke
 from places import EXAMPLES, ROOT
 
 import gcrules as gc
+from gcrules.algebra.language.syntax import parse
 from gcrules.core.errors import FileError
 from gcrules.core.version import __version__
 from gcrules.views.drawing.drawing import Circle, Drawing, Polygon, Run, Stroke, Text
 from gcrules.views.paper.bibliography import cited_in, own_entry, references
+from gcrules.views.paper.formulas import MACROS, displayed, equation
 from gcrules.views.paper.paper import files_of, save
 from gcrules.views.paper.tikz import tikz, trimmed
 
@@ -137,6 +140,30 @@ def test_what_holds_nearly_is_told_with_its_deviation() -> None:
     assert "Of the 3 mirrors that take the base to itself and the platform too it names one." in section
 
 
+def test_lines_that_points_share_are_assumed_once() -> None:
+    section = " ".join(files_of(gc.analyze("h4"))["section.tex"].split())
+    assumed = section.partition(r"\begin{theorem}")[2].partition("The identity")[0].partition("Suppose that ")[2]
+    assert assumed.strip() == (
+        "$z$, $p_{1}$ and $p_{1}'$ lie on a line; $z$, $p_{2}$ and $p_{2}'$ lie on a line;"
+        " the points $z$ and $p_{1}$ differ; and the points $z$ and $p_{2}$ differ."
+    )
+
+
+def test_what_holds_of_several_limbs_is_said_once() -> None:
+    section = files_of(gc.analyze("8-cables"))["section.tex"]
+    assert r"cable 5, cable 6, cable 7 and cable 8: none found" in section
+    assert section.count("zero where they belong to one linear complex") == 1
+    assert "--full" not in section
+    assert "-{}-full" not in section
+
+
+def test_robots_have_a_home_pose_and_platforms_one_of_their_file() -> None:
+    robot, platform = (files_of(gc.analyze(gc.load(source)))["section.tex"] for source in ("delta", OCTAHEDRAL))
+    assert "lists the numbers in the home pose;" in robot
+    assert "of the file" not in robot
+    assert "lists the numbers in the pose of the file;" in platform
+
+
 # --- works ----------------------------------------------------------------------------------------------------------
 
 
@@ -186,6 +213,38 @@ def test_shapes_in_tikz() -> None:
 def test_margins_are_cut() -> None:
     cut = trimmed(Drawing(200, 100, (Circle((100, 50), 10),)))
     assert (cut.width, cut.height) == (28, 28)
+
+
+# --- formulas -------------------------------------------------------------------------------------------------------
+
+LONG = r"[abcd](aef /\ bgh /\ ck) + 2[abce][dfgh]([abcd][efgh][ijkl] + [abce][dfgh][ijkl] - [abde][cfgh][ijkl])[aghi]"
+TERMS = " + ".join(f"[abc{x}][def{y}][ghi{z}]" for x, y, z in ("def", "efd", "fde", "dfe", "fed", "edf"))
+
+
+def _lines(formulas: Sequence[str], layout: str, folder: Path) -> list[str]:
+    """The lines in which LaTeX sets formulas, without the numbers of equations."""
+    body = [
+        written for f in formulas for written in (displayed("", parse(f)), equation(parse("[abcd]"), parse(f), "x"))
+    ]
+    head = [rf"\documentclass[{layout}]{{article}}", r"\usepackage{amsmath}", r"\begin{document}\pagestyle{empty}"]
+    (folder / "f.tex").write_text("\n".join([*head, MACROS, *body, r"\end{document}"]), encoding="utf-8")
+    for command in (["pdflatex", "-interaction=batchmode", "f"], ["pdftotext", "-layout", "f.pdf"]):
+        subprocess.run(command, cwd=folder, capture_output=True, timeout=300, check=False)
+    assert "Overfull" not in (folder / "f.log").read_text("latin-1")
+    lines = (folder / "f.txt").read_text("utf-8").split("\n")
+    return [line for line in (re.sub(r"\s|\(\d\)\s*$", "", line) for line in lines) if line]
+
+
+@pytest.mark.needs("pdflatex", "pdftotext")
+@pytest.mark.parametrize("layout", ["10pt", "10pt,twocolumn"])
+def test_formulas_break_before_a_sign(layout: str, tmp_path: Path) -> None:
+    """A line begins with a sign, a product that goes on with a dot; brackets stay whole."""
+    lines = _lines([LONG, TERMS], layout, tmp_path)
+    assert sum(line[0] not in "=+−·∧" for line in lines) == 4  # the beginnings of the formulas
+    assert all(line.count("[") == line.count("]") for line in lines)
+    assert any(line[0] in "+−" for line in lines)
+    assert any(line[0] == "·" for line in lines)
+    assert not any(line[0] == "·" for line in _lines([TERMS], layout, tmp_path))  # its terms fit
 
 
 # --- set by LaTeX ---------------------------------------------------------------------------------------------------

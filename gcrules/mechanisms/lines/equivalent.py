@@ -3,7 +3,7 @@ r"""The equivalent structure: six lines that span all wrenches of the limbs, and
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from itertools import combinations, product
 from typing import Any
@@ -234,12 +234,30 @@ def _constraints(one: Sample) -> list[Row]:
 
 
 def _incidences(family: Family, names: tuple[str, ...], at: Sequence[Sample]) -> Iterator[tuple[str, ...]]:
-    """Points that lie in one plane (in the plane: on one line) in the whole family, points at infinity apart."""
-    rank = 3 if family.plane else 4
+    """Points that lie on one line or in one plane (in the plane: on one line) in the whole family, points at infinity
+    apart; planes that follow from the lines are left out.
+    """
     keep = (0, 1, 3) if family.plane else (0, 1, 2, 3)
-    for some in combinations(names, rank):
+
+    def rank(some: Iterable[str]) -> int:
+        return max(RESIDUES.rank([[s.points[n][i] for i in keep] for n in some]) for s in at)
+
+    def finite(some: Iterable[str]) -> bool:
+        return any(at[0].points[n][3] for n in some)
+
+    lines = set()
+    for some in combinations(names, 3):
         checkpoint()
-        if sum(at[0].points[n][3] == 0 for n in some) == rank:
-            continue
-        if all(RESIDUES.determinant([[s.points[n][i] for i in keep] for n in some]) == 0 for s in at):
+        if finite(some) and rank(some) < 3:
+            lines.add(frozenset(some))
             yield some
+
+    def crossing(a: str, b: str, c: str, d: str) -> bool:
+        return any({a, b, x} in lines and {c, d, x} in lines for x in names)
+
+    for a, b, c, d in combinations(names, 4) if not family.plane else ():
+        checkpoint()
+        follows = any(line < {a, b, c, d} for line in lines)
+        follows = follows or crossing(a, b, c, d) or crossing(a, c, b, d) or crossing(a, d, b, c)
+        if not follows and finite((a, b, c, d)) and rank((a, b, c, d)) < 4:
+            yield a, b, c, d

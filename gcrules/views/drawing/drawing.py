@@ -28,6 +28,7 @@ __all__ = [
     "Text",
     "below",
     "beside",
+    "extent",
     "leader_stroke",
     "mapped",
     "name_runs",
@@ -161,13 +162,13 @@ def below(drawings: Sequence[Drawing], gap: float = 8.0, title: str = "") -> Dra
 def without_text(drawing: Drawing) -> Drawing:
     """The drawing without its words, cut to what is left."""
     shapes = tuple(s for s in drawing.shapes if not isinstance(s, Text))
-    places = [p for s in shapes for p in _extent(s)] or [(0.0, 0.0), (drawing.width, drawing.height)]
+    places = [p for s in shapes for p in extent(s)] or [(0.0, 0.0), (drawing.width, drawing.height)]
     (left, right), (top, bottom) = ((min(c) - 3, max(c) + 3) for c in zip(*places, strict=True))
     moved = tuple(mapped(s, 1.0, (-left, -top)) for s in shapes)
     return Drawing(right - left, bottom - top, moved, drawing.title)
 
 
-def _extent(shape: Shape) -> tuple[XY, ...]:
+def extent(shape: Shape) -> tuple[XY, ...]:
     """The places between which a shape (not a text) lies."""
     match shape:
         case Polygon():

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 from functools import cache
-from math import cos, hypot, pi, sin
+from math import cos, dist, hypot, pi, sin
 
 from gcrules.core.dataclass import dataclass
 from gcrules.views.drawing.drawing import XY, Run, Text, text_width
@@ -22,6 +22,8 @@ _ASCENT, _DESCENT = 0.72, 0.24
 _SWEEPS = 8
 _AGAINST = 8.0  # what a square point of overlap of two labels costs
 _OVER = 60.0  # and what it costs that they overlap at all
+_ASTRAY = 20.0  # what it costs to stand nearer to something else
+_SAME = 4.0  # points within which two places are one
 
 
 @dataclass(frozen=True, slots=True)
@@ -58,18 +60,25 @@ def place_labels(
     discs: Sequence[tuple[XY, float]] = (),
     strokes: Sequence[tuple[XY, XY]] = (),
     taken: Sequence[Box] = (),
+    places: Sequence[XY] = (),
     bounds: Box | None = None,
 ) -> list[Text]:
     """One text for each label, in order.
 
     Labels stay inside the bounds and keep off each other and the `taken` boxes, then off the discs (centre, radius),
-    then off the strokes; a line leads to those that stand far away. Starting from each label's own best place, labels
-    are moved in turn until none gains by it.
+    then off the strokes, and are rather nearest to what they name than to others of the `places`; a line leads to those
+    that stand far away. Starting from each label's own best place, labels are moved in turn until none gains by it.
     """
     choices = []
     for label in labels:
         options = [(text, label_box(text), bias) for text, bias in _options(label)]
-        choices.append([(bias + _cost(box, discs, strokes, taken, bounds), text, box) for text, box, bias in options])
+        elsewhere = [p for p in places if dist(p, label.at) > _SAME]
+        choices.append(
+            [
+                (bias + _cost(box, discs, strokes, taken, bounds) + _astray(text, box, label.at, elsewhere), text, box)
+                for text, box, bias in options
+            ]
+        )
     chosen = [min(placed, key=lambda o: round(o[0], 6)) for placed in choices]  # equals are decided by their order
     for _ in range(_SWEEPS):
         before = list(chosen)
@@ -123,6 +132,16 @@ def _directions() -> tuple[XY, ...]:
     return tuple((round(cos(a), 9), round(sin(a), 9)) for a in angles)
 
 
+def _astray(text: Text, box: Box, own: XY, others: Sequence[XY]) -> float:
+    """What speaks against a label that is nearer to something else, unless a line leads to it."""
+    return 0.0 if text.leader else _ASTRAY * sum(_away(box, p) < _away(box, own) for p in others)
+
+
+def _away(box: Box, p: XY) -> float:
+    """How far a place is from a box."""
+    return round(hypot(max(box[0] - p[0], 0.0, p[0] - box[2]), max(box[1] - p[1], 0.0, p[1] - box[3])), 6)
+
+
 def _cost(
     box: Box,
     discs: Sequence[tuple[XY, float]],
@@ -130,7 +149,7 @@ def _cost(
     taken: Sequence[Box],
     bounds: Box | None,
 ) -> float:
-    cost = 8 * sum(overlap(box, other, 1.5) for other in taken)
+    cost = sum(_OVER + _AGAINST * area for other in taken if (area := overlap(box, other)))
     cost += 4 * sum(overlap(box, (x - r, y - r, x + r, y + r), 1.0) for (x, y), r in discs)
     cost += 1.6 * sum(_inside(box, start, end) for start, end in strokes)
     if bounds:

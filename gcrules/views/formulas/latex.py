@@ -14,7 +14,7 @@ from fractions import Fraction
 from gcrules.algebra.expr import Expr
 from gcrules.algebra.language.notation import Digits, Mark, Raised, Row, Sign, Term, parts, signs, split_name, terms
 
-__all__ = ["latex", "latex_lines", "latex_name", "latex_parts"]
+__all__ = ["latex", "latex_lines", "latex_name", "latex_parts", "latex_signs"]
 
 _MARKS = {
     "∨": r" \vee ",
@@ -33,6 +33,11 @@ _MARKS = {
 def latex(e: Expr) -> str:
     """The LaTeX of an expression, without dollar signs; it needs no package beyond the mathematics of LaTeX itself."""
     return _spelled(signs(e))
+
+
+def latex_signs(e: Expr) -> Iterator[tuple[Sign, str]]:
+    """The signs of an expression, each with its LaTeX."""
+    return ((sign, _sign(sign)) for sign in signs(e))
 
 
 def latex_parts(e: Expr) -> Iterator[tuple[str, Expr]]:

@@ -21,12 +21,12 @@ def dimensions(s: Subject, slug: str) -> Iterator[str]:
     d = s.robot.dimensions if s.robot else s.lines.dimensions if s.lines else None
     home = s.coordinates
     if home:
-        caption = f"{latex_words(s.title)}: {_placed(s)} in the pose of the file"
+        caption = f"{latex_words(s.title)}: {_placed(s)} in {s.pose}"
         yield table(caption, f"tab:{slug}-joints", latex_ruled("lrrr", *_coordinates(s)))
     if not home and d is None:
         return
     yield r"\paragraph{Dimensions.}"
-    placed = f"Table~\\ref{{tab:{slug}-joints}} lists the {_placed(s)} in the pose of the file."
+    placed = f"Table~\\ref{{tab:{slug}-joints}} lists the {_placed(s)} in {s.pose}."
     yield " ".join([placed] * bool(home) + [*(_architecture(d, s) if d else ())])
     if d is None:
         return
@@ -46,7 +46,7 @@ def dimensions(s: Subject, slug: str) -> Iterator[str]:
 
 def table(caption: str, label: str, tabular: str) -> str:
     """A table that floats, with its caption above it."""
-    lines = [rf"\centering\caption{{{caption}}}\label{{{label}}}", r"\smallskip\small", tabular]
+    lines = [rf"\centering\caption{{{caption}}}\label{{{label}}}", r"\smallskip\small", rf"\gctable{{{tabular}}}"]
     return "\n".join([r"\begin{table}[t]", *lines, r"\end{table}"])
 
 

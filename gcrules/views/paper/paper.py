@@ -13,6 +13,7 @@ from gcrules.core.files import check_name, held, write_file
 from gcrules.core.version import __version__
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.views.drawing.drawing import Drawing
+from gcrules.views.formulas.latex_text import latex_words
 from gcrules.views.paper.bibliography import references
 from gcrules.views.paper.formulas import MACROS
 from gcrules.views.paper.section import appendix, keys, section, slug
@@ -128,8 +129,8 @@ def _placed(s: Subject, number: int, figure: Figure, drawing: Drawing, picture: 
         [
             r"\begin{figure}[t]",
             r"\centering",
-            at_column_width(picture, drawing.width),
-            rf"\caption{{{figure.caption}.}}\label{{fig:{slug(s)}-{number}}}",
+            at_column_width(picture, drawing.width, drawing.height),
+            rf"\caption[{{{latex_words(s.title)}}}]{{{figure.caption}.}}\label{{fig:{slug(s)}-{number}}}",
             r"\end{figure}",
         ]
     )

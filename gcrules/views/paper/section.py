@@ -13,6 +13,7 @@ from gcrules.core.version import __version__
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.mechanisms.lines.wrenches import LimbWrenches, WrenchLine
 from gcrules.rules.condition import Condition
+from gcrules.rules.statement import Statement
 from gcrules.views.formulas.latex_text import latex_words
 from gcrules.views.formulas.suppositions import supposed
 from gcrules.views.paper.bibliography import OWN_KEY, cited_in
@@ -21,7 +22,17 @@ from gcrules.views.paper.formulas import breakable, displayed, equation, inline,
 from gcrules.views.paper.subject import Subject
 from gcrules.views.report.stage_ids import TITLES
 from gcrules.views.results.derivation import reasons
-from gcrules.views.results.robot import CONDITION, FACTORS, LIMBS, LINES, factor_words, in_every_pose, sections
+from gcrules.views.results.robot import (
+    CONDITION,
+    FACTORS,
+    IN_FULL,
+    LIMBS,
+    LINES,
+    alike,
+    factor_words,
+    in_every_pose,
+    sections,
+)
 
 __all__ = ["appendix", "keys", "section", "slug"]
 
@@ -32,7 +43,8 @@ _COUNTS = {3: "three", 6: "six", 10: "ten"}
 
 def section(s: Subject, figures: Sequence[str], *, full: bool = False) -> str:
     """The section; `figures` are the pictures as LaTeX, with their captions. `full` refers to the appendix of steps."""
-    parts = [rf"\section{{{latex_words(s.title)}}}\label{{sec:{slug(s)}}}", *_structure(s, len(figures))]
+    title = latex_words(s.title)
+    parts = [rf"\section[{{{title}}}]{{\gcheading {title}}}\label{{sec:{slug(s)}}}", *_structure(s, len(figures))]
     parts += [*figures, *_result(s), *_limits(s), *dimensions(s, slug(s)), *_numbers(s), _sure(s, full)]
     return "\n\n".join(filter(None, parts)) + "\n"
 
@@ -51,9 +63,10 @@ def keys(s: Subject) -> tuple[str, ...]:
 
 
 def _structure(s: Subject, figures: int) -> Iterator[str]:
-    shown = f" (Fig.~\\ref{{fig:{slug(s)}-1}})" if figures else ""
+    shown, *others = [f"Fig.~\\ref{{fig:{slug(s)}-{n}}}" for n in range(1, figures + 1)] or [""]
+    shown = f" ({shown})" if shown else ""
     if s.robot and s.robot.robot.limbs:
-        yield from _of_joints(s, s.robot, shown)
+        yield from _of_joints(s, s.robot, shown, f" ({listed(others)})" if others else "")
     else:
         assert s.lines is not None
         yield _of_legs(s.lines, shown) + _works(s)
@@ -90,7 +103,7 @@ def _of_legs(a: Analysis, shown: str) -> str:
     return words
 
 
-def _of_joints(s: Subject, a: RobotAnalysis, shown: str) -> Iterator[str]:
+def _of_joints(s: Subject, a: RobotAnalysis, shown: str, lines_shown: str) -> Iterator[str]:
     t = a.structure
     words = f"We consider {_named(a.robot.title)}{shown}, with the limbs {latex_words(a.robot.chain)}."
     words += f" Its platform has mobility {t.mobility}"
@@ -103,7 +116,7 @@ def _of_joints(s: Subject, a: RobotAnalysis, shown: str) -> Iterator[str]:
         yield itemized(latex_words(str(one)) for one in a.wrenches)
     if s.lines is not None:
         chosen = ", chosen among those of all limbs," * _chosen(a)
-        words = f"So the lines{chosen} {_listed(s.lines.structure.lines)} stand for the robot."
+        words = f"So the lines{chosen} {_listed(s.lines.structure.lines)} stand for the robot{lines_shown}."
         if t.ideal:
             words += f" At infinity {'lie' if len(t.ideal) > 1 else 'lies'} {_points(t.ideal)}."
         named = [f"${breakable(Point(n))}$ is {named_words(what, s.names)}" for n, what in t.named]
@@ -124,10 +137,12 @@ def _named(title: str) -> str:
 
 
 def _limb(limb: LimbWrenches) -> str:
-    what = f"{latex_words(limb.limb.name)} ({latex_words(limb.limb.chain)}): {latex_words(limb.kind)}"
+    limb_named = f"{latex_words(limb.limb.name)} ({latex_words(limb.limb.chain)})"
+    what = f"{limb_named}: {latex_words(limb.kind)}"
     if limb.lines is None:
         return f"{what}; no lines that can be named span it"
-    return f"{what}, spanned by {listed([_line(one) for one in limb.lines])}"
+    lines = listed([_line(one) for one in limb.lines])
+    return f"{limb_named}: {lines}" if limb.kind in ("force", "couple") else f"{what}, spanned by {lines}"
 
 
 def _line(line: WrenchLine) -> str:
@@ -154,7 +169,7 @@ def _points(names: Sequence[str]) -> str:
 
 def _result(s: Subject) -> Iterator[str]:
     lines = [n for n, _ in s.condition.lines] if s.condition else ()
-    said = latex_words(s.whose) + sentence(s.meaning, lines, s.names)
+    said = latex_words(s.whose) + sentence(_without_definitions(s), lines, s.names)
     if s.condition is None or s.lines is None:
         before = in_every_pose(s.robot) if s.robot else ()
         yield from map(latex_words, before)
@@ -174,6 +189,17 @@ def _result(s: Subject) -> Iterator[str]:
         ]
     )
     yield "\n".join([r"\begin{proof}" + _heading(s), *_proof(s, s.lines), r"\end{proof}"])
+
+
+def _without_definitions(s: Subject) -> Statement:
+    """What is said, without what derived names are where the lines were introduced with it."""
+    named = s.robot.structure.named if s.robot and s.lines is not None else ()
+    pieces = s.meaning.pieces
+    places = [n for n, piece in enumerate(pieces) if isinstance(piece, str) and piece.endswith(" Here ")]
+    if not places or not any(str(pieces[places[-1] + 1]) == name for name, _ in named):
+        return s.meaning
+    last = str(pieces[places[-1]]).removesuffix(" Here ")
+    return Statement((*pieces[: places[-1]], last))
 
 
 def _heading(s: Subject) -> str:
@@ -212,10 +238,19 @@ def _says_nothing(s: Subject) -> bool:
     return str(left) == str(right)
 
 
+_OF_THE_LINES = {"the identity of the lines: holds": "holds", "the identity of the lines: ": "is "}
+"""How the certificate of a robot begins, and how it goes on in a sentence about the numbered identity."""
+
+
 def _certified(s: Subject, c: Condition) -> str:
     """How sure the identity is, and of a robot of joints what else was found."""
     if s.robot and s.robot.robot.limbs:
         detail = s.robot.certificate
+        if not _says_nothing(s):
+            number = rf"Identity~\eqref{{eq:{slug(s)}}} of the lines"
+            for before, after in _OF_THE_LINES.items():
+                if detail.startswith(before):
+                    return f"{number} {after}{latex_words(detail.removeprefix(before))}."
         return f"{latex_words(detail[:1].upper() + detail[1:])}."
     if _says_nothing(s):
         return (
@@ -266,24 +301,23 @@ def _limits(s: Subject) -> Iterator[str]:
         identity = s.condition is not None and s.lines is not None and not _says_nothing(s)
         which = "The factors of the right side are, for this robot:" if identity else "Factors that were found:"
         yield rf"\paragraph{{Factors.}} {which}"
-        yield itemized(f"{inline(p.expression)}: {named_words(factor_words(p), s.names)}" for p in a.parts)
+        yield itemized(alike((inline(p.expression), named_words(factor_words(p), s.names)) for p in a.parts))
     if a.cofactors:
         yield f"Of the left side {listed([inline(e) for e in a.cofactors])} may vanish in poses that are not singular."
     for title, lines in sections(a, True):
         if title not in _TOLD:
             yield rf"\paragraph{{{latex_words(title)}.}}"
-            yield itemized(named_words(line, s.names) for line in lines)
+            yield itemized(named_words(line.removesuffix(IN_FULL), s.names) for line in lines)
 
 
 def _numbers(s: Subject) -> Iterator[str]:
     report = s.numbers()
     if report is None:
         return
-    caption = f"{latex_words(s.title)}: numbers in the pose of the file"
+    caption = f"{latex_words(s.title)}: numbers in {s.pose}"
     yield table(caption, f"tab:{slug(s)}", report.latex())
     yield (
-        f"Table~\\ref{{tab:{slug(s)}}} lists the numbers in the pose of the file; the margin $\\sigma$ is $0$ in"
-        " singular poses."
+        f"Table~\\ref{{tab:{slug(s)}}} lists the numbers in {s.pose}; the margin $\\sigma$ is $0$ in singular poses."
     )
 
 

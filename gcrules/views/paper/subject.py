@@ -92,6 +92,11 @@ class Subject:
         return self.robot.robot if self.robot else self.lines.platform if self.lines else None
 
     @property
+    def pose(self) -> str:
+        """Which pose its numbers are of, in words."""
+        return "the home pose" if self.robot else "the pose of the file"
+
+    @property
     def unit(self) -> str:
         """The unit of length of the file, "" without."""
         return self._described.units if self._described else ""
@@ -109,7 +114,7 @@ class Subject:
         return frozenset(name for name, sort in sorts.items() if sort == "direction")
 
     def numbers(self) -> Any:
-        """The report of the pose of the file, None where there are no dimensions."""
+        """The report of this pose, None where there are no dimensions."""
         if self.robot is None:
             assert self.lines is not None
             return _pose(self.lines.platform, nearest=False) if self.lines.platform else None

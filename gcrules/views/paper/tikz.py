@@ -33,10 +33,15 @@ _ANCHORS = {"start": "base west", "middle": "base", "end": "base east"}
 _MARGIN = 4.0
 
 
-def at_column_width(picture: str, width: float) -> str:
-    r"""A picture of a width in points, or what inputs it, made smaller where a column has less room."""
-    size = f"{_n(width)}bp"
-    return rf"\resizebox{{\ifdim{size}<\columnwidth{size}\else\columnwidth\fi}}{{!}}{{{picture}}}"
+def at_column_width(picture: str, width: float, height: float) -> str:
+    r"""A picture of these points, or what inputs it, made smaller where the column, or the page, has less room."""
+    by_height = f"{_n(_OF_PAGE * width / height)}\\textheight"
+    size = rf"\dimen0=\ifdim{_n(width)}bp<\columnwidth{_n(width)}bp\else\columnwidth\fi\relax"
+    size += rf"\ifdim\dimen0>{by_height}\dimen0={by_height}\relax\fi"
+    return rf"{size}\resizebox{{\dimen0}}{{!}}{{{picture}}}"
+
+
+_OF_PAGE = 0.8  # of the height of a page, so that there is room for the caption
 
 
 def trimmed(drawing: Drawing) -> Drawing:

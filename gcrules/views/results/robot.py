@@ -3,7 +3,7 @@ r"""Analyses of robots as plain text."""
 from __future__ import annotations
 
 import textwrap
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 from gcrules.algebra import expr as ex
 from gcrules.algebra.language.text import text
@@ -24,8 +24,10 @@ from gcrules.views.results.derivation import ascii_words
 __all__ = [
     "CONDITION",
     "FACTORS",
+    "IN_FULL",
     "LIMBS",
     "LINES",
+    "alike",
     "as_text",
     "factor_kind",
     "factor_words",
@@ -90,7 +92,7 @@ def sections(a: RobotAnalysis, unicode: bool) -> Iterator[tuple[str, list[str]]]
         too_high = ["not compared: they are too many, or have a degree above 63 in the parameters of the family"]
         yield title, _common(a, a.common, unicode) if a.common else too_high
     if a.structure.limbs:
-        yield "Singularities of the limbs by themselves (of codimension one)", [_serial(one) for one in a.limbs]
+        yield "Singularities of the limbs by themselves (of codimension one)", alike(map(_serial, a.limbs))
     if a.dimensions is not None:
         lines = dimension_lines(a.dimensions)
         yield TITLES["dimensions"], lines if unicode else [ascii_words(line) for line in lines]
@@ -99,6 +101,9 @@ def sections(a: RobotAnalysis, unicode: bool) -> Iterator[tuple[str, list[str]]]
         sure.append(f"published condition {a.published.condition}: {a.published.verdict}, {a.published.detail}")
     yield "Certificate", sure
 
+
+IN_FULL = ", with --full"
+"""What the command line says of lines that are left out."""
 
 _NUMBERS = ("six", "three")
 _SHOWN = 6  # cofactors that are shown in words
@@ -121,13 +126,19 @@ def _common(a: RobotAnalysis, c: CommonFactor, unicode: bool) -> list[str]:
         f"the limbs have {c.lines} different lines, with {c.subsets} such subset{'s' * (c.subsets > 1)}, and {count}"
         f" not zero in the whole family; {together}"
     ]
-    shown = first(c.listed, _SHOWN) if c.independent > 1 else ()
-    for one in shown:
-        out.append(f"with the {what} {_lines(one)}: {_cofactor(one, word, names, unicode)}")
-    if c.independent > max(1, len(shown)):
-        out.append(f"and {c.independent - len(shown)} more{'' if is_everything() else ', with --full'}")
     if c.independent > 1:
-        out.append(f"with the {what} that were chosen, {_lines(c.chosen)}: {_cofactor(c.chosen, word, names, unicode)}")
+        others = [one for one in c.listed if one.lines != c.chosen.lines]
+        left = c.independent - (len(c.listed) - len(others))
+        shown = first(others, _SHOWN)
+        rows = [(_lines(one), _cofactor(one, word, names, unicode)) for one in shown]
+        chosen = f"that were chosen, {_lines(c.chosen)}", _cofactor(c.chosen, word, names, unicode)
+        alone = chosen[1] not in {words for _, words in rows}
+        rows += [] if alone else [(f"those {chosen[0]}", chosen[1])]
+        out += [f"with the {what} {line}" for line in alike(rows, ", or ")]
+        if left > len(shown):
+            out.append(f"and {left - len(shown)} more{'' if is_everything() else IN_FULL}")
+        if alone:
+            out.append(f"with the {what} {': '.join(chosen)}")
     return out
 
 
@@ -138,16 +149,33 @@ def _lines(one: Subset) -> str:
 def _cofactor(one: Subset, word: str, names: tuple[str, ...], unicode: bool) -> str:
     if not one.degree:
         return "no cofactor"
+    these = f"the lines {listed([''.join(ends) for ends in one.lines])} "
+    where = f"they {one.statement.removeprefix(these)}" if one.statement.startswith(these) else one.statement
+    if isinstance(one.cofactor, ex.Superbracket):  # of the lines that were just named
+        return f"zero where {where}"
     shown = f" {text(one.cofactor, unicode=unicode, names=names)}" if one.cofactor else ""
-    return f"{word}{shown}" + (f", zero where {one.statement}" if one.statement else "")
+    return f"{word}{shown}" + (f", zero where {where}" if where else "")
 
 
-def _serial(one: LimbSingularity) -> str:
+def _serial(one: LimbSingularity) -> tuple[str, str]:
+    """The limb, and what is said of it."""
     words = "; ".join(map(_place, one.conditions))
     if one.unexplained and not words:
-        return f"{one.limb}: found at {one.unexplained} exact members, by none of the conditions that are tried"
+        return one.limb, f"found at {one.unexplained} exact members, by none of the conditions that are tried"
     more = f" ({one.unexplained} members of another kind)" if one.unexplained else ""
-    return f"{one.limb}: {words or 'none found'}{more}"
+    return one.limb, f"{words or 'none found'}{more}"
+
+
+def alike(rows: Iterable[tuple[str, str]], mark: str = "") -> list[str]:
+    """Lines of names and what is said of them; what is said of several, which `mark` keeps apart, stands once.
+
+    >>> alike([("leg 1", "none found"), ("leg 2", "A = B"), ("leg 3", "none found")])
+    ['leg 1 and leg 3: none found', 'leg 2: A = B']
+    """
+    names: dict[str, list[str]] = {}
+    for name, words in rows:
+        names.setdefault(words, []).append(name)
+    return [f"{mark.join(own) if mark else listed(own)}: {words}" for words, own in names.items()]
 
 
 def _place(c: LimbCondition) -> str:

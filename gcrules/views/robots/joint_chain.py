@@ -54,7 +54,7 @@ class Rod:
 class DrawnLimb:
     """A limb in space, or one of its chains: its joints, its strokes, and its first and last place; from which body it
     leads to which; `normals` are those of its parallelograms and arcs,
-    `around` is the point through which all its axes pass.
+    `around` is the point through which all its axes pass, `spheres` are the radii on which its links move about it.
     """
 
     limb: LimbSpec
@@ -67,6 +67,7 @@ class DrawnLimb:
     foot: XYZ = (0.0, 0.0, 0.0)
     head: XYZ = (0.0, 0.0, 0.0)
     around: XYZ | None = None
+    spheres: tuple[float, ...] = ()
 
 
 def plus(p: XYZ, u: XYZ, s: float = 1.0) -> XYZ:
@@ -345,6 +346,7 @@ class _Builder:
                 made.strokes += [
                     Rod(plus(o, u, inner), plus(o, v, inner)) for u, v in pairwise(_arc(axis, axes[k + 1]))
                 ]
+        made.spheres = tuple(1.0 - _SHELL * k for k in range(len(axes) - 1))
         made.foot = plus(o, axes[0], 1.0 + _FOOT)
         made.head = plus(o, axes[-1], 1.0 - _SHELL * (len(axes) - 2) - _HEAD)
         return made

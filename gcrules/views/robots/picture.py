@@ -3,30 +3,32 @@ r"""The picture of the robot itself: base, platform, limbs with the signs of the
 from __future__ import annotations
 
 from collections.abc import Sequence
-from math import dist
+from itertools import pairwise
+from math import cos, dist, pi, sin
 
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.mechanisms.description.limb_file import PLATFORM
 from gcrules.mechanisms.lines.equivalent import FRAME
 from gcrules.mechanisms.lines.wrenches import WrenchLine as Wrench
 from gcrules.views.drawing.bsp import XYZ, CutPolygon, cross, dot, minus, painted
-from gcrules.views.drawing.drawing import XY, Circle, Polygon, Shape, Stroke, name_runs
+from gcrules.views.drawing.drawing import XY, Circle, Polygon, Shape, Stroke, extent, name_runs
 from gcrules.views.drawing.frame import Frame
-from gcrules.views.drawing.labels import Label, place_labels
+from gcrules.views.drawing.labels import Box, Label, place_labels
 from gcrules.views.drawing.scene_pieces import Look
 from gcrules.views.drawing.solids import center, outline
 from gcrules.views.robots.forces import REACH, force
-from gcrules.views.robots.joint_chain import DrawnLimb, plus, unit_vector
+from gcrules.views.robots.joint_chain import DrawnLimb, plus, unit_vector, upright
 from gcrules.views.robots.scene import HEIGHT, TOP, WIDTH, Scene, joint_names
-from gcrules.views.robots.symbols import SIGN, arrow, couple, sign
+from gcrules.views.robots.symbols import SIGN, arrow, basis, couple, sign
 
-__all__ = ["CONSTRAINT_DASH", "body_pieces", "dot_at", "piece_shapes", "robot_shapes"]
+__all__ = ["CONSTRAINT_DASH", "body_pieces", "dot_at", "piece_shapes", "robot_shapes", "sign_box"]
 
 CONSTRAINT_DASH = (4.0, 2.6)
 
 _AXIS = 27.0  # points
 _LINK = {"link": 4.4, "bar": 2.6, "rail": 2.2, "tube": 8.4}
 _CABLE = 1.5
+_RIM = 72  # corners of a circle
 
 
 def body_pieces(s: Scene, fill: float = 0.2) -> list[CutPolygon[Look]]:
@@ -73,24 +75,58 @@ def robot_shapes(s: Scene, over: Sequence[Shape] = (), *, words: bool = True) ->
             pieces.append(CutPolygon((c.head, s.heart), Look("platform", width=3.0)))
         elif c.end == PLATFORM and c.head not in s.plate and min(dist(c.head, p) for p in s.plate) > 1e-6:
             pieces.append(CutPolygon((c.head, s.heart), Look("platform", width=3.0)))
-    shapes = piece_shapes(pieces, frame)
+    shapes = [*_spheres(s), *piece_shapes(pieces, frame)]
     axes, tips = _axes(s) if words else ([], [])
     shapes += axes
     named = [s.points[n] for n in joint_names(s.a) if n in s.points]
     shapes += [Circle(frame.place(p), 2.6, "ink", "paper", 1.0) for p in named]
     jointed = [(k, c) for k, c in enumerate(s.chains) if not c.limb.cable]
     placed = [(frame.sight(p.at), k, p, s.roles[c.limb.name]) for k, c in jointed for p in c.places]
-    for _, _, place, role in sorted(placed, key=lambda one: one[:2]):
-        shapes += sign(place, frame, role)
+    signs = [sign(place, frame, role) for _, _, place, role in sorted(placed, key=lambda one: one[:2])]
+    shapes += [shape for one in signs for shape in one]
     if not words:
         return shapes
     arrows = _arrows(s)
     strokes = [(frame.place(p.corners[0]), frame.place(p.corners[1])) for p in pieces if len(p.corners) == 2]
     strokes += [(one.start, one.end) for one in (*arrows, *axes, *over) if isinstance(one, Stroke)]
-    discs = [(frame.place(place.at), SIGN - 3) for _, _, place, _ in placed]
-    labels = [*_point_labels(s), *tips]
-    bounds = (4.0, TOP, WIDTH - 4, HEIGHT - 4)
-    return [*shapes, *arrows, *over, *place_labels(labels, discs=discs, strokes=strokes, bounds=bounds)]
+    texts = place_labels(
+        [*_point_labels(s), *tips],
+        strokes=strokes,
+        taken=[sign_box(one) for one in signs],
+        places=[*map(frame.place, named), *(frame.place(place.at) for _, _, place, _ in placed)],
+        bounds=(4.0, TOP, WIDTH - 4, HEIGHT - 4),
+    )
+    return [*shapes, *arrows, *over, *texts]
+
+
+def _spheres(s: Scene) -> list[Shape]:
+    """The outlines of the spheres that links around a point move on, and of the largest its equator."""
+    shapes: list[Shape] = []
+    frame = s.frame
+    u, v = basis(upright(s.chains))
+    for o in dict.fromkeys(c.around for c in s.chains if c.around):
+        radii = sorted({r for c in s.chains if c.around == o for r in c.spheres}, reverse=True)
+        for r in radii:
+            rim = _circle(o, frame.view.right, frame.view.up, r)
+            shapes.append(
+                Polygon(tuple(map(frame.place, rim)), "muted", "muted", fill_opacity=0.05, stroke_opacity=0.55)
+            )
+        equator = _circle(o, u, v, radii[0])
+        for p, q in pairwise([*equator, equator[0]]):
+            front = dot(minus(p, o), frame.view.eye) >= 0
+            shapes.append(Stroke(frame.place(p), frame.place(q), "muted", 0.8, 0.5 if front else 0.2))
+    return shapes
+
+
+def _circle(o: XYZ, u: XYZ, v: XYZ, r: float) -> list[XYZ]:
+    angles = [2 * pi * k / _RIM for k in range(_RIM)]
+    return [plus(plus(o, u, r * cos(a)), v, r * sin(a)) for a in angles]
+
+
+def sign_box(shapes: Sequence[Shape]) -> Box:
+    """The area that the sign of a joint covers."""
+    xs, ys = zip(*(p for one in shapes for p in extent(one)), strict=True)
+    return min(xs), min(ys), max(xs), max(ys)
 
 
 def _point_labels(s: Scene) -> list[Label]:

@@ -77,7 +77,9 @@ def scene(a: RobotAnalysis, values: Values, normals: Sequence[XYZ] = ()) -> Scen
     normals = [*normals, *_normals(plate), *(n for c in made for n in c.normals)]
     view = _view(robot.family.plane, shown, made, normals, _directions(a, points))
     tips = [plus(t, u, REACH) for c in made for t, u in forces(a, c, points, ideal, plate)]
-    everything = (*shown.values(), *ends, *tips)
+    spheres = [(c.around, c.spheres[0]) for c in made if c.around]
+    rims = [plus(o, u, side * r) for o, r in spheres for u in (view.right, view.up) for side in (1, -1)]
+    everything = (*shown.values(), *ends, *tips, *rims)
     roles = {limb.limb.name: entity_role(i) for i, limb in enumerate(a.structure.limbs)}
     frame = framed(view, everything, WIDTH, HEIGHT, _MARGIN, TOP)
     return Scene(a, tuple(made), points, ideal, roles, plate, base, frame, unit, everything)

@@ -1,0 +1,23 @@
+"""The public functions about proofs that others check."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from gcrules.algebra.proofs.proof_file import ProofFile
+from gcrules.api.signatures import public
+from gcrules.mechanisms.proofs import proof_file as _proof_file
+
+__all__ = ["ProofFile", "proof_file"]
+
+
+@public
+def proof_file(answer: Any) -> ProofFile:
+    """The theorems of an answer, each with a proof that can be replayed without gcrules.
+
+    An answer is what `prove`, `factor`, `shorten`, `transversals` or `analyze` give. The file has `theorems`,
+    `left_out` (what the answer says and the file does not prove, with the reason) and a `digest`; `json_text()` is what
+    `tools/check_proof.py` checks, `coq()` a script that Coq checks, `lean()` the same as text of Lean 4. Raises
+    InputError for any other kind of answer, and where there is nothing that is proved.
+    """
+    return _proof_file(answer)

@@ -1,0 +1,315 @@
+"""`tools/check_proof.py`, which shares no code with gcrules: it proves what gcrules proves, and nothing false."""
+
+from __future__ import annotations
+
+import importlib.util
+import json
+import random
+import subprocess
+import sys
+from collections.abc import Iterator, Mapping
+from fractions import Fraction
+from functools import cache, reduce
+from itertools import combinations
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+import pytest
+from places import EXAMPLES, ROOT
+
+import gcrules as gc
+from gcrules.algebra.language.statements import parse_script
+from gcrules.mechanisms.proofs import proof_file
+from gcrules.rules.catalog.file import load
+from gcrules.rules.script import run_script
+
+CHECKER = ROOT / "tools" / "check_proof.py"
+THEOREMS = sorted((EXAMPLES / "theorems").glob("*.gca"))
+TOO_LONG = {"five-lines.gca"}  # one of its claims takes more exchanges than a file holds
+
+
+@cache
+def checker() -> ModuleType:
+    spec = importlib.util.spec_from_file_location("check_proof", CHECKER)
+    assert spec is not None
+    assert spec.loader is not None
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+def checked(file: gc.ProofFile) -> list[str]:
+    """The claims as the checker reads them, from the text of the file."""
+    return [checker().check(theorem) for theorem in json.loads(file.json_text())["theorems"]]
+
+
+def test_it_is_one_short_file_of_the_standard_library() -> None:
+    text = CHECKER.read_text(encoding="utf-8")
+    assert len(text.splitlines()) <= 400
+    imported = {line.split()[1] for line in text.splitlines() if line.startswith(("import ", "from "))}
+    assert imported <= set(sys.stdlib_module_names)
+
+
+def test_all_readings_of_all_classes() -> None:
+    catalog = load()
+    file = proof_file(catalog)
+    assert not file.left_out
+    assert len(checked(file)) == sum(1 + len(entry.readings) for entry in catalog.entries)
+
+
+@pytest.mark.parametrize("path", THEOREMS, ids=lambda path: path.stem)
+def test_the_theorems_of_the_examples(path: Path) -> None:
+    found = run_script(parse_script(path.read_text(encoding="utf-8"), path.name))
+    file = proof_file(found)
+    assert bool(file.left_out) is (path.name in TOO_LONG)
+    claims = checked(file)
+    assert len(claims) == len(file.theorems)
+
+
+@pytest.mark.parametrize("name", ["3-rps", "delta", "h4", "4-ruu", "agile-eye", "3-rrr", "reachy-mini-head"])
+def test_the_condition_of_a_robot(name: str) -> None:
+    file = gc.proof_file(gc.analyze(name))
+    assert not file.left_out
+    assert checked(file)
+
+
+ANSWERS = {
+    "factors": lambda: gc.factor("[abfc][acde][bdef] + [abfd][acbe][cdef]"),
+    "no factors": lambda: gc.factor("[[Aa,Ab,Bc,Bd,Ca,Dc]]", cofactor=True),
+    "shortest": lambda: gc.shorten("[abc][def] - [abd][cef] + [abe][cdf]", rank=3),
+    "transversals": lambda: gc.transversals("Aa Ab Bc Cd De Ef"),
+    "ideal": lambda: gc.prove("[ijk] == 0", rank=3, ideal="i j k"),
+    "halves": lambda: gc.prove("1/2 [abc] d + 1/2 [abc] d == [dbc] a + [adc] b + [abd] c", rank=3),
+    "powers": lambda: gc.prove("[abcd]**3 == [abcd] [bacd] [badc] * -1"),
+    "kinds": lambda: gc.prove("[acd] == 0", rank=3, given="collinear(a, b, c), collinear(a, b, d)"),
+}
+
+
+@pytest.mark.parametrize("name", ANSWERS)
+def test_other_answers(name: str) -> None:
+    assert checked(gc.proof_file(ANSWERS[name]()))
+
+
+def test_the_claim_is_printed_as_it_is_read(tmp_path: Path) -> None:
+    file = tmp_path / "proof.json"
+    file.write_text(gc.proof_file(ANSWERS["kinds"]()).json_text(), encoding="utf-8")
+    done = subprocess.run([sys.executable, CHECKER, file], capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    assert done.stdout.splitlines() == [
+        "proved  'claim': [a c d] == 0, where [a b c] == 0 and [a b d] == 0 and (a v b) != 0 (rank 3)",
+        "theorems proved: 1",
+    ]
+
+
+@pytest.mark.parametrize(
+    ("change", "code", "says"),
+    [
+        (lambda t: t["claim"].__setitem__(1, ["number", 5]), 1, "NOT PROVED  'claim': "),
+        (lambda t: t["relations"].pop(), 1, "NOT PROVED"),
+        (lambda t: t["points"].append("e"), 2, "not different"),
+        (lambda t: t.pop("ideal"), 2, "KeyError: 'ideal'"),
+        (lambda t: t["claim"].pop(), 2, "no proof file"),
+        (lambda t: t["claim"].__setitem__(0, ["eval", "a"]), 2, "'eval'"),
+        (lambda t: t["claim"].__setitem__(0, ["join", "a", "nobody"]), 2, "nobody"),
+    ],
+)
+def test_what_is_changed_is_refused(change: Any, code: int, says: str, tmp_path: Path) -> None:
+    data = json.loads(gc.proof_file(gc.prove("[abc][ade] - [abd][ace] == -[abe][acd]", rank=3)).json_text())
+    change(data["theorems"][0])
+    file = tmp_path / "proof.json"
+    file.write_text(json.dumps(data), encoding="utf-8")
+    done = subprocess.run([sys.executable, CHECKER, file], capture_output=True, text=True, check=False)
+    assert done.returncode == code, done
+    assert says in done.stdout + done.stderr
+
+
+# --- changed at random ------------------------------------------------------------------------------------------------
+
+MUTANTS = 10_000
+PRIME = 7
+SEEDS = (
+    lambda: gc.prove(r"ab /\ cde == [acde] b - [bcde] a"),
+    lambda: gc.prove("[abc][ade] - [abd][ace] == -[abe][acd]", rank=3),
+    lambda: gc.analyze("ab af cb cd ed ef"),
+    lambda: gc.prove("[acd] == 0", rank=3, given="collinear(a, b, c), collinear(a, b, d)"),
+    lambda: gc.prove("[abd][bce][caf] == -[adc][bea][cfb]", rank=3, given=MENELAUS),
+    lambda: gc.prove(r"[bc' /\ b'c, ca' /\ c'a, ab' /\ a'b] == 0", rank=3, given=PAPPUS),
+    lambda: gc.prove("[ijk] == 0", rank=3, ideal="i j k"),
+    lambda: gc.prove("[pabc] == 0", given="incident(p, ab)"),
+)
+MENELAUS = "incident(d, bc), incident(e, ca), incident(f, ab), collinear(d, e, f)"
+PAPPUS = "collinear(a, b, c), collinear(a', b', c')"
+
+
+STATEMENT = ("rank", "points", "ideal", "definitions", "claim", "any", "given", "nonzero")
+"""What a theorem says; the rest is its proof."""
+
+
+def places(value: Any) -> Iterator[tuple[Any, Any]]:
+    """Every place in a tree of lists and mappings."""
+    for key in value if isinstance(value, dict) else range(len(value)) if isinstance(value, list) else ():
+        yield value, key
+        yield from places(value[key])
+
+
+def mutated(theorem: dict[str, Any], rng: random.Random) -> dict[str, Any]:
+    """A theorem with something changed, taken out, put in twice, or exchanged with something else in it."""
+    found: dict[str, Any] = json.loads(json.dumps(theorem))
+    for _ in range(rng.choice((1, 1, 2, 3))):
+        spots = list(places(found))
+        holder, key = rng.choice(spots)
+        other, there = rng.choice(spots)
+        value = holder[key]
+        match rng.randrange(5):
+            case 0 if isinstance(holder, list):
+                del holder[key]
+            case 1 if isinstance(holder, list):
+                holder.insert(key, json.loads(json.dumps(value)))
+            case 2:
+                holder[key] = json.loads(json.dumps(other[there]))
+            case 3 if isinstance(value, int):
+                holder[key] = value + rng.choice((-1, 1, 2))
+            case _ if value in theorem["points"]:
+                holder[key] = rng.choice(theorem["points"])
+    return found
+
+
+class Coordinates:
+    """Values of expressions as the format defines them, from coordinates modulo a prime; shares no code with others."""
+
+    def __init__(self, theorem: Mapping[str, Any], points: Mapping[str, list[int]]) -> None:
+        self.rank = theorem["rank"]
+        self.definitions = dict(theorem["definitions"])
+        self.points = points
+
+    def value(self, e: Any) -> tuple[int, dict[tuple[int, ...], int]]:
+        """Step and Plücker coordinates."""
+        if isinstance(e, str):
+            if e in self.definitions:
+                return self.value(self.definitions[e])
+            return 1, {(i,): x for i, x in enumerate(self.points[e])}
+        if e[0] == "number":
+            number = Fraction(e[1])
+            return 0, {(): number.numerator * pow(number.denominator, -1, PRIME) % PRIME}
+        parts = [self.value(e[1])] * e[2] if e[0] == "power" else [self.value(part) for part in e[1:]]
+        match e[0]:
+            case "sum":
+                step = next((s for s, v in parts if any(v.values())), parts[0][0])
+                total: dict[tuple[int, ...], int] = {}
+                for _, v in parts:
+                    for k, x in v.items():
+                        total[k] = (total.get(k, 0) + x) % PRIME
+                return step, total
+            case "bracket":
+                return 0, {(): reduce(self.join, parts)[1].get(tuple(range(self.rank)), 0)}
+            case "meet":
+                return reduce(self.meet, parts)
+            case "superbracket":
+                pairs = list(combinations(range(self.rank), 2))
+                return 0, {(): determinant([[v.get(p, 0) for p in pairs] for _, v in parts])}
+        return reduce(self.join, parts)
+
+    def join(self, a: Any, b: Any) -> tuple[int, dict[tuple[int, ...], int]]:
+        out: dict[tuple[int, ...], int] = {}
+        for r, x in a[1].items():
+            for s, y in b[1].items():
+                if not set(r) & set(s):
+                    key = tuple(sorted(r + s))
+                    out[key] = (out.get(key, 0) + parity(r + s) * x * y) % PRIME
+        return a[0] + b[0], out
+
+    def meet(self, a: Any, b: Any) -> tuple[int, dict[tuple[int, ...], int]]:
+        """By complements: the meet is the join of the duals."""
+        return self.rank - (2 * self.rank - a[0] - b[0]), self.dual(
+            self.join((self.rank - a[0], self.dual(a[1], 1)), (self.rank - b[0], self.dual(b[1], 1)))[1], -1
+        )
+
+    def dual(self, v: Mapping[tuple[int, ...], int], side: int) -> dict[tuple[int, ...], int]:
+        found = {}
+        for r, x in v.items():
+            rest = tuple(i for i in range(self.rank) if i not in r)
+            found[rest] = x * parity(r + rest if side > 0 else rest + r) % PRIME
+        return found
+
+
+def parity(row: tuple[int, ...]) -> int:
+    return -1 if sum(x > y for x, y in combinations(row, 2)) % 2 else 1
+
+
+def determinant(rows: list[list[int]]) -> int:
+    """By elimination modulo the prime."""
+    rows, value = [list(r) for r in rows], 1
+    for i in range(len(rows)):
+        pivot = next((k for k in range(i, len(rows)) if rows[k][i] % PRIME), None)
+        if pivot is None:
+            return 0
+        if pivot != i:
+            rows[i], rows[pivot], value = rows[pivot], rows[i], -value
+        value = value * rows[i][i] % PRIME
+        inverse = pow(rows[i][i], -1, PRIME)
+        for k in range(i + 1, len(rows)):
+            factor = rows[k][i] * inverse
+            rows[k] = [(x - factor * y) % PRIME for x, y in zip(rows[k], rows[i], strict=True)]
+    return value % PRIME
+
+
+def false_somewhere(theorem: Mapping[str, Any], rng: random.Random) -> bool:
+    """Whether random points were found that satisfy what is assumed, at which the sides differ."""
+    names = [*theorem["points"], *theorem.get("any", []), *(p["name"] for p in theorem.get("placed", []))]
+    at_infinity = set(theorem["points"][: theorem["ideal"]])
+    assumed = "given" in theorem
+    for _ in range(1_500 if assumed else 6):
+        points = {}
+        for n in names:
+            rank = theorem["rank"]
+            points[n] = [rng.randrange(PRIME) for _ in range(rank - 1)] + [0 if n in at_infinity else 1]
+            if assumed and len(points) > 2 and rng.random() < 0.5:  # on the line of two others, so that more hold
+                a, b = rng.sample(sorted(points), 2)
+                x, y = rng.randrange(PRIME), rng.randrange(PRIME)
+                points[n] = [(x * p + y * q) % PRIME for p, q in zip(points[a], points[b], strict=True)]
+        at = Coordinates(theorem, points)
+
+        def zero(e: Any, at: Coordinates = at) -> bool:
+            return not any(at.value(e)[1].values())
+
+        if assumed and (not all(map(zero, theorem["given"])) or any(map(zero, theorem["nonzero"]))):
+            continue
+        (_, left), (_, right) = map(at.value, theorem["claim"])
+        if any((left.get(k, 0) - right.get(k, 0)) % PRIME for k in {*left, *right}):
+            return True
+    return False
+
+
+@cache
+def seeds() -> list[dict[str, Any]]:
+    return [t for make in SEEDS for t in json.loads(gc.proof_file(make()).json_text())["theorems"]]
+
+
+def test_the_oracle_sees_what_is_false() -> None:
+    rng = random.Random(1)
+    for theorem in seeds():
+        assert not false_somewhere(theorem, rng), theorem["name"]
+        wrong = {**theorem, "claim": [theorem["claim"][0], ["number", 5]]}
+        if theorem["claim"][1] != ["number", 0] or "given" in theorem:
+            assert false_somewhere(wrong, rng) or theorem["claim"][0][0] in ("join", "meet")
+
+
+@pytest.mark.parametrize("part", range(10))
+def test_none_of_many_changed_proofs_is_accepted_unless_it_is_true(part: int) -> None:
+    accepted = 0
+    for n in range(MUTANTS // 10):
+        rng = random.Random(f"{part} {n}")
+        true = rng.choice(seeds())
+        theorem = mutated(true, rng)
+        try:
+            checker().check(theorem)
+        except (checker().NotProved, OSError, ValueError, TypeError, LookupError, AttributeError, ArithmeticError):
+            continue
+        except RecursionError:
+            continue
+        accepted += 1
+        if all(theorem.get(key) == true.get(key) for key in STATEMENT):
+            continue
+        assert not false_somewhere(theorem, rng), theorem
+    assert accepted  # a name that is changed everywhere, a relation that is given twice and taken away again
