@@ -25,6 +25,7 @@ import { stepped, valueOf, within } from "../src/page/panels/motion/spots";
 import { latest } from "../src/page/net/latest";
 import { openClient } from "../src/page/net/client";
 import { openEngine } from "../src/page/net/engine";
+import { differing, inWords as poseInWords, spanned } from "../src/page/lib/pose-words";
 import { driven, liesBetween, type Driven } from "../src/page/lib/way";
 import { moved as shifted, poseAt } from "../src/page/state/timeline";
 import { fileAt, seenAt, snapped } from "../src/page/state/joint-places";
@@ -570,4 +571,20 @@ test("a fault of the engine is told, and another one begins", async () => {
 test("a link whose robot cannot be told is not opened as another one", async () => {
   assert.equal(await readFragment(`#s=${btoa('{"source":3}').replace(/=+$/, "")}`), null);
   assert.deepEqual((await readFragment(`#s=${btoa('{"panel":"bench"}').replace(/=+$/, "")}`))?.source, null);
+});
+
+test("poses of a way are named by the coordinates in which they differ", () => {
+  const at = (z: number, turn = 0): Pose => ({ translation: [1, 2, z], quaternion: [Math.cos(turn), 0, 0, Math.sin(turn)] });
+  const platform = { kind: "platform", axes: [], unit: "mm", size: 100 } as const;
+  assert.equal(differing(at(-350), [at(0), at(-400)], platform), "z = −350 mm");
+  assert.equal(differing(at(-350, Math.PI / 12), [at(0), at(-400, Math.PI / 6)], platform), "z = −350 mm, turned by 30°");
+  assert.equal(differing(at(3), [at(3), at(3)], platform), "");
+  assert.equal(spanned(at(-340), at(-352), platform), "z = −340 and −352 mm");
+  assert.equal(spanned(at(0), at(0, 1), platform), "");
+  assert.equal(poseInWords(at(3, Math.PI / 12), platform), "1, 2, 3 mm; turned by 30°");
+  const axis = (name: string): Axis => ({ name, unit: "deg", low: -90, high: 90, step: 1 });
+  const robot = { kind: "robot", axes: [axis("q1, arm 1"), axis("q2, arm 2")], unit: "mm", size: 100 } as const;
+  const driven = (a: number, b: number): Pose => ({ ...at(0), coordinates: [a, b] });
+  assert.equal(differing(driven(5, 2.5), [driven(5, 0), driven(5, 10)], robot), "q2 = 2.5°");
+  assert.equal(poseInWords(driven(5, 2.5), robot), "q1 5, q2 2.5");
 });

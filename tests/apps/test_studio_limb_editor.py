@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -174,3 +175,15 @@ def test_axe_finds_nothing_and_nothing_is_cut_off(desk: Desk) -> None:
             desk.painted()
             found = Axe().run(desk.page).response["violations"]
             assert [(v["id"], [n["target"] for n in v["nodes"]][:3]) for v in found] == [], (width, theme)
+
+
+@pytest.mark.parametrize("width", [1280, 900, 390])
+def test_long_coordinates_are_shown_whole(sit_down: Callable[..., Desk], width: int) -> None:
+    desk = sit_down(viewport={"width": width, "height": 800}).visit().open("robot", "reachy-mini-head", "limbs")
+    desk.one("edit-limbs").click()
+    fields = desk.page.locator("[data-testid=names] input.coordinate")
+    fields.first.wait_for()
+    clipped = fields.evaluate_all("all => all.filter(e => e.scrollWidth > e.clientWidth).map(e => e.value)")
+    assert clipped == []
+    assert max(fields.evaluate_all("all => all.map(e => e.value.length)")) > 8
+    assert desk.run("document.documentElement.scrollWidth") <= width

@@ -223,6 +223,18 @@ def test_on_paper_the_step_is_unfolded_and_whole(sit_down: SitDown) -> None:
     assert desk.page.locator(".side").evaluate("e => e.getBoundingClientRect().top") < more.bounding_box()["y"]
 
 
+def test_another_robot_begins_with_its_verdict(sit_down: SitDown) -> None:
+    desk = sit_down(viewport={"width": 1280, "height": 600}).visit().open("robot", "3-rps")
+    below = desk.page.locator(".side .below")
+    below.evaluate("e => e.scrollTo(0, e.scrollHeight)")
+    assert below.evaluate("e => e.scrollTop") > 100
+    desk.slide("0", 0.1)
+    desk.answered()
+    assert below.evaluate("e => e.scrollTop") > 100, "the same robot stays where it was"
+    desk.open("robot", "delta")
+    desk.page.wait_for_function("() => document.querySelector('.side .below').scrollTop === 0")
+
+
 # --- in space ------------------------------------------------------------------------------------------------------
 
 

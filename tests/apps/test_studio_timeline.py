@@ -53,15 +53,36 @@ def test_crossings_of_a_drag_are_told_at_once_then_all_of_them_proved(desk: Desk
     desk.verdict("regular")
     desk.page.wait_for_selector(PROVED)
     same = gc.path(FILE, ["home", "0 0 -490"])
-    shown = [float(words.split()[0]) for words in desk.page.get_by_test_id("way-place").all_inner_texts()]
-    assert shown == pytest.approx([z.parameter for z in same.zeros], abs=1e-4)
+    shown = desk.page.locator("[data-testid=way-place] b").all_inner_texts()
+    assert shown == [f"z = \N{MINUS SIGN}{-float(z.pose.translation[2]):.5g} mm" for z in same.zeros]
     assert desk.page.get_by_test_id("way-mark").count() == 3
-    assert "through 3 singular poses, proved" in desk.text("crossed")
+    assert f"through 3 singular poses, proved; the last at {shown[-1]}." in desk.text("crossed")
     assert "3 places" in desk.text("way-verdict")
     assert len(stops(desk)) == 2
     desk.one("crossed-close").click()
     assert desk.page.get_by_test_id("crossed").count() == 0
     assert desk.page.get_by_test_id("way-mark").count() == 3
+
+
+def test_what_an_alert_names_is_drawn_at_its_pose_in_every_step(desk: Desk) -> None:
+    desk.step("structure")
+    drive(desk, -352)
+    desk.page.wait_for_selector("[data-testid=crossed][data-proved=true]")
+    assert drawn(desk) == []
+    assert "proved at z = \N{MINUS SIGN}350 mm." in desk.text("crossed")
+    desk.one("crossed-go").click()
+    desk.answered()
+    desk.verdict("singular")
+    desk.page.wait_for_function("() => gcrules.space.viewer.value.scene.constructed.length > 0")
+    assert drawn(desk) == [entity["id"] for entity in desk.study["entities"]]
+    assert "abc" in desk.page.get_by_label("Entities").inner_text()
+    desk.slide("z", -200)
+    desk.answered()
+    assert drawn(desk) == [], "the step shows no more than it has come to"
+
+
+def drawn(desk: Desk) -> list[Any]:
+    return list(desk.run("gcrules.space.viewer.value.scene.entities.map(e => e.id)"))
 
 
 def test_two_crossings_between_two_moves_are_found_by_the_proof(desk: Desk) -> None:

@@ -57,6 +57,7 @@ def test_how_sure_it_is() -> None:
     assert found["cells"] == 8**3
     assert 0 < found["free"] < found["cells"]
     assert f"{found['free']:,} cells are proved free" in found["guarantee"]
+    assert found["guarantee"].lower().startswith("every singular pose of the volume lies in ")
     assert "singular poses up to rounding" in found["resolution"]
     assert "122 mm apart" in found["resolution"]
     assert found["held"] == {}

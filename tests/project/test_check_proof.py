@@ -12,7 +12,6 @@ from fractions import Fraction
 from functools import cache, reduce
 from itertools import combinations
 from pathlib import Path
-from types import ModuleType
 from typing import Any
 
 import pytest
@@ -30,7 +29,7 @@ TOO_LONG = {"five-lines.gca"}  # one of its claims takes more exchanges than a f
 
 
 @cache
-def checker() -> ModuleType:
+def checker() -> Any:
     spec = importlib.util.spec_from_file_location("check_proof", CHECKER)
     assert spec is not None
     assert spec.loader is not None

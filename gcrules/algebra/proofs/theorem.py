@@ -16,7 +16,7 @@ from gcrules.algebra.assumptions.assumed import kinds
 from gcrules.algebra.assumptions.construction import Construction
 from gcrules.algebra.bracket import Coefficient, Monomial, Terms, sorted_row
 from gcrules.algebra.expand import MAX_TERMS
-from gcrules.algebra.expr import ZERO, Expr, common_rank, neg, points_of, sub
+from gcrules.algebra.expr import ZERO, Expr, Superbracket, common_rank, neg, points_of, sub, subexpressions
 from gcrules.algebra.proofs.coverage import Flat, flats
 from gcrules.algebra.proofs.relations import Relation, relations
 from gcrules.algebra.proofs.written import Written, number
@@ -25,6 +25,8 @@ from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import InputError
 
 __all__ = ["PlacedPoint", "Theorem", "theorem"]
+
+_LARGEST = 4  # rank of superbrackets that the checker expands
 
 
 @dataclass(frozen=True)
@@ -129,6 +131,8 @@ def theorem(
     too long.
     """
     assumptions, at_infinity = tuple(given), tuple(ideal)
+    if any(isinstance(e, Superbracket) and e.rank > _LARGEST for side in (left, right) for e in subexpressions(side)):
+        raise InputError(f"proof files have no superbrackets of rank {_LARGEST + 1} or more")
     rank = common_rank(rank, left, right, *(e for a in assumptions for e in a.args))
     difference = neg(right) if left == ZERO else left if right == ZERO else sub(left, right, rank=rank)
     found = kinds(Space(rank, (), at_infinity, assumptions), points_of(left, right), (difference,))

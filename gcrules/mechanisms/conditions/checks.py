@@ -177,7 +177,10 @@ def _check_platform(robot: Robot, limbs: Sequence[Limb], mobility: Node) -> None
             f"its limbs apply constraints of rank {6 - freedom} together; check joints, parallel axes and this number",
         )
     if actuators < freedom:
-        mobility.fault(f"too few actuators: {actuators} for a platform of mobility {freedom}", "star more joints")
+        mobility.fault(
+            f"too few actuators: {actuators} for a platform of mobility {freedom}",
+            "mark more joints as driven, with a star",
+        )
     elif RESIDUES.rank(locked) < 6:
         trivial = 3 if robot.family.plane else 0
         mobility.fault(

@@ -151,10 +151,11 @@ class LegsTask(InLayers, HoldsArrays):
 
     def _guarantee(self, summary: MapSummary) -> str:
         free, crossed, undecided = summary.cells
+        there = "slice" if len(self.grid.axes) == 2 else "volume"
         if self.everywhere and self.factors is None:
-            return f"every pose is singular: the superbracket is exactly 0 in {MEMBERS} random poses of the slice"
+            return f"every pose is singular: the superbracket is exactly 0 in {MEMBERS} random poses of the {there}"
         if self.everywhere:
-            return "the superbracket is the zero polynomial on this slice, exactly: every pose is singular"
+            return f"the superbracket is the zero polynomial on this {there}, exactly: every pose is singular"
         if self.factors is None and self._quick:
             return f"none: {crossed:,} cells are crossed by a change of sign; a map of the margin proves others free"
         if self.factors is not None:
@@ -163,9 +164,9 @@ class LegsTask(InLayers, HoldsArrays):
             how = "by bounds of the legs' coordinates around their middles"
         left = f"{crossed:,} crossed, {undecided:,} undecided"
         if not crossed + undecided:
-            return f"no pose of the slice is singular: all {free:,} cells are proved free: {how}"
+            return f"no pose of the {there} is singular: all {free:,} cells are proved free: {how}"
         return (
-            f"every singular pose of the slice lies in the {crossed + undecided:,} cells that are not free ({left}); "
+            f"every singular pose of the {there} lies in the {crossed + undecided:,} cells that are not free ({left}); "
             + (f"{free:,} cells are proved free: {how}")
         )
 

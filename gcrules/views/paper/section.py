@@ -325,7 +325,18 @@ def _sure(s: Subject, full: bool) -> str:
     steps = f", the steps stand in Appendix~\\ref{{app:{slug(s)}}}" * full
     return (
         rf"\paragraph{{Reproducibility.}} Computed with gcrules, version {__version__}~\cite{{{OWN_KEY}}}{steps}. The"
-        rf" SHA-256 digest of the analysis with its certificate begins with \texttt{{{s.digest[:16]}}}."
+        rf" SHA-256 digest of the analysis with its certificate begins with \texttt{{{s.digest[:16]}}}.{_proved(s)}"
+    )
+
+
+def _proved(s: Subject) -> str:
+    """Of the proofs that can be replayed without gcrules, the digest."""
+    file = s.proofs
+    if file is None:
+        return ""
+    return (
+        rf" Its identities with their proofs, which \texttt{{-{{}}-certificate}} writes and a program checks that shares no"
+        rf" code with gcrules, have a digest that begins with \texttt{{{file.digest[:16]}}}."
     )
 
 

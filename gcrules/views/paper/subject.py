@@ -6,17 +6,20 @@ import hashlib
 import json
 from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
+from functools import cached_property
 from typing import Any
 
 from gcrules.algebra import expr as ex
 from gcrules.algebra.expr import Expr, Point, join
+from gcrules.algebra.proofs.proof_file import ProofFile
 from gcrules.conditions.analysis import Analysis
 from gcrules.conditions.pose_value import Coordinates
 from gcrules.core.dataclass import dataclass
 from gcrules.core.deferred import deferred
 from gcrules.core.english import listed
-from gcrules.core.errors import InputError
+from gcrules.core.errors import InputError, LimitReached
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
+from gcrules.mechanisms.proofs import proof_file
 from gcrules.mechanisms.robot import Robot
 from gcrules.rules.condition import Condition
 from gcrules.rules.statement import Statement
@@ -86,6 +89,14 @@ class Subject:
         data = {key: value for key, value in self.analysis.to_json().items() if key not in _OF_A_MACHINE}
         written = json.dumps(data, sort_keys=True, separators=(",", ":"), ensure_ascii=True)
         return hashlib.sha256(written.encode()).hexdigest()
+
+    @cached_property
+    def proofs(self) -> ProofFile | None:
+        """The proofs that others check; None where there are none to write."""
+        try:
+            return proof_file(self.analysis)
+        except (InputError, LimitReached):
+            return None
 
     @property
     def _described(self) -> Coordinates | Robot | None:

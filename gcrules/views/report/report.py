@@ -17,6 +17,7 @@ from gcrules.views.drawing.figures import graph_figure, robot_figure
 from gcrules.views.formulas.terms import formula_html
 from gcrules.views.report.items import Formula, Item, KeyValue
 from gcrules.views.report.parts import answer_html
+from gcrules.views.report.proof_section import proof_html
 from gcrules.views.report.report_page import footer, page, robot_figure_html
 from gcrules.views.report.robot_report import moves, robot_report
 from gcrules.views.report.scene_json import drawable, scene
@@ -73,6 +74,7 @@ def report(
         *(_stage(s) for s in stages(analysis) if s.id != "pose"),
         "</ol>",
         _derivation(analysis),
+        proof_html(analysis),
         bench_html(standing),
         repeating_html(standing),
         footer(),

@@ -24,6 +24,7 @@ from gcrules.views.formulas.terms import formula_html
 from gcrules.views.report.items import Formula
 from gcrules.views.report.parts import answer_html
 from gcrules.views.report.pose_section import pose_html
+from gcrules.views.report.proof_section import proof_html
 from gcrules.views.report.report_page import footer, page, robot_figure_html
 from gcrules.views.report.scene_json import scene
 from gcrules.views.report.standing import Standing
@@ -70,6 +71,7 @@ def robot_report(
         '<ol class="stages">',
         *(f"<li><h3>{escape(title)}</h3>{body}</li>" for title, body in _stages(a)),
         "</ol>",
+        proof_html(a),
         bench_html(standing),
         repeating_html(standing),
         footer(),

@@ -4,8 +4,8 @@ import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import { between, clip, directionOf, fitted, newCamera, stand } from "./camera";
 import type { Model } from "./drawing";
 import { sightOf, type Sight } from "./sight";
-import type { Stand, Vec3, View } from "./types";
-import { sub } from "./vectors";
+import type { Options, Stand, Vec3, View } from "./types";
+import { along, distance, sub, unit } from "./vectors";
 
 const FLIGHT = 280; // milliseconds from one view to another
 
@@ -19,24 +19,34 @@ export class Rig {
   private readonly orbit: OrbitControls;
   private flight: { from: Stand; to: Stand; start: number } | null = null;
   private size = 1;
+  /** From where robots are looked at; null for the most telling direction. */
+  private from: Vec3 | null = null;
+  private turned: Vec3 = [0, 0, 0];
+  /** Whether the drawing is to be fitted when it is next made, and whether parts of it are still to come. */
+  private due = false;
+  private awaiting = false;
+  /** Whether someone has chosen the view since another robot came. */
+  private chosen = false;
 
   constructor(
     surface: HTMLElement,
     private readonly changed: () => void,
-    private readonly covered: () => number,
+    private readonly options: Options,
   ) {
     this.orbit = new OrbitControls(this.camera, surface);
     this.orbit.enableDamping = !calm();
     this.orbit.dampingFactor = 0.14;
     this.orbit.addEventListener("change", changed);
+    this.orbit.addEventListener("start", () => (this.chosen = true));
+    if (options.wheel !== "focused") return;
+    this.orbit.enableZoom = false;
+    surface.addEventListener("focus", () => (this.orbit.enableZoom = true));
+    surface.addEventListener("blur", () => (this.orbit.enableZoom = false));
   }
 
   /** Whether dragging turns the view. */
   set enabled(on: boolean) {
     this.orbit.enabled = on;
-  }
-  set wheel(on: boolean) {
-    this.orbit.enableZoom = on;
   }
 
   get sight(): Sight {
@@ -48,7 +58,7 @@ export class Rig {
 
   /** The share of the height, around its middle, that nothing covers; most of it, where more is covered. */
   private get free(): number {
-    return Math.max(1 - (2 * this.covered()) / this.height, 0.6);
+    return Math.max(1 - (2 * (this.options.covered?.() ?? 0)) / this.height, 0.6);
   }
 
   resize(width: number, height: number): void {
@@ -57,22 +67,47 @@ export class Rig {
     this.camera.updateProjectionMatrix();
   }
 
-  /** At once to where the whole drawing is seen. */
+  /** Another robot: it is fitted when it is first drawn. */
+  expect(): void {
+    this.due = this.awaiting = true;
+    this.chosen = false;
+  }
+
+  /** All of it has come: it is fitted once more, unless the view was chosen meanwhile. */
+  whole(): void {
+    this.due ||= this.awaiting && !this.chosen;
+    this.awaiting = false;
+  }
+
+  /** At once to where the whole drawing is seen, if that is due. */
   fit(model: Model): void {
+    if (!this.due) return;
+    this.due = false;
     this.flight = null;
     this.size = model.radius;
-    this.go(fitted(this.camera, model, directionOf("iso", model), this.free));
+    this.go(fitted(this.camera, model, this.from ?? directionOf("iso", model), this.free));
   }
 
   /** At once to where one stood before. */
   take(to: Stand, model: Model): void {
     this.flight = null;
+    this.due = false;
+    this.chosen = true;
     this.size = model.radius;
     this.go(to);
   }
 
+  lookFrom(direction: Vec3): void {
+    this.flight = null;
+    this.from = direction;
+    const { eye, target } = this.stand;
+    if (!this.due) this.go({ eye: along(target, direction, distance(eye, target)), target });
+    this.changed();
+  }
+
   view(name: View, model: Model): void {
     const { eye, target } = this.stand;
+    this.chosen ||= name !== "fit";
     const to = fitted(this.camera, model, name === "fit" ? sub(eye, target) : directionOf(name, model), this.free);
     if (calm()) this.go(to);
     else this.flight = { from: this.stand, to, start: performance.now() };
@@ -90,6 +125,7 @@ export class Rig {
       moving = true;
     } else if (this.orbit.enableDamping) moving = this.orbit.update();
     clip(this.camera, this.orbit.target, size);
+    this.tellTurn();
     return moving;
   }
 
@@ -118,7 +154,16 @@ export class Rig {
     this.orbit.dispose();
   }
 
+  private tellTurn(): void {
+    const { eye, target } = this.stand;
+    const direction = unit(sub(eye, target));
+    if (distance(direction, this.turned) < 1e-9) return;
+    this.turned = direction;
+    this.options.onTurn?.(direction);
+  }
+
   private moved(): void {
+    this.chosen = true;
     this.orbit.update();
     this.changed();
   }

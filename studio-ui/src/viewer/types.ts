@@ -75,6 +75,8 @@ export interface Highlight {
 export interface Viewer {
   /** Another structure; the camera is fitted to it. */
   show(scene: Scene): void;
+  /** All of what was shown has come by updates: the camera is fitted to it once, unless someone has chosen a view meanwhile. */
+  whole(): void;
   /** New places of points, constructions or motion; the camera is kept. Cheap enough for the events of a slider. */
   update(part: Partial<Scene>): void;
   readonly pose: Pose;
@@ -85,6 +87,8 @@ export interface Viewer {
   setMode(mode: Mode): void;
   highlight(what: Highlight | null): void;
   setView(name: View): void;
+  /** Looks from a direction, from as far as before, and at robots that are shown later from there, too. */
+  lookFrom(direction: Vec3): void;
   readonly stand: Stand;
   setStand(to: Stand): void;
   setTheme(theme: Theme): void;
@@ -116,6 +120,8 @@ export interface Options {
   onRemove?(id: string): void;
   onInsert?(id: string): void;
   onPick?(name: string): void;
+  /** The view was turned: it is looked at from this direction, a unit vector. */
+  onTurn?(direction: Vec3): void;
   onHover?(what: { point?: string; entity?: string } | null): void;
   /** Where the points are seen in which planes meet, with their labels or the arrows towards them: boxes as left, top, right, bottom. */
   onMarks?(boxes: readonly (readonly [number, number, number, number])[]): void;

@@ -54,7 +54,6 @@ class Stage implements Viewer, Reach {
   private model: Model | null = null;
   private split: ReturnType<typeof splitDrawing> = null;
   private stale = true;
-  private fitting = true;
   private frame = 0;
   private pending = false;
 
@@ -63,7 +62,7 @@ class Stage implements Viewer, Reach {
     this.surface = new Surface(host, options.gizmo !== false);
     const { root } = this.surface;
     this.easel = newEasel(root, options.renderer ?? "auto", () => this.changed());
-    this.rig = new Rig(root, () => this.request(), options.covered ?? (() => 0));
+    this.rig = new Rig(root, () => this.request(), options);
     if (options.gizmo !== false) {
       this.gizmo = new Gizmo(this.rig.camera, root, {
         moved: (pose) => (this.held ? this.gripMoved(this.held.id, placeOf(pose, this.scene.about)) : this.moved(pose)),
@@ -75,11 +74,6 @@ class Stage implements Viewer, Reach {
     }
     new Grasp(this, this.stop.signal);
     this.hand = new Hand(this, this.stop.signal);
-    if (options.wheel === "focused") {
-      this.rig.wheel = false;
-      root.addEventListener("focus", () => (this.rig.wheel = true), this.stop);
-      root.addEventListener("blur", () => (this.rig.wheel = false), this.stop);
-    }
     this.resizing = new ResizeObserver(() => this.resize());
     this.resizing.observe(host);
     this.setTheme(this.theme);
@@ -98,7 +92,7 @@ class Stage implements Viewer, Reach {
     this.asked = null;
     this.pointed = null;
     this.hand.forget();
-    this.fitting = true;
+    this.rig.expect();
     this.surface.describe(scene);
     this.changed();
   }
@@ -108,6 +102,11 @@ class Stage implements Viewer, Reach {
     if (part.surface !== undefined || part.grips !== undefined) this.surface.describe(this.scene);
     if (part.pose) this.given = part.pose;
     else if (part.points) this.given = this.current;
+    this.changed();
+  }
+
+  whole(): void {
+    this.rig.whole();
     this.changed();
   }
 
@@ -140,11 +139,13 @@ class Stage implements Viewer, Reach {
     this.rig.view(name, this.fresh());
   }
 
+  lookFrom(direction: Vec3): void {
+    this.rig.lookFrom(direction);
+  }
   get stand(): Stand {
     return this.rig.stand;
   }
   setStand(to: Stand): void {
-    this.fitting = false;
     this.rig.take(to, this.fresh());
   }
 
@@ -287,10 +288,7 @@ class Stage implements Viewer, Reach {
     this.model = modelOf(this.posed(), { theme: this.theme, highlight, hidden: this.hidden, swing, centre });
     this.split = splitDrawing(this.model);
     this.easel.load(this.model, this.split, this.theme);
-    if (this.fitting && this.scene !== EMPTY) {
-      this.fitting = false;
-      this.rig.fit(this.model);
-    }
+    this.rig.fit(this.model);
     return this.model;
   }
 

@@ -33,6 +33,8 @@ export interface PanelProps {
 export interface Panel {
   id: PanelId;
   title: string;
+  /** With a soft hyphen where the word may be parted in the rail. */
+  written?: string;
   icon: IconName;
   component: ComponentType<PanelProps>;
   layout: "beside" | "wide";
@@ -47,7 +49,7 @@ export const panels: readonly Panel[] = [
   { id: "manual", title: "By hand", icon: "manual", component: ManualPanel, layout: "beside", needs: "study" },
   { id: "motion", title: "Path, map", icon: "map", component: Motion, layout: "beside", needs: "study" },
   { id: "where", title: "Where to", icon: "where", component: Where, layout: "beside", needs: "study" },
-  { id: "dimensions", title: "Shape", icon: "dimensions", component: Dimensions, layout: "beside", needs: "study" },
+  { id: "dimensions", title: "Dimensions", written: "Dimen\u00adsions", icon: "dimensions", component: Dimensions, layout: "beside", needs: "study" },
   { id: "bench", title: "Bench", icon: "bench", component: Bench, layout: "beside", needs: "nothing", alone: true },
   { id: "draw", title: "Draw", icon: "draw", component: Drawing, layout: "wide", needs: "nothing" },
   { id: "take-away", title: "Take away", icon: "take-away", component: TakeAway, layout: "beside", needs: "study" },

@@ -1,15 +1,19 @@
 // The singular poses of the way, with their causes; and over the picture what has just been crossed.
-import type { PathAnswer, Pose, Sign, Study } from "../../protocol";
+import type { PathAnswer, Sign, Study } from "../../protocol";
 import { short } from "../lib/format";
+import { differing, spanned } from "../lib/pose-words";
 import { useStore } from "../parts/context";
 import { Icon } from "../parts/icon";
 import { Prose } from "../parts/prose";
+import { poseAt } from "../state/timeline";
 
 const ICONS = { regular: "ok", close: "warn", singular: "stop" } as const;
 
 export function Crossings({ proof }: { proof: PathAnswer }) {
-  const { timeline } = useStore();
+  const { timeline, study } = useStore();
   const { places, stretches, verdict, reason, more } = proof;
+  const robot = study.value;
+  if (!robot) return null;
   return (
     <div class={`crossings ${verdict}`}>
       <p class="word" role="status" data-testid="way-verdict" data-verdict={verdict}>
@@ -19,14 +23,14 @@ export function Crossings({ proof }: { proof: PathAnswer }) {
         {stretches.map((s, i) => (
           <li key={`s${i}`} class={s.singular ? "singular" : "undecided"} data-testid="way-stretch">
             <b>
-              {short(s.start, 4)} to {short(s.end, 4)}
+              {named(proof, s.start, robot)} to {named(proof, s.end, robot)}
             </b>
             <span>{s.words.join(" ")}</span>
           </li>
         ))}
         {places.map((p, i) => (
           <li key={i} class="singular" data-testid="way-place">
-            <b>{short(p.parameter, 5)}</b>
+            <b title={`Pose ${p.at}, at parameter ${short(p.parameter, 5)} of the way`}>{named(proof, p.parameter, robot)}</b>
             <span>
               <Prose text={p.words.join(" ")} />
             </span>
@@ -43,6 +47,13 @@ export function Crossings({ proof }: { proof: PathAnswer }) {
   );
 }
 
+/** The pose at a parameter of the way, by the coordinates in which its poses differ; the parameter where the pose is not known. */
+function named(proof: PathAnswer, parameter: number, robot: Study): string {
+  const pose = poseAt(proof, parameter);
+  const words = pose && differing(pose, proof.samples.flatMap((s) => s.pose ?? []), robot);
+  return words || `parameter ${short(parameter, 5)}`;
+}
+
 /** At once, from the signs of the factors; then what the proof of the way says. It stands below the picture, not on it. */
 export function CrossingAlert() {
   const { timeline, study, posing } = useStore();
@@ -52,19 +63,24 @@ export function CrossingAlert() {
   const places = timeline.given.value || timeline.known.value ? [] : (proof?.places ?? []);
   if (!seen && places.length === 0) return null;
   const last = places.at(-1);
+  const between = seen && spanned(seen.from, seen.to, shown);
+  const span = between ? `between ${between}` : "by the last move";
   const count = places.length === 1 ? "a singular pose" : `${places.length} singular poses`;
   return (
     <div class="crossed" role="alert" data-testid="crossed" data-proved={places.length > 0}>
       <Icon name="stop" size={16} />
       <p>
-        {last ? (
+        {proof && last ? (
           <>
-            <b>The way leads through {count}, proved.</b> <Prose text={last.words[1] ?? last.words[0] ?? ""} />
+            <b>
+              The way leads through {count}, proved{places.length > 1 ? "; the last" : ""} at {named(proof, last.parameter, shown)}.
+            </b>{" "}
+            <Prose text={last.words[1] ?? last.words[0] ?? ""} />
           </>
         ) : (
           seen && (
             <>
-              <b>A singular pose was crossed</b> {span(seen.from, seen.to, shown)}: <Changed signs={seen.signs} />
+              <b>A singular pose was crossed</b> {span}: <Changed signs={seen.signs} />
             </>
           )
         )}
@@ -90,18 +106,4 @@ function Changed({ signs }: { signs: readonly Sign[] }) {
       on the way <Prose text={named.join("; and ")} />. A factor of the condition has changed its sign.
     </>
   );
-}
-
-/** Between which poses, in the coordinates that differ. */
-function span(from: Pose, to: Pose, { axes, kind, unit }: Study): string {
-  const of = (pose: Pose): readonly number[] => (kind === "robot" ? axes.map((_, i) => pose.coordinates?.[i] ?? 0) : pose.translation);
-  const [a, b] = [of(from), of(to)];
-  const differ = a.flatMap((value, i) => {
-    const axis = axes[i];
-    const other = b[i] ?? 0;
-    if (!axis || Math.abs(value - other) < 1e-9) return [];
-    const measure = kind === "robot" ? axis.unit : unit;
-    return [`${axis.name} = ${short(value, 4)} and ${short(other, 4)}${measure === "deg" ? "°" : measure && ` ${measure}`}`];
-  });
-  return differ.length > 0 && differ.length <= 2 ? `between ${differ.join(", ")}` : "by the last move";
 }

@@ -1,10 +1,8 @@
 // The waypoints: to go to, to put elsewhere, to drag into another order, to take out; and as a table, both ways.
 import { useRef, useState } from "preact/hooks";
-import type { Pose, Study } from "../../protocol";
-import { short } from "../lib/format";
-import { rotationVector } from "../../viewer/pose";
 import { useStore } from "../parts/context";
 import { Icon } from "../parts/icon";
+import { inWords } from "../lib/pose-words";
 import { download } from "../lib/download";
 import { fileName } from "../panels/take-away/making";
 
@@ -117,11 +115,4 @@ function Tables() {
       </button>
     </>
   );
-}
-
-function inWords(pose: Pose, { kind, axes, unit }: Study): string {
-  if (kind === "robot") return axes.map(({ name }, i) => `${name.split(",")[0]} ${short(pose.coordinates?.[i] ?? 0, 4)}`).join(", ");
-  const turn = (Math.hypot(...rotationVector(pose.quaternion)) * 180) / Math.PI;
-  const shift = `${pose.translation.map((c) => short(c, 4)).join(", ")}${unit && ` ${unit}`}`;
-  return turn > 1e-3 ? `${shift}; turned by ${short(turn, 3)}°` : shift;
 }

@@ -36,8 +36,10 @@ function shown({ numbers, fault }: Posing): { value: string; margin: string } | 
 const MARGIN = "The singularity margin: 0 at a singular pose, at most 1; the same in every frame and unit";
 
 export function VerdictView() {
-  const { posing, client, study } = useStore();
-  const stale = client.line.value === "lost" || posing.fault.value ? " stale" : "";
+  const { posing, client, late, study } = useStore();
+  const lost = client.line.value === "lost";
+  const busy = late.value && !lost;
+  const stale = lost || busy || posing.fault.value ? " stale" : "";
   const texts = useMemo(
     () => ({
       value: computed(() => shown(posing)?.value ?? "…"),
@@ -49,11 +51,16 @@ export function VerdictView() {
   const verdict = texts.verdict.value;
   const [word, icon] = verdict ? VERDICTS[verdict] : posing.fault.value ? NONE : WAITING;
   return (
-    <section class={`verdict ${verdict ?? "waiting"}${stale}`} aria-label="At this pose">
+    <section class={`verdict ${verdict ?? "waiting"}${stale}`} aria-label="At this pose" aria-busy={busy}>
       <div class="headline">
         <p class="word" role="status" data-testid="verdict" data-verdict={verdict ?? ""}>
           <Icon name={icon} size={20} /> {word}
         </p>
+        {busy && (
+          <p class="computing" data-testid="computing">
+            <span class="spinner" aria-hidden="true" /> <span class="words">computing …</span>
+          </p>
+        )}
         <dl>
           <dt>
             <Term name="value">value</Term>

@@ -9,17 +9,18 @@ export function Rail() {
   const [panel, source] = [panel$.value, source$.value];
   return (
     <nav class="rail" aria-label="Panels">
-      {panelsOf(store).map(({ id, title, icon, needs }) => (
+      {panelsOf(store).map(({ id, title, written, icon, needs }) => (
         <button
           type="button"
           key={id}
+          aria-label={written && title}
           aria-current={id === panel ? "page" : undefined}
           disabled={needs === "study" && !source}
           data-testid={`panel-${id}`}
           onClick={() => go({ panel: id })}
         >
           <Icon name={icon} size={20} />
-          <span>{title}</span>
+          <span>{written ?? title}</span>
         </button>
       ))}
     </nav>

@@ -18,16 +18,24 @@ import { ViewerPane } from "./viewer-pane";
 
 export function Shell({ store }: { store: Store }) {
   const root = useRef<HTMLDivElement>(null);
+  const below = useRef<HTMLDivElement>(null);
   const drawn = useRef(false);
+  const opened = useRef<string | null>(null);
   const { across, down } = store.taste;
+  const study = store.study.value;
+  const robot = study && `${study.kind} ${study.title}`;
   useEffect(() => (root.current ? listen(root.current, store) : undefined), [store]);
   useEffect(() => (root.current ? keepFocus(root.current, () => document.getElementById("content")) : undefined), [store]);
+  useEffect(() => {
+    if (robot === null || robot === opened.current) return;
+    opened.current = robot;
+    below.current?.scrollTo(0, 0); // another robot begins with its verdict
+  }, [robot]);
   useKeys(store);
 
   const panels = panelsOf(store);
   const panel = panels.find(({ id }) => id === store.panel$.value) ?? panels[0];
   if (!panel) return null;
-  const study = store.study.value;
   const waits = panel.needs === "study" && !study;
   const beside = panel.layout === "beside" && study !== null;
   drawn.current ||= beside; // the viewer is made when it is first needed, and then kept
@@ -52,7 +60,7 @@ export function Shell({ store }: { store: Store }) {
           <aside class="side" hidden={!beside} aria-label="Robot and pose">
             {drawn.current && <ViewerPane />}
             {beside && <Splitter share={down} direction="down" label="Height of the picture" />}
-            <div class="below">{beside && <Safe of={study}>{store.client.alone ? <NoNumbers /> : <PosePanel />}</Safe>}</div>
+            <div class="below" ref={below}>{beside && <Safe of={study}>{store.client.alone ? <NoNumbers /> : <PosePanel />}</Safe>}</div>
           </aside>
         </main>
       </div>

@@ -17,9 +17,13 @@ export function TourCard() {
 
   useEffect(() => {
     if (!stop) return undefined;
-    stop.lead(store);
+    const giveUp = stop.lead(store);
     next.current?.focus();
-    return stop.at === null ? undefined : pointedAt(stop.at);
+    const unmark = stop.at === null ? undefined : pointedAt(stop.at);
+    return () => {
+      giveUp?.();
+      unmark?.();
+    };
   }, [stop, store]);
 
   if (!stop || at === null) return null;

@@ -1,7 +1,8 @@
 // The viewer and the store, each told of the other's changes.
 import { computed, effect, untracked } from "@preact/signals";
-import type { Numbers, Study } from "../../protocol";
+import type { Numbers } from "../../protocol";
 import { createViewer, type Layer, type Viewer } from "../../viewer";
+import { inSight } from "../parts/in-sight";
 import { entityTarget, pointTarget, type Target } from "../state/lit";
 import { samePose } from "../state/doc";
 import { foundBy, posedPart, sceneOf, withOverlay } from "../state/scene";
@@ -30,6 +31,7 @@ export function connect(element: HTMLElement, store: Store): () => void {
     onMarks(boxes) {
       if (JSON.stringify(boxes) !== JSON.stringify(space.marks.peek())) space.marks.value = boxes;
     },
+    onTurn: (direction) => void (space.from.value = direction),
     ...gripHandlers(store),
     onPick: (name) => void (space.pick(name) || lit.pin(pointTarget(name))),
     onHover: (what) => lit.hover(hovered(store, what)),
@@ -75,7 +77,7 @@ function keepInSight({ pose$, study }: Store, viewer: Viewer, element: HTMLEleme
   let timer = 0;
   let wasSeen = true;
   function rest(): void {
-    const seen = inSight(viewer, element, study.peek());
+    const seen = inSight(viewer, element, study.peek()?.platform ?? []);
     if (wasSeen && !seen && !held()) viewer.setView("fit");
     else wasSeen = seen;
   }
@@ -88,13 +90,6 @@ function keepInSight({ pose$, study }: Store, viewer: Viewer, element: HTMLEleme
     window.clearTimeout(timer);
     stop();
   };
-}
-
-function inSight(viewer: Viewer, { clientWidth, clientHeight }: HTMLElement, study: Study | null): boolean {
-  if (clientWidth === 0) return true; // the picture is not on show
-  const within = (at: readonly [number, number] | null) =>
-    at !== null && at[0] >= 0 && at[1] >= 0 && at[0] <= clientWidth && at[1] <= clientHeight;
-  return (study?.platform ?? []).every((name) => within(viewer.toScreen(name)));
 }
 
 const PATIENCE = 40; // milliseconds that a picture waits for the numbers of its pose
@@ -110,6 +105,7 @@ function followPose(store: Store, viewer: Viewer): () => void {
     if (numbers && numbers !== drawn) {
       const dragged = Object.keys(store.resizing.wanted.peek()).length > 0; // the joints are elsewhere by now
       if (!dragged) viewer.update({ ...posedPart(numbers, samePose(numbers.pose, pose)), constructed: constructedNow(store, numbers) });
+      viewer.whole(); // links come with the first numbers
     }
     drawn = numbers;
   });
@@ -142,10 +138,10 @@ function drawSurface({ touring, study, pose$, posing }: Store, viewer: Viewer): 
   });
 }
 
-/** The entities that the guided steps have come to; null for all. */
-export function foundNow({ study, panel$, stage$ }: Store): string[] | null {
+/** The entities that the guided steps have come to; null for all, as at a singular pose of the way, whose words name them. */
+export function foundNow({ study, panel$, stage$, timeline }: Store): string[] | null {
   const shown = study.value;
-  return shown && panel$.value === "guided" ? foundBy(shown.stages, stage$.value) : null;
+  return shown && panel$.value === "guided" && timeline.place.value === null ? foundBy(shown.stages, stage$.value) : null;
 }
 
 function entitiesNow(store: Store) {

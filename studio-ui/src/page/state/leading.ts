@@ -13,6 +13,8 @@ export interface Leading {
   values: ReadonlySignal<readonly number[]>;
   /** Why the platform does not get to where it was wanted last; it stays where it was. */
   fault: ReadonlySignal<Fault | null>;
+  /** Whether the answer to what was wanted last is still to come. */
+  awaited: ReadonlySignal<boolean>;
   /** Sets one of the freedoms, the others kept. */
   set(index: number, value: number): void;
   /** Leads the platform to a pose as far as its freedoms go. */
@@ -33,7 +35,7 @@ export function createLeading(client: Client, { doc, source$, pose$, edit, settl
   const wanted = signal<readonly number[] | null>(null);
   const fault = signal<Fault | null>(null);
   let answered: Pose | null = null;
-  let last: Asked | null = null; // the request whose answer is awaited
+  const last = signal<Asked | null>(null); // the request whose answer is awaited
   let ending = false;
   let moving = false; // whether the pose changes by an answer
   let hands = 0; // how often anything else has moved the robot, undo for one
@@ -62,13 +64,14 @@ export function createLeading(client: Client, { doc, source$, pose$, edit, settl
   function ask(what: Pick<Asked, "at" | "to">): void {
     const { source, pose } = doc.peek();
     if (!source) return;
-    last = { hands, source, pose, ...what };
-    request(last);
+    const asked = { hands, source, pose, ...what };
+    last.value = asked;
+    request(asked);
   }
 
   function ended(asked: Asked): void {
-    if (asked !== last) return;
-    last = null;
+    if (asked !== last.peek()) return;
+    last.value = null;
     if (ending) settle();
     ending = false;
   }
@@ -78,7 +81,7 @@ export function createLeading(client: Client, { doc, source$, pose$, edit, settl
     void pose$.value;
     if (moving) return;
     hands += 1;
-    last = null;
+    last.value = null;
     ending = false;
     wanted.value = null;
   });
@@ -94,7 +97,7 @@ export function createLeading(client: Client, { doc, source$, pose$, edit, settl
   });
   effect(() => {
     void source$.value;
-    answered = last = null;
+    answered = last.value = null;
     ending = false;
     wanted.value = null;
     fault.value = null;
@@ -103,6 +106,7 @@ export function createLeading(client: Client, { doc, source$, pose$, edit, settl
   return {
     values: computed(() => wanted.value ?? posing.numbers.value?.freedoms ?? []),
     fault,
+    awaited: computed(() => last.value !== null),
     set(index, value) {
       const now = wanted.peek() ?? posing.numbers.peek()?.freedoms ?? [];
       wanted.value = now.map((c, i) => (i === index ? value : c));
@@ -112,7 +116,7 @@ export function createLeading(client: Client, { doc, source$, pose$, edit, settl
       ask({ to: platform });
     },
     done() {
-      if (last) ending = true;
+      if (last.peek()) ending = true;
       else settle();
     },
   };

@@ -1,5 +1,5 @@
 // Numbers at the pose: asked for at every move, latest first; with the way that the margin has gone.
-import { computed, effect, signal, type ReadonlySignal } from "@preact/signals";
+import { batch, computed, effect, signal, type ReadonlySignal } from "@preact/signals";
 import type { Along, Fault, Numbers, Pose, Source } from "../../protocol";
 import type { Client } from "../net/client";
 import { latest } from "../net/latest";
@@ -11,6 +11,8 @@ import { extended, LONGEST, passedOf, type Passed } from "./trail";
 export interface Posing {
   numbers: ReadonlySignal<Numbers | null>;
   fault: ReadonlySignal<Fault | null>;
+  /** Whether the answer for the pose on show is still to come. */
+  awaited: ReadonlySignal<boolean>;
   /** The margin below which a pose is close; null where no margin says it (the threshold is a length). */
   close: ReadonlySignal<number | null>;
   /** The last moves; refreshed at most ten times a second. */
@@ -31,6 +33,8 @@ const THROTTLE = 100; // milliseconds between two pictures of the way
 export function createPosing(client: Client, editing: Editing, studying: Studying): Posing {
   const numbers = signal<Numbers | null>(null);
   const fault = signal<Fault | null>(null);
+  const open = signal<Asked | null>(null); // what was asked last, until it is answered
+  const awaited = computed(() => open.value !== null);
   const close = computed(() => numbers.value?.close ?? null);
   const trail = signal<readonly Passed[]>([]);
   let passed: readonly Passed[] = [];
@@ -52,17 +56,25 @@ export function createPosing(client: Client, editing: Editing, studying: Studyin
 
   const request = latest(
     (asked: Asked) => client.ask("pose", { ...asked }, { channel: "pose" }),
-    (found, asked) => {
-      if (!current(asked)) return;
-      numbers.value = found;
-      fault.value = null;
-      note(found);
-    },
-    (error, asked) => {
-      const said = faultOf(error);
-      if (current(asked) && said.kind !== "superseded") fault.value = said;
-    },
+    (found, asked) =>
+      batch(() => {
+        answered(asked);
+        if (!current(asked)) return;
+        numbers.value = found;
+        fault.value = null;
+        note(found);
+      }),
+    (error, asked) =>
+      batch(() => {
+        answered(asked);
+        const said = faultOf(error);
+        if (current(asked) && said.kind !== "superseded") fault.value = said;
+      }),
   );
+
+  function answered(asked: Asked): void {
+    if (asked === open.peek()) open.value = null;
+  }
 
   function forget(): void {
     passed = [];
@@ -93,14 +105,18 @@ export function createPosing(client: Client, editing: Editing, studying: Studyin
     if (studying.study.value !== null) return;
     numbers.value = null;
     fault.value = null;
+    open.value = null;
     forget();
   });
 
   const { source$, pose$, threshold$ } = editing;
   effect(() => {
     const [pose, threshold, source] = [pose$.value, threshold$.value, source$.peek()];
-    if (studying.study.value && source) request({ source, pose, threshold });
+    if (!studying.study.value || !source) return;
+    const asked = { source, pose, threshold };
+    open.value = asked;
+    request(asked);
   });
 
-  return { numbers, fault, close, trail, forget, walk };
+  return { numbers, fault, awaited, close, trail, forget, walk };
 }

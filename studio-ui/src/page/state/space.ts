@@ -1,6 +1,6 @@
 // The state of the 3D pane that is no part of the document: what the mouse does, what is shown, what panels add.
 import { signal, type Signal } from "@preact/signals";
-import type { Layer, Mode, Viewer } from "../../viewer";
+import type { Layer, Mode, Vec3, Viewer } from "../../viewer";
 import type { Overlay } from "./scene";
 
 /** Left, top, right, bottom. */
@@ -10,6 +10,8 @@ export interface Space {
   /** The viewer, while it is on show; tests reach it as `window.gcrules.viewer`. */
   viewer: Signal<Viewer | null>;
   mode: Signal<Mode>;
+  /** From where the robot is looked at; null before it is seen. */
+  from: Signal<Vec3 | null>;
   layers: Signal<Record<Layer, boolean>>;
   /** Whether the picture takes the whole window. */
   large: Signal<boolean>;
@@ -29,6 +31,7 @@ export function createSpace(): Space {
   return {
     viewer: signal(null),
     mode: signal<Mode>("orbit"),
+    from: signal<Vec3 | null>(null),
     layers: signal({ entities: true, labels: true, legs: true, wrenches: true, grid: true, motion: true, surface: true, way: true }),
     large: signal(false),
     playing: signal(false),

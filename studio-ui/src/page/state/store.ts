@@ -7,6 +7,7 @@ import { createChoosing } from "./choosing";
 import { createComparing, type Comparing } from "./comparing";
 import { createEditing, type Editing } from "./editing";
 import { createFront, type Front } from "./front";
+import { createLate } from "./late";
 import { createLeading, type Leading } from "./leading";
 import { createLit, type Lit } from "./lit";
 import { createMoving, type Moving } from "./moving";
@@ -33,6 +34,8 @@ export interface Store extends Editing, Studying {
   timeline: Timeline;
   moving: Moving;
   leading: Leading;
+  /** Whether the answer for the pose that is asked for is late. */
+  late: ReadonlySignal<boolean>;
   sharing: Sharing;
   resizing: Resizing;
   comparing: Comparing;
@@ -60,6 +63,7 @@ export function createStore(client: Client, start: Doc | null): Store {
     if (opened && shared) sharing.begin(opened);
   });
   const posing = createPosing(client, editing, studying);
+  const leading = createLeading(client, editing, posing);
   const timeline = createTimeline(client, editing, studying, posing);
   return {
     ...editing,
@@ -70,7 +74,8 @@ export function createStore(client: Client, start: Doc | null): Store {
     posing,
     timeline,
     moving: createMoving(editing, posing),
-    leading: createLeading(client, editing, posing),
+    leading,
+    late: createLate(posing, leading),
     sharing,
     resizing: createResizing(client, editing, studying),
     comparing: createComparing(client, editing, studying),

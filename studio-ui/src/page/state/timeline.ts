@@ -1,6 +1,6 @@
 // The way that was driven, or that is given by waypoints: proved as soon as the hand rests, and led along.
 import { computed, effect, signal, untracked, type ReadonlySignal, type Signal } from "@preact/signals";
-import { MOST_WAYPOINTS, type Fault, type Numbers, type PathAnswer, type Pose, type Sign, type Source } from "../../protocol";
+import { MOST_WAYPOINTS, type Fault, type Numbers, type PathAnswer, type PathPlace, type Pose, type Sign, type Source } from "../../protocol";
 import { driven, type Driven, type Scales } from "../lib/way";
 import { between } from "../lib/rotation";
 import type { Client } from "../net/client";
@@ -25,6 +25,8 @@ export interface Timeline {
   check: ReadonlySignal<Running<"path">>;
   /** The proof of the way as it is; null while there is none. */
   proof: ReadonlySignal<PathAnswer | null>;
+  /** The singular pose of the way at which the robot is; null elsewhere. */
+  place: ReadonlySignal<PathPlace | null>;
   /** The last crossing that was seen while driving; the proof tells all. */
   crossing: Signal<Crossing | null>;
   /** The crossings that were told have been read. */
@@ -90,6 +92,10 @@ export function createTimeline(client: Client, editing: Editing, studying: Study
     const asked = [...(start ? [start] : []), ...through, goal];
     const list = stops.value;
     return asked.length === list.length && asked.every((p, i) => samePose(p, list[i]!)) ? now.result : null;
+  });
+  const place = computed(() => {
+    const [found, pose] = [proof.value, pose$.value];
+    return found?.places.find(({ parameter }) => isAt(found, parameter, pose)) ?? null;
   });
   let leads = false; // the pose changes because the way is led along
   let led: Pose | null = null; // where the robot was led to, away from the end of the way
@@ -284,6 +290,7 @@ export function createTimeline(client: Client, editing: Editing, studying: Study
     given,
     check: runner.now,
     proof,
+    place,
     crossing,
     known,
     acknowledge() {
@@ -353,4 +360,9 @@ export function poseAt({ samples }: Pick<PathAnswer, "samples">, parameter: numb
   if (!a?.pose || !b?.pose) return null;
   const span = b.parameter - a.parameter;
   return span > 0 ? between(a.pose, b.pose, Math.min(Math.max((parameter - a.parameter) / span, 0), 1)) : b.pose;
+}
+
+function isAt(found: PathAnswer, parameter: number, pose: Pose): boolean {
+  const there = poseAt(found, parameter);
+  return there !== null && samePose(there, pose);
 }

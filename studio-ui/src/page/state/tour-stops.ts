@@ -1,4 +1,5 @@
 // The tour of three minutes: what the studio is for, along one robot. Each stop leads to a place of the page and points at a part of it.
+import { effect, type ReadonlySignal } from "@preact/signals";
 import type { Store } from "./store";
 
 export interface Stop {
@@ -6,7 +7,8 @@ export interface Stop {
   words: string;
   /** What is pointed at: the test id of a part of the page; null for none. */
   at: string | null;
-  lead(store: Store): void;
+  /** The function that may be returned gives up what has not happened yet. */
+  lead(store: Store): void | (() => void);
 }
 
 const OCTAHEDRAL = { kind: "example", name: "octahedral" } as const;
@@ -19,6 +21,16 @@ const show =
     store.open(OCTAHEDRAL, panel);
     store.go({ panel, ...(stage && { stage }) });
   };
+
+/** Acts as soon as there is something; the function that is returned gives it up. */
+function once(known: ReadonlySignal<unknown>, act: () => void): () => void {
+  let waits = true;
+  return effect(() => {
+    if (known.value === null || !waits) return;
+    waits = false;
+    queueMicrotask(act);
+  });
+}
 
 export const STOPS: readonly Stop[] = [
   {
@@ -51,7 +63,7 @@ export const STOPS: readonly Stop[] = [
     at: "crossed",
     lead(store) {
       show("guided", "statement")(store);
-      store.moving.to({ translation: [...DOWN.translation], quaternion: [...DOWN.quaternion] });
+      return once(store.posing.numbers, () => store.moving.to({ translation: [...DOWN.translation], quaternion: [...DOWN.quaternion] }));
     },
   },
   {

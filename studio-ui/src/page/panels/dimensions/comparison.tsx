@@ -1,19 +1,21 @@
 // Another robot beside the one on show: its picture in the same pose, and both robots' numbers side by side.
-import { useMemo } from "preact/hooks";
+import { useSignalEffect } from "@preact/signals";
+import { useEffect } from "preact/hooks";
 import type { Numbers, Source, Study, Verdict } from "../../../protocol";
 import { short } from "../../lib/format";
 import { useStore } from "../../parts/context";
 import { FaultBox } from "../../parts/fault-box";
 import { Icon } from "../../parts/icon";
+import { inSight } from "../../parts/in-sight";
+import { useSmallViewer } from "../../parts/small-viewer";
+import type { Other } from "../../state/comparing";
 import { posedPart, sceneOf } from "../../state/scene";
-import { MiniViewer } from "../mini-viewer";
 
 const WORDS: Record<Verdict, string> = { regular: "regular", close: "close to singular", singular: "singular" };
 
 export function Comparison({ study }: { study: Study }) {
   const { comparing, posing } = useStore();
   const [other, numbers] = [comparing.other.value, comparing.numbers.value];
-  const scene = useMemo(() => other && { ...sceneOf(other.study), ...(numbers && posedPart(numbers, true)) }, [other, numbers]);
   const place = !comparing.together.value ? "at its home" : study.kind === "platform" ? "in the same pose" : "its actuators as far from home";
   return (
     <section class="comparison" aria-label="Side by side">
@@ -32,9 +34,9 @@ export function Comparison({ study }: { study: Study }) {
       </header>
       <Choice />
       {comparing.fault.value && <FaultBox fault={comparing.fault.value} />}
-      {other && scene && (
+      {other && (
         <>
-          <MiniViewer scene={scene} label={`${other.name}, ${place}`} testid="beside-picture" />
+          <Picture other={other} numbers={numbers} label={`${other.name}, ${place}`} />
           <p class="tip">
             {other.name}, {place}
             {comparing.together.value ? "." : ": its poses are not those of this robot."}
@@ -63,6 +65,24 @@ export function Comparison({ study }: { study: Study }) {
       )}
     </section>
   );
+}
+
+/** The other robot, looked at from where the one on show is. */
+function Picture({ other, numbers, label }: { other: Other; numbers: Numbers | null; label: string }) {
+  const { space } = useStore();
+  const { box, viewer } = useSmallViewer();
+  useEffect(() => viewer.current?.show(sceneOf(other.study)), [other]);
+  useEffect(() => {
+    const [shown, picture] = [viewer.current, box.current];
+    if (!numbers || !shown || !picture) return;
+    shown.update(posedPart(numbers, true));
+    shown.whole(); // links come with the first numbers
+    if (!inSight(shown, picture, other.study.platform)) shown.setView("fit");
+  }, [other, numbers]);
+  useSignalEffect(() => {
+    if (space.from.value) viewer.current?.lookFrom(space.from.value);
+  });
+  return <div class="mini-viewer" ref={box} role="group" aria-label={label} data-testid="beside-picture" />;
 }
 
 type Row = readonly [string, string, string];

@@ -18,6 +18,7 @@ const SORTS = [
 
 export function NamesTable({ sheet, units, follow, setFollow, change }: Props) {
   const copied = sheet.names.some(({ name }) => name.includes("%"));
+  const digits = Math.max(4, ...sheet.names.flatMap(({ places }) => places.flatMap(({ at }) => at.map((text) => text.length))));
   return (
     <section class="names" aria-label="Points and directions" data-testid="names">
       <header>
@@ -48,30 +49,32 @@ export function NamesTable({ sheet, units, follow, setFollow, change }: Props) {
           <option key={words} value={words} />
         ))}
       </datalist>
-      <table>
-        {SORTS.map(([sort, title]) => {
-          const rows = sheet.names.filter((row) => row.sort === sort);
-          return (
-            rows.length > 0 && (
-              <tbody key={sort}>
-                <tr class="heads">
-                  <th scope="col">{title}</th>
-                  <th scope="col">made as</th>
-                  {["x", "y", "z"].slice(0, sheet.plane ? 2 : 3).map((axis) => (
-                    <th scope="col" class="coordinate-head" key={axis}>
-                      {axis}
-                      {sheet.unit && sort === "point" && <small> {sheet.unit}</small>}
-                    </th>
+      <div class="scrolled">
+        <table style={{ "--digits": digits }}>
+          {SORTS.map(([sort, title]) => {
+            const rows = sheet.names.filter((row) => row.sort === sort);
+            return (
+              rows.length > 0 && (
+                <tbody key={sort}>
+                  <tr class="heads">
+                    <th scope="col">{title}</th>
+                    <th scope="col">made as</th>
+                    {["x", "y", "z"].slice(0, sheet.plane ? 2 : 3).map((axis) => (
+                      <th scope="col" class="coordinate-head" key={axis}>
+                        {axis}
+                        {sheet.unit && sort === "point" && <small> {sheet.unit}</small>}
+                      </th>
+                    ))}
+                  </tr>
+                  {rows.map((row) => (
+                    <Row key={row.name} row={row} sheet={sheet} follow={follow} change={change} />
                   ))}
-                </tr>
-                {rows.map((row) => (
-                  <Row key={row.name} row={row} sheet={sheet} follow={follow} change={change} />
-                ))}
-              </tbody>
-            )
-          );
-        })}
-      </table>
+                </tbody>
+              )
+            );
+          })}
+        </table>
+      </div>
     </section>
   );
 }

@@ -1,0 +1,39 @@
+"""The proofs of an analysis as a section of its report: how many theorems, their digest, and the file itself."""
+
+from __future__ import annotations
+
+from base64 import b64encode
+from html import escape
+
+from gcrules.conditions.analysis import Analysis
+from gcrules.core.english import counted
+from gcrules.core.errors import InputError, LimitReached
+from gcrules.core.files import file_name
+from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
+from gcrules.mechanisms.proofs import proof_file
+
+__all__ = ["proof_html"]
+
+_MOST = 200_000
+"""Bytes of a proof file that a page carries."""
+
+
+def proof_html(a: Analysis | RobotAnalysis) -> str:
+    """Empty where nothing is proved of which a file can be written."""
+    try:
+        file = proof_file(a)
+    except (InputError, LimitReached):
+        return ""
+    data = file.json_text().encode()
+    if len(data) > _MOST:
+        link = "The file is too large to be a part of this page; <code>--certificate FILE</code> writes it."
+    else:
+        name = escape(file_name(file.title, "proof.json"))
+        href = f"data:application/json;base64,{b64encode(data).decode()}"
+        link = f'This page carries it, {len(data) / 1000:.3g} kB: <a download="{name}" href="{href}">{name}</a>'
+    without = "".join(f"<p>Not proved there: {escape(str(one))}.</p>" for one in file.left_out)
+    return (
+        f"<h2>Proofs that others check</h2><p>{counted(len(file.theorems), 'theorem')} in a proof file, SHA-256 digest"
+        f" <code>{file.digest[:16]}</code>…; <code>python tools/check_proof.py FILE</code> checks them without"
+        f" gcrules.</p>{without}<p>{link}</p>"
+    )

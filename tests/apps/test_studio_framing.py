@@ -1,0 +1,82 @@
+"""How robots are framed: whole when they open, and two side by side from the same direction."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from math import dist
+
+import pytest
+
+pytest.importorskip("starlette", reason="needs the extra gcrules[studio]")
+pytest.importorskip("playwright", reason="needs the extra gcrules[dev]")
+
+from studio_page import Desk
+
+pytestmark = pytest.mark.browser
+
+LINKED = "() => gcrules.space.viewer.value.scene.skeleton === gcrules.posing.numbers.value.skeleton"
+DRAWN = """() => {
+  const box = document.createElement("div");
+  box.style.cssText = "position: fixed; left: 0; top: 0; visibility: hidden";
+  box.innerHTML = gcrules.space.viewer.value.svg();
+  document.body.append(box);
+  const [svg] = box.children;
+  const shapes = [...svg.querySelectorAll("title + rect + g > :not([stroke-opacity='0.28'])")].map(e => e.getBBox());
+  box.remove();
+  return {width: Number(svg.getAttribute("width")), height: Number(svg.getAttribute("height")), count: shapes.length,
+    left: Math.min(...shapes.map(b => b.x)), right: Math.max(...shapes.map(b => b.x + b.width)),
+    top: Math.min(...shapes.map(b => b.y)), bottom: Math.max(...shapes.map(b => b.y + b.height))};
+}"""
+"""What is drawn apart from the grid and the labels: how much, and how far it reaches."""
+
+
+def whole(desk: Desk) -> None:
+    desk.page.wait_for_function(LINKED)
+    desk.painted()
+    found = desk.run(DRAWN)
+    assert found["count"] > 20
+    assert found["left"] >= 0
+    assert found["top"] >= 0
+    assert found["right"] <= found["width"]
+    assert found["bottom"] <= found["height"]
+    assert found["bottom"] - found["top"] > 0.4 * found["height"], "it is not lost in the picture"
+
+
+@pytest.mark.parametrize("name", ["agile-eye", "3-rrr-spherical", "quadrupteron", "3-puu"])
+def test_a_robot_opens_with_all_its_links_in_sight(sit_down: Callable[..., Desk], name: str) -> None:
+    whole(sit_down(viewport={"width": 1100, "height": 720}).visit().open("robot", name))
+
+
+def test_a_view_that_was_chosen_stays(sit_down: Callable[..., Desk]) -> None:
+    desk = sit_down().visit().open("robot", "agile-eye")
+    whole(desk)
+    desk.one("view-top").click()
+    desk.painted()
+    before = desk.run("gcrules.space.viewer.value.stand")
+    desk.slide("0", 5)
+    desk.answered()
+    desk.painted()
+    assert desk.run("gcrules.space.viewer.value.stand") == before
+
+
+def test_two_robots_side_by_side_are_seen_from_the_same_direction(sit_down: Callable[..., Desk]) -> None:
+    desk = sit_down().visit().open("robot", "agile-eye")
+    desk.one("panel-dimensions").click()
+    desk.run("gcrules.comparing.choose('Spherical', {kind: 'robot', id: '3-rrr-spherical'})")
+    desk.page.wait_for_function("() => gcrules.comparing.numbers.value")
+    desk.painted()
+    assert dist(*axes(desk)) < 0.2
+    desk.one("view-top").click()
+    desk.painted()
+    assert dist(*axes(desk)) < 0.2
+
+
+def axes(desk: Desk) -> list[list[float]]:
+    """Where the tips of the axes are drawn in the corners of both pictures, in their own pixels."""
+    return list(
+        desk.run(
+            """() => ["viewer", "beside-picture"].map(id => {
+              const corner = document.querySelector(`[data-testid=${id}] svg[viewBox="-34 -34 68 68"]`);
+              return [...corner.querySelectorAll("line")].flatMap(l => [l.x2.baseVal.value, l.y2.baseVal.value]); })"""
+        )
+    )
