@@ -17,7 +17,7 @@ nothing is left. What it relies on, and nothing else:
 
 Under assumptions (`given`: what vanishes, `nonzero`: what does not) both sides are claimed to be equal wherever these
 hold. Points are placed one after the other: X on an extensor W, which is the join of parts P, is the sum of a scalar
-times P, or of P ^ R with a join R of fresh points; so the sides are expanded. Every position is reached, since X lies
+times P, or of P ^ R with a join R of fresh finite ones; so they are expanded. Every position is reached, since X lies
 on W and W is not zero:
 
 * X lies on F where F v X is a multiple of something given, or where all of F v X lies on an extensor that is not zero
@@ -123,7 +123,7 @@ class Reader:
         self.points, self.definitions = list(theorem["points"]), dict(theorem["definitions"])
         if "given" in theorem and placed is None:
             self.points += theorem["any"] + [p["name"] for p in theorem["placed"]]
-        names = [*self.points, *(name for name, _ in theorem["definitions"])]
+        names = [*self.points, *self.definitions]
         expect(type(self.rank) is int and 2 <= self.rank <= 12, "the rank is no number from 2 to 12")
         expect(all(map(NAME.fullmatch, names)) and len({*names}) == len(names), "names that are none, or not different")
         expect(type(self.ideal) is int and 0 <= self.ideal <= len(theorem["points"]), "`ideal` is no number of points")
@@ -144,7 +144,8 @@ class Reader:
             return self.known[e]
         if e[0] == "number":
             return 0, {(): {(): Fraction(e[1])}} if Fraction(e[1]) else {}
-        expect(len(e) > 1 and e[0] in SIGN and (e[0] != "power" or e[2] in range(2, 65)), f"no expression: {e}"[:200])
+        powers = e[0] != "power" or (len(e) == 3 and e[2] in range(2, 65))
+        expect(len(e) > 1 and e[0] in SIGN and powers, f"no expression: {e}"[:200])
         parts = [self.read(e[1])] * e[2] if e[0] == "power" else [self.read(part) for part in e[1:]]
         if e[0] not in ("product", "power"):
             return getattr(self, e[0])(parts)
@@ -221,8 +222,8 @@ class Reader:
         """An expression as one polynomial; an extensor of step k is closed by d - k further points."""
         step, value = self.read(e)
         n, total = len(self.points), {}
+        further = tuple(range(n, n + self.rank - step))
         for row, p in value.items():
-            further = tuple(range(n, n + self.rank - step)) if step else ()
             total = plus(total, times(p, self.row(row + further)) if step else p)
         return total
 
@@ -230,16 +231,14 @@ class Reader:
         """What an expression says."""
         e = self.open(e)
         if not isinstance(e, list) or e[0] == "number":
-            return str(e if not isinstance(e, list) else e[1])
+            return str(e if not isinstance(e, list) else Fraction(e[1]))
         inside = SIGN[e[0]].join(map(self.text, e[1:]))
         return {"bracket": f"[{inside}]", "superbracket": f"[[{inside}]]"}.get(e[0], f"({inside})")
 
     def args(self, e, operation="join"):
-        """The parts of a join (or bracket) or meet, taken apart as far as they are such; of anything else itself."""
+        """The parts of a join or meet, taken apart as far as they are such; of anything else itself."""
         e = self.open(e)
-        if isinstance(e, str) or e[0] not in (operation, "bracket" if operation == "join" else operation):
-            return [e]
-        return [x for part in e[1:] for x in self.args(part, operation)]
+        return [e] if isinstance(e, str) or e[0] != operation else [x for p in e[1:] for x in self.args(p, operation)]
 
     def plain(self, e):
         """Whether an expression is made of points by joins and meets."""
@@ -249,11 +248,10 @@ class Reader:
     def key(self, e):
         """The same for joins and for meets of the same parts in any sequence."""
         e = self.open(e)
-        if isinstance(e, str) or e[0] == "number":
+        if not isinstance(e, list) or e[0] == "number":
             return str(e)
-        operation = "join" if e[0] == "bracket" else e[0]
-        parts = self.args(e, operation) if operation in ("join", "meet") else e[1:]
-        return f"{operation}({' '.join(sorted(map(self.key, parts)))})" if len(parts) > 1 else self.key(parts[0])
+        parts = self.args(e, e[0]) if e[0] in ("join", "meet") else e[1:]
+        return f"{e[0]}({' '.join(sorted(map(self.key, parts)))})" if len(parts) > 1 else self.key(parts[0])
 
 
 class Positions:
@@ -262,15 +260,16 @@ class Positions:
     def __init__(self, theorem):
         self.reader = reader = Reader(theorem)
         self.given = [reader.closed(e) for e in theorem["given"]]
-        self.alive = [part for e in theorem["nonzero"] if reader.read(e) for part in self.parts(e)]
+        self.alive = [part for e in theorem["nonzero"] if reader.read(e)[1] for part in self.parts(e)]
         self.scalars, self.places, seen, before = 0, {}, set(), {*theorem["points"]}
-        placed = [(p["name"], p["fresh"], reader.open(p["on"]), p["flats"]) for p in theorem["placed"]]
+        placed = [(p["name"], [*p["fresh"]], reader.open(p["on"]), p["flats"]) for p in theorem["placed"]]
         known = [*theorem["claim"], *theorem["given"], *theorem["nonzero"], *(on for _, _, on, _ in placed)]
         used = Counter(n for e in known for n in reader.names(e))
-        finite = {*theorem["points"][reader.ideal :]}.difference(*(fresh for _, fresh, _, _ in placed))
+        finite = {*theorem["points"][reader.ideal :]}
+        expect(not any(reader.names(e).intersection(theorem["any"]) for e in theorem["nonzero"]), "not zero for all")
         for name, fresh, on, flats in placed:
             self.fresh, own, points = fresh, reader.names(on), reader.args(on)
-            expect(own.union(fresh) <= before and not seen.intersection(fresh), f"{name} is placed too early")
+            expect(own <= before and {*fresh} <= finite - seen, f"{name} is placed too early")
             inside = Counter(n for part in points for n in reader.names(part))
             expect(all(used[f] == inside[f] < 2 for f in fresh) and len({*fresh}) == len(fresh), "not fresh")
             self.flats = {reader.key(flat["flat"]) for flat in flats if self.lies_on(name, flat)}
@@ -285,15 +284,14 @@ class Positions:
         """An expression and the parts of it that are not zero where it is not."""
         e = self.reader.open(e)
         inside = e[1:] if isinstance(e, list) and e[0] in ("join", "bracket", "meet", "product") else []
-        return [e, *(x for part in inside for x in self.parts(part))]
+        return [["join", *inside] if e[0] == "bracket" else e, *(x for part in inside for x in self.parts(part))]
 
     def vanishes(self, e, index, number):
-        return number != 0 and self.reader.closed(e) == {m: number * c for m, c in self.given[index].items()}
+        return number != 0 and self.reader.closed(e) == {m: Fraction(number) * c for m, c in self.given[index].items()}
 
     def lies_on(self, name, flat):
         """Whether a flat joined with the point vanishes."""
-        because, room, r = flat["because"], flat["room"], self.reader
-        joined = ["join", flat["flat"], name]
+        because, room, joined, r = flat["because"], flat["room"], ["join", flat["flat"], name], self.reader
         expect(r.plain(joined), "a flat that is not made by joins and meets")
         if room is None:
             return self.vanishes(joined, *because[0])
@@ -321,8 +319,9 @@ class Positions:
             return True
         first, other = r.args(met[0]), ["meet", *met[1:]] if len(met) > 2 else met[-1]
         kept = [part for part in first if part not in self.fresh]
-        missing = r.rank - len(first) + len(kept) - sum(r.read(part)[0] for part in kept)
-        if len(met) < 2 or len(kept) == len(first) or missing < 0 or not self.not_zero(other):
+        loose = {*self.fresh}.intersection(part for part in first if isinstance(part, str))
+        missing = r.rank - len(loose) - sum(r.read(part)[0] for part in kept)
+        if len(met) < 2 or not loose or len(first) > len(kept) + len(loose) or missing < 0 or not self.not_zero(other):
             return False
         ends = combinations([part for part in r.args(other) if isinstance(part, str)], missing)
         return any(self.not_zero(["join", *kept, *some]) for some in ends)
@@ -372,10 +371,11 @@ def check(theorem):
         for m, c in times(total, relation).items():
             rest[m] = rest.get(m, 0) - c
     expect(not any(rest.values()), f"{sum(map(bool, rest.values()))} terms are left of {text}"[:2000], NotProved)
-    where = [f"{reader.text(e)} == 0" for e in theorem["given"]] if assumed else []
-    where += [f"{reader.text(e)} != 0" for e in theorem["nonzero"]] if assumed else []
-    every = f" (for all {', '.join(theorem['any'])})" if assumed and theorem["any"] else ""
-    return text + (", where " + " and ".join(where) if where else "") + every
+    where, space = [], [f"rank {reader.rank}", *(f"{p} at infinity" for p in reader.points[: reader.ideal])]
+    if assumed:
+        where = [f"{reader.text(e)} {sign} 0" for k, sign in (("given", "=="), ("nonzero", "!=")) for e in theorem[k]]
+        space += [f"for all {p}" for p in theorem["any"]]
+    return f"{text}{', where ' if where else ''}{' and '.join(where)} ({', '.join(space)})"
 
 
 def main(path):
@@ -385,9 +385,9 @@ def main(path):
         expect(data["format"] == "gcrules proof" and data["version"] == 1, "not a proof file of this version")
         expect(data["theorems"], "no theorems")
         for theorem in data["theorems"]:
-            print(f"proved  {theorem['name']}: {check(theorem)}")
+            print(f"proved  {theorem['name']!r}: {check(theorem)}")
     except NotProved as fault:
-        print(f"NOT PROVED  {theorem['name']}: {fault}")
+        print(f"NOT PROVED  {theorem['name']!r}: {fault}")
         return 1
     except (OSError, ValueError, TypeError, LookupError, AttributeError, ArithmeticError, RecursionError) as fault:
         print(f"{path}: no proof file: {type(fault).__name__}: {fault}", file=sys.stderr)

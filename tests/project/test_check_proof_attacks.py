@@ -1,0 +1,314 @@
+"""Proof files that say something false, or that would make the checker print something that it has not checked."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+import pytest
+from places import ROOT
+
+CHECKER = ROOT / "tools" / "check_proof.py"
+
+Changes = dict[str, Any]
+
+
+def points(text: str) -> list[str]:
+    return text.split()
+
+
+def join(*parts: Any) -> list[Any]:
+    return ["join", *parts]
+
+
+def meet(*parts: Any) -> list[Any]:
+    return ["meet", *parts]
+
+
+def bracket(*parts: Any) -> list[Any]:
+    return ["bracket", *parts]
+
+
+def number(value: Any) -> list[Any]:
+    return ["number", value]
+
+
+def flat(extensor: Any, *because: list[Any], room: Any = None) -> Changes:
+    return {"flat": extensor, "room": room, "because": list(because)}
+
+
+def placed(name: str, on: Any, *flats: Changes, fresh: str = "") -> Changes:
+    return {"name": name, "on": on, "fresh": [*fresh], "flats": list(flats)}
+
+
+def on_line(name: str, index: int = 0, on: Any = ("join", "a", "b"), **more: Any) -> Changes:
+    """A point on a line, of which the assumption with this index speaks."""
+    return placed(name, list(on), flat(list(on), [index, 1]), **more)
+
+
+def theorem(names: str, *claim: Any, rank: int = 3, **more: Any) -> Changes:
+    two = claim if len(claim) == 2 else (*claim, number(0))
+    plain = {"name": "attack", "rank": rank, "points": points(names), "ideal": 0, "definitions": [], "relations": []}
+    return {**plain, "claim": list(two), **more}
+
+
+def assumed(names: str, *claim: Any, given: list[Any], placed: list[Changes], **more: Any) -> Changes:
+    return theorem(names, *claim, **{"any": [], "given": given, "nonzero": [], "placed": placed, **more})
+
+
+def run(tmp_path: Path, *theorems: Any, **head: Any) -> subprocess.CompletedProcess[str]:
+    file = tmp_path / "proofs.json"
+    data = {"format": "gcrules proof", "version": 1, "theorems": list(theorems), **head}
+    file.write_text(json.dumps(data), encoding="utf-8")
+    return subprocess.run([sys.executable, str(CHECKER), str(file)], capture_output=True, text=True, check=False)
+
+
+ABX, ABY, ADX, ADY = (bracket(*names) for names in ("abx", "aby", "adx", "ady"))
+X_ON_AB = on_line("x")
+Y_ON_AB = on_line("y", 1)
+TWO_ON_AB: Changes = {"given": [ABX, ABY], "placed": [X_ON_AB, Y_ON_AB]}
+BC, PLANES = join("b", "c"), meet(join("a", "b", "c"), join("a", "d", "e"))
+PLANE = meet(join("a", "b", "c"))
+ON_BOTH = [flat(join("a", "b", "c"), [0, 1]), flat(join("a", "d", "e"), [1, 1])]
+CROSSED = meet(join("b", "c"), join("d", "e"))
+ALMOST = [
+    "sum",
+    ["product", bracket("b", "d", "e"), bracket("a", "c", "x")],
+    ["product", number(f"-{2**60 + 1}/{2**60}"), bracket("c", "d", "e"), bracket("a", "b", "x")],
+]
+NAN = float("nan")
+
+ATTACKS: dict[str, tuple[Changes, str]] = {
+    # What is printed.
+    "a definition that is a point": (
+        theorem("pq a b c d", join("pq", "pq"), rank=4, definitions={"pq": ["sum", join("a", "b"), join("c", "d")]}),
+        "not different",
+    ),
+    "a power with two exponents": (
+        theorem("a b c", ["power", bracket(*"abc"), 2, 3], ["power", bracket(*"abc"), 2]),
+        "no expression",
+    ),
+    "an assumption that is no expression": (
+        assumed("a b", ABX, given=[ABX], placed=[X_ON_AB], nonzero=["1 != 0\nproved  'all': [a b c]"]),
+        "KeyError",
+    ),
+    "an assumption that is no extensor": (
+        assumed("a b c d", bracket(*"axy"), **TWO_ON_AB, nonzero=[join("a", "b", "c", "d")]),
+        "beyond the rank",
+    ),
+    "not zero for all points": (
+        assumed("a b", bracket(*"axy"), **TWO_ON_AB, any=["o"], nonzero=[join("a", "b", "o")]),
+        "not zero for all",
+    ),
+    # Points of extensors.
+    "fresh points at infinity": (
+        assumed(
+            "i j k l m a b c",
+            bracket(*"xklm"),
+            rank=4,
+            ideal=5,
+            given=[bracket(*"abcx")],
+            nonzero=[PLANE],
+            placed=[placed("x", PLANE, flat(PLANE, [0, 1]), fresh="ij")],
+        ),
+        "too early",
+    ),
+    "fresh points in one text": (
+        assumed(
+            "p q r a b c",
+            join("x", "pq"),
+            given=[bracket("b", "c", "pq"), join("a", "x"), bracket(*"bcx")],
+            nonzero=[join("a", "b"), BC],
+            placed=[
+                on_line("pq", on=BC),
+                {**placed("x", meet(join("a", "pq"), BC), flat("a", [1, 1]), flat(BC, [2, 1])), "fresh": "pqr"},
+            ],
+        ),
+        "need not lie",
+    ),
+    "a fresh point twice in a join": (
+        assumed(
+            "a b c f g h",
+            "x",
+            given=[join("a", "x"), bracket(*"bcx")],
+            nonzero=["a", BC],
+            placed=[placed("x", meet(join("a", "f", "f"), BC), flat("a", [0, 1]), flat(BC, [1, 1]), fresh="fgh")],
+        ),
+        "may vanish",
+    ),
+    "a fresh point in the claim": (
+        assumed(
+            "a b c d e f g h",
+            bracket(*"xfgh"),
+            rank=4,
+            given=[bracket(*"abcx"), bracket(*"adex")],
+            nonzero=[PLANES],
+            placed=[placed("x", PLANES, *ON_BOTH, fresh="fgh")],
+        ),
+        "not fresh",
+    ),
+    "fresh points of two steps": (
+        assumed(
+            "a b c d e f g h",
+            join("x", "y"),
+            rank=4,
+            given=[bracket(*"abcx"), bracket(*"adex"), bracket(*"abcy"), bracket(*"adey")],
+            nonzero=[PLANES],
+            placed=[
+                placed("x", PLANES, *ON_BOTH, fresh="fgh"),
+                placed("y", PLANES, flat(ON_BOTH[0]["flat"], [2, 1]), flat(ON_BOTH[1]["flat"], [3, 1]), fresh="fgh"),
+            ],
+        ),
+        "too early",
+    ),
+    "too few points on what joins fresh ones": (
+        assumed(
+            "a b c f",
+            join("x", "b"),
+            given=[join("a", "x"), bracket(*"bcx")],
+            nonzero=["a", BC],
+            placed=[placed("x", meet(join("a", "f"), BC), flat("a", [0, 1]), flat(BC, [1, 1]), fresh="f")],
+        ),
+        "may vanish",
+    ),
+    # Positions that are not reached.
+    "a scalar that is no part of a join": (
+        assumed(
+            "a b c d",
+            bracket(*"axy"),
+            given=[ADX, ADY],
+            nonzero=[join(bracket(*"abc"), "d")],
+            placed=[on_line("x", on=join("a", "d")), on_line("y", 1, join("a", "d"))],
+        ),
+        "may vanish",
+    ),
+    "two points on one line of free points": (assumed("a b", bracket(*"axy"), **TWO_ON_AB), "may vanish"),
+    "a line of free points at infinity": (assumed("a b", ABX, ideal=2, given=[ABX], placed=[X_ON_AB]), "may vanish"),
+    "a line of a placed point": (
+        assumed(
+            "a b c",
+            bracket(*"acy"),
+            given=[join("a", "b", "x"), bracket(*"xcy")],
+            placed=[X_ON_AB, on_line("y", 1, join("x", "c"))],
+        ),
+        "may vanish",
+    ),
+    "a line of another point": (
+        assumed("a b c", bracket(*"acx"), given=[ABX], placed=[on_line("x", on=join("a", "c"))]),
+        "need not lie",
+    ),
+    "an almost equal assumption": (
+        assumed(
+            "a b c d e",
+            bracket("a", CROSSED, "x"),
+            given=[ALMOST],
+            nonzero=[join("a", CROSSED)],
+            placed=[placed("x", join("a", CROSSED), flat(join("a", CROSSED), [0, 1.0]))],
+        ),
+        "need not lie",
+    ),
+    "an assumption times zero": (
+        assumed("a b", ABX, given=[ABX], placed=[placed("x", join("a", "b"), flat(join("a", "b"), [0, 0]))]),
+        "need not lie",
+    ),
+    "an assumption that says nothing": (
+        assumed("a b", ABX, given=[join("a", "a")], placed=[X_ON_AB]),
+        "need not lie",
+    ),
+    "a line that is a point": (
+        assumed("a", join("a", "x"), given=[bracket("a", "a", "x")], placed=[on_line("x", on=join("a", "a"))]),
+        "may vanish",
+    ),
+    "room for one more": (
+        assumed(
+            "a b c",
+            bracket(*"abx"),
+            given=[bracket(*"bcx"), bracket(*"bca")],
+            nonzero=[BC],
+            placed=[placed("x", "a", flat("a", [0, 1], [1, 1], room=BC))],
+        ),
+        "there is room",
+    ),
+    "a room that may vanish": (
+        assumed(
+            "a b c",
+            ABX,
+            given=[bracket(*"bcx"), bracket(*"bca")],
+            placed=[placed("x", join("a", "b"), flat(join("a", "b"), [1, 1], [0, 1], room=BC))],
+        ),
+        "room that may vanish",
+    ),
+    "a point placed twice": (assumed("a b", ABX, given=[ABX], placed=[X_ON_AB, X_ON_AB]), "not different"),
+    "a point on a later one": (
+        assumed("a c", bracket(*"axc"), given=[bracket(*"axy")], placed=[on_line("x", on=join("a", "y"))], any=["y"]),
+        "too early",
+    ),
+    "a claim on all points": (assumed("a b", join("a", "o"), given=[ABX], placed=[X_ON_AB], any=["o"]), "KeyError"),
+    # Expansions and relations.
+    "unlike sides": (theorem("a b c", join(*"abc"), bracket(*"abc")), "unlike steps"),
+    "an unlike sum": (theorem("a b", ["sum", "a", join("a", "b")], ["sum", join("a", "b"), "a"]), "unlike steps"),
+    "a join beyond the rank": (theorem("a b c d", join(*"abcd")), "beyond the rank"),
+    "a meet that is too small": (theorem("a b", meet("a", "b")), "too small"),
+    "the sign of a meet": (theorem("a b c d", meet(join(*"ab"), join(*"cd")), meet(join(*"cd"), join(*"ab"))), "left"),
+    "finite points at infinity": (theorem("i j k a", bracket("i", "j", "a"), ideal=3), "left"),
+    "more points at infinity than there are": (theorem("a b c", bracket(*"abc"), ideal=4), "number of points"),
+    "a negative number of them": (theorem("a b c", bracket(*"abc"), ideal=-1), "number of points"),
+    "a definition of itself": (theorem("a", "#1", definitions=[["#1", ["sum", "#1", "#1"]]]), "RecursionError"),
+    "relations with repeated points": (
+        theorem("a b c", bracket(*"abc"), relations=[[[0, 1, 2], [0, 1, 2], 1, [[1]]]]),
+        "left",
+    ),
+    "a relation of nothing": (
+        theorem("a b c", bracket(*"abc"), relations=[[[0, 1, 2], [0, 1, 2], 0, [[1]]]]),
+        "unlike",
+    ),
+    "points that are no numbers": (
+        theorem(
+            "a b c", bracket(*"abc"), relations=[[[NAN, 1, 2], [0, NAN, 2], 1, [[1, [0, 1, 2]], [-1, [NAN, 0, 1]]]]]
+        ),
+        "left",
+    ),
+    "points of negative numbers": (
+        theorem("a b c", bracket(*"abc"), relations=[[[-1, 0, 1], [True, 2, 1.0], 1, [[1, [0, 1, 2]]]]]),
+        "left",
+    ),
+    "another version": (theorem("a", "a", "a", name=None), "version"),
+}
+
+
+@pytest.mark.parametrize(("attack", "reason"), ATTACKS.values(), ids=ATTACKS)
+def test_nothing_false_is_proved(attack: Changes, reason: str, tmp_path: Path) -> None:
+    done = run(tmp_path, attack, **({"version": 2} if reason == "version" else {}))
+    assert done.returncode in (1, 2), done.stdout
+    assert "proved  " not in done.stdout
+    assert reason in done.stdout + done.stderr
+
+
+TRUE: dict[str, tuple[Changes, str]] = {
+    "the space": (theorem("a b c d", meet(join(*"ab"), join(*"ab"))), "'attack': ((a v b) ^ (a v b)) == 0 (rank 3)"),
+    "points at infinity": (
+        theorem("i j k", bracket(*"ijk"), ideal=3),
+        "'attack': [i j k] == 0 (rank 3, i at infinity, j at infinity, k at infinity)",
+    ),
+    "for all points": (
+        assumed("a b", ABX, given=[ABX, bracket(*"abo")], placed=[X_ON_AB], any=["o"]),
+        "'attack': [a b x] == 0, where [a b x] == 0 and [a b o] == 0 (rank 3, for all o)",
+    ),
+    "numbers as they are read": (
+        theorem("", number(0.1), number("\n3602879701896397/36028797018963968 ")),
+        "'attack': 3602879701896397/36028797018963968 == 3602879701896397/36028797018963968 (rank 3)",
+    ),
+    "a name of two lines": (
+        theorem("a", "a", "a", name="one'\nproved  'two"),
+        "\"one'\\nproved  'two\": a == a (rank 3)",
+    ),
+}
+
+
+@pytest.mark.parametrize(("true", "printed"), TRUE.values(), ids=TRUE)
+def test_the_whole_claim_is_printed(true: Changes, printed: str, tmp_path: Path) -> None:
+    done = run(tmp_path, true)
+    assert done.stdout.splitlines() == [f"proved  {printed}", "theorems proved: 1"], done.stderr
