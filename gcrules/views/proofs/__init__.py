@@ -1,0 +1,1 @@
+"""Theorems with their proofs as scripts of proof assistants."""
