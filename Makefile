@@ -66,6 +66,10 @@ fuzz: $(READY) ## try odd inputs of every kind for 10 minutes; what is wrong is 
 fuzz-nightly: $(READY) ## the same with 100,000 inputs of each kind, which takes hours, and a record of it
 	$(BIN)/python -m tests.fuzz --nightly --workers $(WORKERS) --seed $(SEED) --record
 
+.PHONY: proofs
+proofs: $(READY) ## write the proofs of all classes, robots and theorems, and have them checked, by Coq too where it is installed
+	$(BIN)/python tools/all_proofs.py build/proofs
+
 .PHONY: check
 check: lint types contracts docs-check ## lint, formatting, types, the order of the rooms, documentation
 

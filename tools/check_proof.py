@@ -9,7 +9,7 @@ nothing is left. What it relies on, and nothing else:
   them change places, vanishes where two are the same, and where all are at infinity (last coordinate 0);
 * the join of points is their exterior product, a bracket that of full step;
 * the meet of A = a1 ... ak and B of step h is the sum over all splits of A into d - h points P and the others Q, in
-  their order: sign [P B] Q; A ^ B is (-1)^((d-k)(d-h)) B ^ A, and is split where that gives fewer terms;
+  their order: sign [P B] Q (the Grassmann-Cayley algebra of Doubilet, Rota and Stein);
 * the superbracket of six lines is the determinant of their coordinates 12, 13, 14, 23, 24, 34: its formula in brackets
   is compared with it at all 46,656 choices of six basis lines; that of three lines in the plane is their meet;
 * the exchange relation: [S][T] is the sum of all products in which the first k points of S change places with k of T;
@@ -192,13 +192,10 @@ class Reader:
             expect(step + further >= self.rank, "a meet of extensors that are too small")
             met = {}
             for (r, p), (s, q) in product(value.items(), other.items()):
-                split, whole, outer = r, s, 1
-                if comb(len(s), self.rank - len(r)) < comb(len(r), self.rank - len(s)):
-                    split, whole, outer = s, r, (-1) ** ((self.rank - len(r)) * (self.rank - len(s)))
-                for sign, first, rest in splits(len(split), self.rank - len(whole)):
-                    closed = times(times(p, q), self.row([split[i] for i in first] + list(whole)))
-                    key = tuple(split[i] for i in rest)
-                    met[key] = plus(met.get(key, {}), closed, outer * sign)
+                for sign, first, rest in splits(len(r), self.rank - len(s)):
+                    closed = times(times(p, q), self.row([r[i] for i in first] + list(s)))
+                    key = tuple(r[i] for i in rest)
+                    met[key] = plus(met.get(key, {}), closed, sign)
             step += further - self.rank
             value = {row: p for row, p in met.items() if p}
         return step, value

@@ -94,14 +94,15 @@ class Expander:
     """Values of expressions as Σ coefficient · extensor; parts that occur again are expanded once.
 
     A coefficient is Σ number · monomial in brackets. Rows of one entry are letters of their own (parameters): they
-    commute and are never straightened.
+    commute and are never straightened. A meet is split on the side that gives fewer terms; `as_defined` on the first.
     """
 
-    def __init__(self, order: Sequence[str], rank: int, ideal: int, limit: int) -> None:
+    def __init__(self, order: Sequence[str], rank: int, ideal: int, limit: int, *, as_defined: bool = False) -> None:
         self.index = {n: i for i, n in enumerate(order)}
         self.rank = rank
         self.ideal = ideal
         self.limit = limit
+        self.as_defined = as_defined
         self.work = 0
         self.pause = 0  # the work at which the limits are looked at again
         self.known: dict[Expr, Multivector] = {}
@@ -188,7 +189,7 @@ class Expander:
         for r, p in a.items():
             for s, q in b.items():
                 coefficient = self._times(p, q)
-                for sign, bracket, rest in _meet_rows(self.rank, r, s):
+                for sign, bracket, rest in _meet_rows(self.rank, r, s, self.as_defined):
                     self._add(out, rest, self._times_bracket(coefficient, bracket), sign)
         return out
 
@@ -301,11 +302,11 @@ def shuffles(step: int, first: int) -> tuple[tuple[int, Row, Row], ...]:
     return tuple(found)
 
 
-def _meet_rows(rank: int, a: Row, b: Row) -> list[tuple[int, Row, Row]]:
-    """The terms sign · [bracket] rest of the meet of two joins of points, split on the side that has fewer terms."""
+def _meet_rows(rank: int, a: Row, b: Row, as_defined: bool) -> list[tuple[int, Row, Row]]:
+    """The terms sign · [bracket] rest of the meet of two joins of points."""
     k, h = len(a), len(b)
     split, whole, outer = a, b, 1
-    if comb(h, rank - k) < comb(k, rank - h):
+    if not as_defined and comb(h, rank - k) < comb(k, rank - h):
         split, whole = b, a
         outer = -1 if (rank - k) * (rank - h) % 2 else 1
     found = []

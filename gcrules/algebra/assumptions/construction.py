@@ -240,23 +240,24 @@ class Construction:
             groups.setdefault(letters, {})[tuple(r for r in m if len(r) > 1)] = c
         return all(terms_are_zero(terms, self.at_infinity, limit) for terms in groups.values())
 
-    def closed_terms(self, e: Expr, limit: int = MAX_TERMS) -> Terms:
+    def closed_terms(self, e: Expr, limit: int = MAX_TERMS, *, as_defined: bool = False) -> Terms:
         """The expression as a polynomial in brackets of the points of `order`, whose numbers make its rows, and in the
         parameters, which are rows of one entry; an extensor of step k is closed by d - k more points, numbered last.
+        Meets are expanded as `Expander` does.
         """
         n = len(self.order)
         new = tuple(range(n, n + self.rank - e.step)) if e.step else ()
         closed: Terms = {}
-        for row, terms in self._expanded(e, limit).items():
+        for row, terms in self._expanded(e, limit, as_defined).items():
             for m, c in terms.items():
                 checkpoint()
                 key = tuple(sorted((*m, row + new))) if e.step else m
                 closed[key] = closed.get(key, 0) + c
         return closed
 
-    def _expanded(self, e: Expr, limit: int) -> Multivector:
+    def _expanded(self, e: Expr, limit: int, as_defined: bool) -> Multivector:
         """The expression with the constructed points written out; parameters are rows of one entry."""
-        expander = Expander(self.order, self.rank, self.at_infinity, limit)
+        expander = Expander(self.order, self.rank, self.at_infinity, limit, as_defined=as_defined)
         letters = 0
         for step in self.steps:
             value: Multivector = {}

@@ -139,7 +139,7 @@ def theorem(
     if len(found) > 1:
         raise InputError(f"the assumptions allow {len(found)} kinds of positions, of which no proof is written")
     c = found[0].construction
-    places, moved = _by_frequency(c.closed_terms(difference, limit), len(c.order), c.at_infinity)
+    places, moved = _by_frequency(c.closed_terms(difference, limit, as_defined=True), len(c.order), c.at_infinity)
     proof = relations(moved, c.at_infinity)
     if proof is None:
         raise InputError("the sides are not equal")

@@ -53,10 +53,10 @@ class ProofOptions:
             proofs = proof_file(answer)
             texts = {"certificate": proofs.json_text, "coq": proofs.coq, "lean": proofs.lean}
             for form, path in wanted.items():
-                write_file(path, texts[form]())
-        number = counted(len(proofs.theorems), "theorem")
-        for path in wanted.values():
-            click.echo(f"{path}: {number}, digest {proofs.digest[:12]}", err=True)
+                text = texts[form]()
+                write_file(path, text)
+                number = text.count("\nTheorem ") or text.count("\ntheorem ") or len(proofs.theorems)
+                click.echo(f"{path}: {counted(number, 'theorem')}, digest {proofs.digest[:12]}", err=True)
         for one in proofs.left_out:
             click.echo(f"note: no proof is written of {one}", err=True)
 

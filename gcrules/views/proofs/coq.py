@@ -5,9 +5,10 @@ brackets, and the proof that what is replayed with them holds. A theorem is then
 computation.
 
 >>> from gcrules.algebra.language.syntax import parse_equation
->>> from gcrules.algebra.proofs.theorem import identity
->>> script = coq_script([identity("a line meets a plane", *parse_equation("ab /\\ cde == cde /\\ ab"))], "Example")
->>> print(script[script.index("Theorem a_line"):script.index("Proof.", script.index("Theorem a_line"))].strip())
+>>> from gcrules.algebra.proofs.proof_file import ProofFile
+>>> from gcrules.algebra.proofs.theorem import theorem
+>>> text = script(ProofFile("Example", (theorem("a line meets a plane", *parse_equation("ab /\\ cde == cde /\\ ab")),)))
+>>> print(text[text.index("Theorem a_line"):text.index("Proof.", text.index("Theorem a_line"))].strip())
 Theorem a_line_meets_a_plane : forall a b c d e : vector space,
   ((a ∨ b) ∧ (c ∨ d ∨ e))
   = ((c ∨ d ∨ e) ∧ (a ∨ b)).
@@ -22,10 +23,11 @@ from importlib.resources import files
 from math import lcm
 from typing import Any
 
+from gcrules.algebra.proofs.proof_file import ProofFile
 from gcrules.algebra.proofs.theorem import Theorem
 from gcrules.core.errors import InputError
 
-__all__ = ["coq_script"]
+__all__ = ["script"]
 
 _SPACES = {3: "plane", 4: "space"}
 _TOGETHER = 100  # relations in one definition
@@ -40,18 +42,22 @@ _SIGNS = {"join": " ∨ ", "meet": " ∧ ", "sum": " + ", "product": " · "}
 _CONSTRUCTORS = {"join": "Join", "meet": "Meet", "sum": "Sum", "product": "Join"}
 
 
-def coq_script(theorems: Sequence[Theorem], title: str) -> str:
-    """A script that states and proves the theorems. Raises InputError where one is of another rank than 3 or 4."""
-    data = [t.to_json() for t in theorems]
-    for t in data:
-        if t["rank"] not in _SPACES:
-            raise InputError(f"{t['name']}: rank {t['rank']}; scripts of Coq are written in ranks 3 and 4")
+def script(file: ProofFile) -> str:
+    """A script that states and proves the theorems of a file; a comment names those that it cannot state. Raises
+    InputError where there is no other.
+    """
+    left_out = {t.name: why for t in file.theorems if (why := _left_out(t))}
+    data = [t.to_json() for t in file.theorems if not _left_out(t)]
+    if not data:
+        why = "; ".join(f"{name}: {reason}" for name, reason in left_out.items())
+        raise InputError(f"no theorem can be written for Coq: {why}")
     named = dict(zip(_names(t["name"] for t in data), data, strict=True))
     rows = sorted({tuple(row) for t in data for row in _rows(t)})
     library = files("gcrules.views.proofs").joinpath("GrassmannCayley.v").read_text(encoding="utf-8")
     return "\n".join(
         [
-            f"(* {_comment(title)} *)\n",
+            f"(* {_comment(file.title)} *)\n",
+            *(f"(* Not here: {_comment(f'{name}, {why}')}. *)" for name, why in left_out.items()),
             library,
             "(* ---- brackets by the numbers of their points *)\n",
             *(f"Definition {_row(row)} : list nat := [{'; '.join(map(str, row))}]." for row in rows),
@@ -61,6 +67,13 @@ def coq_script(theorems: Sequence[Theorem], title: str) -> str:
             "",
         ]
     )
+
+
+def _left_out(t: Theorem) -> str:
+    """Why a theorem has no script."""
+    if t.rank not in _SPACES:
+        return f"it is in rank {t.rank}, and scripts are written in ranks 3 and 4"
+    return "it holds under assumptions" if t.given else ""
 
 
 def _comment(text: str) -> str:

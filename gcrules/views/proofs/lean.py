@@ -4,10 +4,11 @@ A theorem says that what both sides' difference expands to, as a polynomial in b
 relations hold; `linear_combination` multiplies it out. What brackets, joins and meets are is not stated: see `coq`.
 
 >>> from gcrules.algebra.language.syntax import parse_equation
->>> from gcrules.algebra.proofs.theorem import identity
+>>> from gcrules.algebra.proofs.proof_file import ProofFile
+>>> from gcrules.algebra.proofs.theorem import theorem
 >>> equation = "[abc] * [ade] - [abd] * [ace] + [abe] * [acd] == 0"
->>> script = lean_script([identity("exchange", *parse_equation(equation, rank=3))], "Example")
->>> print(script[script.index("    (h1"):].strip())
+>>> text = script(ProofFile("Example", (theorem("exchange", *parse_equation(equation, rank=3)),)))
+>>> print(text[text.index("    (h1"):].strip())
 (h1 : b_0_1_4 * b_0_2_3 - b_0_1_3 * b_0_2_4 + b_0_1_2 * b_0_3_4 = 0)
     : b_0_1_4 * b_0_2_3 - b_0_1_3 * b_0_2_4 + b_0_1_2 * b_0_3_4 = 0 := by
   linear_combination (1) * h1
@@ -16,25 +17,33 @@ relations hold; `linear_combination` multiplies it out. What brackets, joins and
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping
 from fractions import Fraction
 
 from gcrules.algebra.bracket import Coefficient, Monomial, Row
+from gcrules.algebra.proofs.proof_file import ProofFile
 from gcrules.algebra.proofs.relations import Relation
 from gcrules.algebra.proofs.theorem import Theorem
 from gcrules.algebra.straightening.syzygies import exchange
+from gcrules.core.errors import InputError
 
-__all__ = ["lean_script"]
+__all__ = ["script"]
 
 
-def lean_script(theorems: Sequence[Theorem], title: str) -> str:
-    """The theorems as text of Lean, which nobody has checked before it is compiled."""
+def script(file: ProofFile) -> str:
+    """The theorems of a file as text of Lean, which nobody has checked before it is compiled; a comment names those
+    under assumptions, which are left out. Raises InputError where there are no others.
+    """
+    left_out, theorems = [t.name for t in file.theorems if t.given], [t for t in file.theorems if not t.given]
+    if not theorems:
+        raise InputError("no theorem can be written for Lean: all of them hold under assumptions")
     head = (
-        f"/- {_comment(title)}\n\n"
+        f"/- {_comment(file.title)}\n\n"
         "Written for Lean 4 with Mathlib; not checked here. Brackets are unknown elements of a field: b_0_1_2_3 is\n"
         "the bracket of the points 0, 1, 2, 3. The exchange relations that a proof names are its hypotheses. -/\n\n"
         "import Mathlib\n"
     )
+    head += "".join(f"-- Not here, since it holds under assumptions: {' '.join(name.split())}\n" for name in left_out)
     return head + "".join(_theorem(number, t) for number, t in enumerate(theorems, start=1))
 
 

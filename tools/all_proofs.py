@@ -1,0 +1,96 @@
+#!/usr/bin/env python3
+"""Write the proofs of the catalog, of all robots and of the theorems in the examples, and have others check them.
+
+`make proofs` runs it: tools/check_proof.py checks every file, and Coq, where it is installed, all theorems that hold
+without assumptions. Exit code 1 where a check fails, or where Coq is not there and --coq asks for it.
+"""
+
+from __future__ import annotations
+
+import argparse
+import subprocess
+import sys
+from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import replace
+from pathlib import Path
+from shutil import which
+
+import gcrules as gc
+from gcrules.algebra.language.statements import parse_script
+from gcrules.algebra.proofs.proof_file import ProofFile
+from gcrules.core.errors import InputError
+from gcrules.mechanisms.load import known_ids
+from gcrules.mechanisms.proofs import proof_file
+from gcrules.rules.catalog.file import load
+from gcrules.rules.script import run_script
+
+ROOT = Path(__file__).resolve().parent.parent
+CHECKER = ROOT / "tools" / "check_proof.py"
+
+
+def proofs() -> Iterator[tuple[str, ProofFile]]:
+    """Each group with its file."""
+    yield "catalog", proof_file(load())
+    for name in known_ids("robot"):
+        yield "robots", proof_file(gc.analyze(name))
+    for path in sorted((ROOT / "examples" / "theorems").glob("*.gca")):
+        found = run_script(parse_script(path.read_text(encoding="utf-8"), path.name))
+        yield "theorems", replace(proof_file(found), title=path.stem)
+
+
+def together(group: str, files: list[ProofFile]) -> ProofFile:
+    """The theorems of a group in one file."""
+    theorems = (replace(t, name=f"{file.title}: {t.name}") for file in files for t in file.theorems)
+    return ProofFile(group, tuple(theorems), tuple(one for file in files for one in file.left_out))
+
+
+def checked(path: Path) -> bool:
+    """Whether the checker proves all theorems of a file."""
+    done = subprocess.run([sys.executable, CHECKER, path], capture_output=True, text=True, check=False)
+    print(f"{path.name}: {(done.stdout.splitlines() or [''])[-1]}{done.stderr}".rstrip())
+    return done.returncode == 0
+
+
+def compiled(path: Path) -> bool:
+    """Whether Coq proves all theorems of a script, without axioms."""
+    done = subprocess.run(["coqc", path.name], cwd=path.parent, capture_output=True, text=True, check=False)
+    wanted = path.read_text(encoding="utf-8").count("\nPrint Assumptions ")
+    closed = done.stdout.count("Closed under the global context")
+    print(f"{path.name}: {closed} of {wanted} theorems proved by Coq, without axioms{done.stderr[:1000]}")
+    return done.returncode == 0 and closed == wanted
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("folder", type=Path)
+    parser.add_argument("--coq", action="store_true", help="fail where Coq is not there")
+    asked = parser.parse_args()
+    asked.folder.mkdir(parents=True, exist_ok=True)
+    groups: dict[str, list[ProofFile]] = {}
+    for group, file in proofs():
+        groups.setdefault(group, []).append(file)
+    written, scripts = [], []
+    for group, files in groups.items():
+        file = together(group, files)
+        written.append(asked.folder / f"{group}.json")
+        written[-1].write_text(file.json_text(), encoding="utf-8")
+        for one in file.left_out:
+            print(f"{group}: not written: {one}")
+        try:
+            script = file.coq()
+        except InputError as fault:
+            print(f"{group}: {fault.message}")
+            continue
+        scripts.append(asked.folder / f"{group}.v")
+        scripts[-1].write_text(script, encoding="utf-8")
+    with ThreadPoolExecutor(2) as pool:
+        fine = all(pool.map(checked, written))
+        if which("coqc"):
+            return 0 if all(pool.map(compiled, scripts)) and fine else 1
+    print("Coq is not installed, so the scripts are not checked")
+    return 1 if asked.coq or not fine else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
