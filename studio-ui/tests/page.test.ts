@@ -2,6 +2,7 @@
 import { strict as assert } from "node:assert";
 import test from "node:test";
 import { digitsOf } from "../src/page/pose/axis-slider";
+import { hangOf } from "../src/page/lib/hanging";
 import { fitting, readNumber } from "../src/page/parts/number-field";
 import { litPoints, pointTarget, bracketTarget } from "../src/page/state/lit";
 import { wordsOf } from "../src/page/lib/prose";
@@ -570,4 +571,11 @@ test("a fault of the engine is told, and another one begins", async () => {
 test("a link whose robot cannot be told is not opened as another one", async () => {
   assert.equal(await readFragment(`#s=${btoa('{"source":3}').replace(/=+$/, "")}`), null);
   assert.deepEqual((await readFragment(`#s=${btoa('{"panel":"bench"}').replace(/=+$/, "")}`))?.source, null);
+});
+
+test("broken lines of answers go on below their words", () => {
+  assert.equal(hangOf("a sentence of words"), 2);
+  assert.equal(hangOf("   indented"), 5);
+  assert.equal(hangOf("  certificate  normal-form: both sides"), 15);
+  assert.equal(hangOf("  a name that is much too long for this  value"), 4);
 });

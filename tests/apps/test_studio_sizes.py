@@ -153,3 +153,28 @@ def test_a_very_wide_window_is_used(sit_down: SitDown, width: int) -> None:
     start = desk.page.locator(".start").bounding_box()
     assert start["width"] > 0.85 * width
     assert lefts(".start .group") > 1
+
+
+@pytest.mark.parametrize("width", [390, 1280, 2560])
+def test_answers_of_the_bench_are_broken_once(sit_down: SitDown, width: int) -> None:
+    """No line ends before the width is used, and what is broken goes on farther in."""
+    desk = opened(sit_down(viewport={"width": width, "height": 900}).visit(), "class 3-3.3")
+    desk.one("panel-bench").click()
+    desk.run("gcrules.edit({bench: ':analyze aA bB cC dD eE fF'})")
+    desk.one("bench-run").click()
+    desk.one("bench-more").click()
+    desk.painted()
+    lines = desk.page.locator(".said span").evaluate_all(
+        """spans => spans.map(span => { const range = document.createRange(), rows = {}; range.selectNodeContents(span);
+        for (const {top, left, right, width} of range.getClientRects()) if (width > 1) {
+          const row = rows[Math.round(top)] ??= [left, right];
+          rows[Math.round(top)] = [Math.min(row[0], left), Math.max(row[1], right)]; }
+        return {rows: Object.values(rows), right: span.getBoundingClientRect().right}; })"""
+    )
+    broken = [line for line in lines if len(line["rows"]) > 1]
+    assert broken
+    for line in broken:
+        (first, end), *others = line["rows"]
+        assert all(left > first for left, _ in others)
+        assert end > line["right"] - 160
+    assert desk.run(RUNS_OUT) == []

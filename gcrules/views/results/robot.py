@@ -20,6 +20,7 @@ from gcrules.views.report.parts import in_shell
 from gcrules.views.report.stage_ids import TITLES
 from gcrules.views.results.at_infinity import at_infinity
 from gcrules.views.results.derivation import ascii_words
+from gcrules.views.text_tables import line_width
 
 __all__ = [
     "CONDITION",
@@ -40,8 +41,6 @@ LINES = "Equivalent structure"
 CONDITION = "Condition of the lines"
 FACTORS = "Its factors for this robot"
 """Titles of sections."""
-
-_WIDTH = 100
 
 
 def as_text(a: RobotAnalysis, *, unicode: bool = False) -> str:
@@ -213,7 +212,12 @@ def factor_kind(part: FactorCause) -> str:
 def _wrapped(words: str, indent: int = 0) -> list[str]:
     first, rest = " " * indent, " " * (indent + 2 * (indent > 0 or words.startswith("- ")))
     return textwrap.wrap(
-        words, _WIDTH, initial_indent=first, subsequent_indent=rest, break_long_words=False, break_on_hyphens=False
+        words,
+        line_width(),
+        initial_indent=first,
+        subsequent_indent=rest,
+        break_long_words=False,
+        break_on_hyphens=False,
     )
 
 
