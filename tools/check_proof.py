@@ -382,7 +382,7 @@ def main(path):
         expect(data["format"] == "gcrules proof" and data["version"] == 1, "not a proof file of this version")
         expect(data["theorems"], "no theorems")
         for theorem in data["theorems"]:
-            print(f"proved  {theorem['name']!r}: {check(theorem)}")
+            print(f"proved  {theorem['name']!r}:\n  {check(theorem)}")
     except NotProved as fault:
         print(f"NOT PROVED  {theorem['name']!r}: {fault}")
         return 1

@@ -146,10 +146,11 @@ def _check_body(side: str, names: Sequence[str], points: Mapping[str, Vector]) -
     arms = [[c - o for c, o in zip(points[n], first, strict=True)] for n in names[1:]]
     rank = 3 - len(kernel(arms, 3))
     if rank < 2:
-        what = "lie on one line" if rank else "are in one place"
+        what = "lie on one line" if rank else "are in one place" if len(names) > 1 else "is the only one"
+        joints = f"the joint{'s' if len(names) > 1 else ''} {', '.join(names)} of the {side}"
         raise InputError(
-            f"degenerate robot: the joints {', '.join(names)} of the {side} {what}",
-            hint="every leg then meets a line about which the platform can turn: it is singular in every pose",
+            f"{joints} {what}, so the robot is singular in every pose",
+            hint="every leg then meets a line about which the platform can turn: move one of the joints off it",
         )
 
 

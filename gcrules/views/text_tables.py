@@ -4,10 +4,14 @@ from __future__ import annotations
 
 import textwrap
 from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from contextvars import ContextVar
 
-__all__ = ["ASCII", "WIDTH", "columns", "table", "wrapped"]
+__all__ = ["ASCII", "WIDTH", "columns", "line_width", "table", "unbroken", "wrapped"]
 
 WIDTH = 100
+_UNBROKEN = 1_000_000
+_LINES: ContextVar[int] = ContextVar("lines", default=WIDTH)
 ASCII = str.maketrans(
     {
         "σ": "sigma",
@@ -24,6 +28,21 @@ ASCII = str.maketrans(
         "⁹": "^9",
     }
 )
+
+
+@contextmanager
+def unbroken() -> Iterator[None]:
+    """Lines of answers that are written inside are as long as they come: what shows them breaks them."""
+    token = _LINES.set(_UNBROKEN)
+    try:
+        yield
+    finally:
+        _LINES.reset(token)
+
+
+def line_width() -> int:
+    """The characters of a line."""
+    return _LINES.get()
 
 
 def table(rows: Sequence[tuple[str, str]]) -> Iterator[str]:
@@ -48,7 +67,7 @@ def wrapped(text: str, first: str = "", rest: str | None = None) -> list[str]:
     other = " " * len(first) if rest is None else rest
     found = textwrap.wrap(
         text,
-        WIDTH,
+        line_width(),
         initial_indent=first,
         subsequent_indent=other or "  ",
         break_long_words=False,

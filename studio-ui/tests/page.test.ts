@@ -2,6 +2,7 @@
 import { strict as assert } from "node:assert";
 import test from "node:test";
 import { digitsOf } from "../src/page/pose/axis-slider";
+import { hangOf } from "../src/page/lib/hanging";
 import { fitting, readNumber } from "../src/page/parts/number-field";
 import { litPoints, pointTarget, bracketTarget } from "../src/page/state/lit";
 import { wordsOf } from "../src/page/lib/prose";
@@ -587,4 +588,11 @@ test("poses of a way are named by the coordinates in which they differ", () => {
   const driven = (a: number, b: number): Pose => ({ ...at(0), coordinates: [a, b] });
   assert.equal(differing(driven(5, 2.5), [driven(5, 0), driven(5, 10)], robot), "q2 = 2.5°");
   assert.equal(poseInWords(driven(5, 2.5), robot), "q1 5, q2 2.5");
+});
+
+test("broken lines of answers go on below their words", () => {
+  assert.equal(hangOf("a sentence of words"), 2);
+  assert.equal(hangOf("   indented"), 5);
+  assert.equal(hangOf("  certificate  normal-form: both sides"), 15);
+  assert.equal(hangOf("  a name that is much too long for this  value"), 4);
 });

@@ -96,7 +96,7 @@ def test_faults_of_names_and_of_home_stand_at_the_name() -> None:
     found = ask(text.replace("S1: [1, 0, 2]", "S1: [1, 1, 2]"))
     assert found["sheet"] is not None
     faults = {row["name"]: [f["message"] for f in row["faults"]] for row in found["sheet"]["names"]}
-    assert faults["S1"] == ["home violates the relation of S1: in plane A1 perpendicular to r1"]
+    assert faults["S1"] == ["at home S1 is not as its relation says: in plane A1 perpendicular to r1"]
     assert faults["A1"] == faults["r1"] == []
     pulled = ask(text, do="home", name="S1", texts=["1", "1", "2"], follow=False)
     assert "S1: [1, 0, 2]" in pulled["text"]  # back into its plane

@@ -255,6 +255,38 @@ def test_singular_example(page: Page) -> None:
     assert any(c["kind"] == "point" for c in found["constructed"])
 
 
+@pytest.mark.parametrize(
+    ("legs", "points", "verdict", "words"),
+    [
+        ("ap bp cp aq bq cr", {"r": [2, 0, 1]}, "singular", "p, q, r of the platform lie on one line, so the robot is"),
+        ("ap bp cp aq bq cr", {"r": [2, 0, 1]}, "singular", "they depend on each other, so the pose is singular"),
+        (
+            "ap bp cp aq bq ab",
+            {},
+            "singular",
+            "do not tell whether a, b, c, p, q belong to the base or the platform. Only",
+        ),
+        ("ap bp cq ar br ab", {"q": [0.3, 0.9, 0.7]}, "regular", "do not depend on each other, so the pose is not"),
+        ("ap bp cq ar br ab", {"q": [0.3, 0.9, 0.7]}, "regular", "and not an angle"),
+    ],
+)
+def test_what_is_examined_of_shapes_without_a_platform_is_said(
+    page: Page, legs: str, points: dict[str, list[float]], verdict: str, words: str
+) -> None:
+    at = {"a": [0, 0, 0], "b": [1, 0, 0], "c": [0, 1, 0], "p": [0, 0, 1], "q": [1, 0, 1], "r": [0, 1, 1], **points}
+    named = {n: at[n] for n in sorted(set(legs) - {" "})}
+    text = json.dumps({"title": "X", "points": named, "legs": [list(leg) for leg in legs.split()]})
+    found = page.ask("pose", source={"kind": "file", "name": "x.yaml", "text": text}, pose=HOME)
+    assert found["verdict"] == verdict
+    assert words in found["reason"]
+
+
+def test_legs_that_are_joined_so_that_they_are_always_singular_are_said_to_be(page: Page) -> None:
+    found = page.ask("pose", source={"kind": "legs", "legs": "aA aB aC bA bB bC"}, pose=HOME)
+    assert found["reason"].endswith("depend on each other in every pose: proved.")
+    assert "line ab" in found["causes"][0]
+
+
 def test_nearest_and_the_way_there(page: Page) -> None:
     source = {"kind": "example", "name": "octahedral"}
     found = page.ask("nearest", source=source, pose=HOME)["found"]

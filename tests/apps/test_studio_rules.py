@@ -13,7 +13,8 @@ from commands import Run
 from gcrules.apps.studio.bench import bench
 from gcrules.apps.studio.plugins_view import plugins_view
 from gcrules.apps.studio.protocol.requests import LONGEST_RULES, MOST_RULE_FILES, MOST_RULES
-from gcrules.apps.studio.rule_files import checked_view, saved, usable
+from gcrules.apps.studio.rule_files import checked_view, usable
+from gcrules.apps.studio.rule_files_saved import saved
 from gcrules.core.budget import within
 from gcrules.core.errors import FileError
 

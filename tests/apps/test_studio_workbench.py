@@ -57,6 +57,15 @@ def test_transversals_of_legs() -> None:
     assert " ".join(result["text"].split()).count(" ".join(reading.sentence.split())) == 1
 
 
+def test_answers_in_words_are_not_broken_into_lines() -> None:
+    """The page breaks them to its width; the prompt to its own."""
+    text = ":transversals Aa Ab Bc Cd De Ef\n:analyze aA bB cC dD eE fF"
+    reading = next(iter(gc.transversals("Aa Ab Bc Cd De Ef").readings)).condition
+    transversals, analysis = (r["text"].splitlines() for r in bench(text, None, None)["results"])
+    assert any(reading.sentence in line for line in transversals)
+    assert max(map(len, analysis)) > 200
+
+
 @pytest.mark.parametrize(
     "line", [":load /etc/passwd", ":save x", ":analyze /etc/passwd", ":analyze ab", ":quit", ":lo x", ":nothing"]
 )

@@ -52,16 +52,20 @@ FAULTS: dict[str, tuple[str, str, str]] = {
     ),
     "limb of mobility 7": ("S(S%)", "S(S%) R(A%, x) R(A%, y)", "leg 1 has mobility 7"),
     "wrong mobility": ("mobility: 3", "mobility: 4", "robot.yaml:11:11: the platform has mobility 3, not 4"),
-    "coincident points": ("  S%: in", "  T1: A1\n  S%: in", "A1 and T1 are one point"),
-    "zero direction": ("  r%: free", "  r%: free\n  w: r1 - r1", "the direction w is zero in every member"),
+    "coincident points": ("  S%: in", "  T1: A1\n  S%: in", "A1 and T1 are in one place"),
+    "zero direction": (
+        "  r%: free",
+        "  r%: free\n  w: r1 - r1",
+        "the direction w is zero, whatever the coordinates are",
+    ),
     "zero product": ("  r%: free", "  r%: free\n  w: perpendicular to r1, r1", "the direction w is zero"),
     "no plane": (
         "  S%: in",
         "  T1: in plane A1 along r1, r1\n  S%: in",
-        "the plane on which T1 should lie is undefined",
+        "there is no plane on which T1 could lie",
     ),
-    "no line": ("  S%: in", "  T1: on line A1 A1\n  S%: in", "the line on which T1 should lie is undefined"),
-    "contradiction": ("mobility: 3", 'mobility: 3\nfacts: ["r1 parallel to r2"]', "contradicts the relations"),
+    "no line": ("  S%: in", "  T1: on line A1 A1\n  S%: in", "there is no line on which T1 could lie"),
+    "contradiction": ("mobility: 3", 'mobility: 3\nfacts: ["r1 parallel to r2"]', "does not follow from the relations"),
     "cycle": ("  r%: free", "  r%: perpendicular to A% S%", "is defined in terms of itself"),
     "self": ("  r%: free", "  r%: free\n  w: parallel to w", "w is defined in terms of itself"),
     "unknown name": ("A%: free", "A%: free\n  B1: A1 + Q7 - A2", "Q7 is not defined"),
@@ -153,7 +157,7 @@ def test_home_that_violates_a_relation() -> None:
     home = "home: {A1: [1,0,0], A2: [-1,2,0], A3: [-1,-2,0], r1: [0,1,0], r2: [2,1,0], r3: [2,-1,0],"
     good = f"{GOOD}{home} S1: [1/2,0,2], S2: [-1/2,1,2], S3: [-1/2,-1,2]}}\n"
     assert parse_robot(good).home
-    assert "home violates the relation of S1" in told(good.replace("S1: [1/2,0,2]", "S1: [1/2,1,2]"))
+    assert "at home S1 is not as its relation says" in told(good.replace("S1: [1/2,0,2]", "S1: [1/2,1,2]"))
     assert "home violates" not in told(good.replace("r1: [0,1,0]", "r1: [0,0,0]"))
     assert "S2 is in the same place as another point" in told(good.replace("S2: [-1/2,1,2]", "S2: [-1,2,0]"))
 

@@ -362,7 +362,7 @@ def test_missing_libraries(
             HUNT.replace("[0.25, 0.4330127018922193, 1]", "[-0.5, 1, 1]").replace(
                 "[0.25, -0.4330127018922193, 1]", "[-0.5, 2, 1]"
             ),
-            "degenerate robot",
+            "so the robot is singular in every pose",
         ),
     ],
     ids=["limbs", "on one line"],

@@ -96,7 +96,8 @@ def test_the_claim_is_printed_as_it_is_read(tmp_path: Path) -> None:
     done = subprocess.run([sys.executable, CHECKER, file], capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
     assert done.stdout.splitlines() == [
-        "proved  'claim': [a c d] == 0, where [a b c] == 0 and [a b d] == 0 and (a v b) != 0 (rank 3)",
+        "proved  'claim':",
+        "  [a c d] == 0, where [a b c] == 0 and [a b d] == 0 and (a v b) != 0 (rank 3)",
         "theorems proved: 1",
     ]
 

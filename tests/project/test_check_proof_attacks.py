@@ -311,4 +311,4 @@ TRUE: dict[str, tuple[Changes, str]] = {
 @pytest.mark.parametrize(("true", "printed"), TRUE.values(), ids=TRUE)
 def test_the_whole_claim_is_printed(true: Changes, printed: str, tmp_path: Path) -> None:
     done = run(tmp_path, true)
-    assert done.stdout.splitlines() == [f"proved  {printed}", "theorems proved: 1"], done.stderr
+    assert done.stdout.replace(":\n  ", ": ").splitlines() == [f"proved  {printed}", "theorems proved: 1"], done.stderr

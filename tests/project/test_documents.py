@@ -37,12 +37,9 @@ NOT_RUN = {
     ),
     (
         "docs/proofs.md",
-        "proved  'condition: four-planes': [[(a v b) (a v f) (c v b) (c v d) (e v d) (e v f)]] == ((a v b v c) ^ (a v e v f) ^ (b v d v f) ^ (c v d v e)) (rank 4)",
+        "proved  'condition: four-planes':",
     ): ("tests/project/test_check_proof.py reads what it prints"),
-    (
-        "docs/proofs.md",
-        "proved  'claim': [a c d] == 0, where [a b c] == 0 and [a b d] == 0 and (a v b) != 0 (rank 3)",
-    ): ("tests/project/test_check_proof.py reads what it prints"),
+    ("docs/proofs.md", "proved  'claim':"): ("tests/project/test_check_proof.py reads what it prints"),
     ("docs/proofs.md", "catalog.json: theorems proved: 52"): "make proofs, which takes minutes",
     ("docs/map.md", 'gcrules map refine map.zarr -o wider.zarr --over "x -200:400"'): (
         "tests/poses/test_map_extended.py extends stores"

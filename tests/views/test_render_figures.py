@@ -149,6 +149,19 @@ def test_order_of_the_rows(legs: str, crossings: int) -> None:
     assert count_crossings(r.legs, *layered_order(r.legs, r.platform, r.base)) == crossings
 
 
+@pytest.mark.parametrize("length", [1, 4, 15, 40])
+def test_names_of_a_graph_stay_apart_and_inside(length: int) -> None:
+    """Long names are drawn without their middle."""
+    base, platform = ([f"{side}{'x' * (length - 1)}" for side in row] for row in ("abc", "ABC"))
+    drawn = draw_graph(
+        [(base[i], platform[k]) for i, k in ((0, 0), (0, 1), (1, 0), (1, 2), (2, 1), (2, 2))], base, platform
+    )
+    boxes = [label_box(s) for s in drawn.shapes if isinstance(s, Text) and s.size == 15]
+    assert len(boxes) == 6
+    assert all(not overlap(a, b) for a, b in combinations(boxes, 2))
+    assert all(left >= 0 and right <= drawn.width for left, _, right, _ in boxes)
+
+
 @pytest.mark.parametrize("sides", [("", ""), ("abc", "def")], ids=["unknown", "legs within a body"])
 def test_a_graph_without_two_sides_is_a_circle(sides: tuple[str, str]) -> None:
     legs = [("a", "b"), ("b", "c"), ("c", "a"), ("d", "e"), ("e", "f"), ("f", "d")]

@@ -42,6 +42,7 @@ from gcrules.rules.plugins import load_rules
 from gcrules.rules.rule import SHIPPED
 from gcrules.views.formulas.latex import latex
 from gcrules.views.scene_data import Constructed, NamedLineView, NamedPointView
+from gcrules.views.text_tables import unbroken
 
 __all__ = ["bench", "context_of"]
 
@@ -129,7 +130,7 @@ def _answered(
         body = given.text.rstrip()
         place = Span(units(text[:start]), units(text[:start]) + units(body))
         try:
-            with stage(f"line {given.line}, {_shortened(body)}"):
+            with stage(f"line {given.line}, {_shortened(body)}"), unbroken():
                 for result in _results(repl, given, place, before):
                     give((len(results), result))
                     results.append(result)

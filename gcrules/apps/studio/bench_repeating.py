@@ -25,7 +25,8 @@ from gcrules.apps.studio.bench_questions import Question
 from gcrules.apps.studio.calls import Call, Option
 from gcrules.apps.studio.protocol.answer_views import Repeated, RepeatedFile, RuleOwner
 from gcrules.apps.studio.protocol.requests import RuleFile
-from gcrules.apps.studio.rule_files import owners, saved
+from gcrules.apps.studio.rule_files import owners
+from gcrules.apps.studio.rule_files_saved import saved
 from gcrules.core.dataclass import dataclass
 from gcrules.core.frozen import FrozenMap
 

@@ -20,6 +20,7 @@ from gcrules.apps.studio.subject import Subject
 from gcrules.apps.studio.thresholds import close_margin, threshold_of
 from gcrules.conditions.analysis import Analysis
 from gcrules.conditions.pose_value import judged, line_measure
+from gcrules.core.english import as_sentence
 from gcrules.core.errors import InputError
 from gcrules.mechanisms.limbs import Limbs
 from gcrules.mechanisms.six_legs import SixLegs
@@ -122,7 +123,6 @@ def _by_lines(subject: Subject, pose: PoseJson, limit: Threshold) -> Numbers:
     always = a.condition.kind == "always-singular"
     value = 0.0 if always else _sign(a, places) * line_measure(a.structure.legs, places)
     points = {n: np.array([[*p, 1.0]]) for n, p in places.items()}
-    why = f" ({subject.why_not})" if subject.why_not else ""
     return {
         "pose": pose,
         "freedoms": [],
@@ -132,7 +132,7 @@ def _by_lines(subject: Subject, pose: PoseJson, limit: Threshold) -> Numbers:
         "margin": 0.0 if always else size,
         "close": close,
         "verdict": "singular" if always else said,
-        "reason": f"Computed from the six lines alone{why}.",
+        "reason": _told_by_lines(subject, a, said),
         "causes": [a.condition.sentence] if always else [],
         "readings": _views(readings_at((a.condition, *a.readings), points, subject.unit)),
         "constructed": scenery.constructed(places),
@@ -146,6 +146,24 @@ def _by_lines(subject: Subject, pose: PoseJson, limit: Threshold) -> Numbers:
         "jacobian": [],
         "signs": [],
     }
+
+
+def _told_by_lines(subject: Subject, a: Analysis, said: str) -> str:
+    """Why no more than the six lines is examined, and what they say."""
+    if a.condition.kind == "always-singular":
+        return "The way in which the legs are joined makes their six lines depend on each other in every pose: proved."
+    lines = f"Only the six lines of the legs, as they lie in this pose, were examined: {_DEPENDENCE[said]}."
+    told = all(n in a.structure.sides for n in a.structure.names)  # what belongs to the base
+    unit = "" if told else " Their σ is the size of their determinant, from 0 to 1, and not an angle."
+    return f"{as_sentence(subject.why_not)} {lines}{unit}"
+
+
+_DEPENDENCE = {
+    "singular": "within rounding they depend on each other, so the pose is singular",
+    "close": "they nearly depend on each other, so the pose is close to singular",
+    "regular": "they do not depend on each other, so the pose is not singular",
+}
+"""What the six lines say, by the verdict."""
 
 
 def _plain(pose: PoseJson) -> dict[str, list[float]]:

@@ -10,14 +10,13 @@ r"""Files of rules that a page has opened: read, proved, and what of them is use
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Literal, cast
 
 from gcrules.algebra.language.rule_text import RuleText
 from gcrules.algebra.language.statements import Script, parse_script
 from gcrules.apps.studio.faults import fault_view
-from gcrules.apps.studio.protocol.answer_views import RepeatedFile, RuleOwner
+from gcrules.apps.studio.protocol.answer_views import RuleOwner
 from gcrules.apps.studio.protocol.requests import RuleFile
 from gcrules.apps.studio.protocol.rule_views import CheckedRule, CheckedRuleFile, CheckedRules
 from gcrules.core.budget import checkpoint, stage, within
@@ -28,14 +27,14 @@ from gcrules.rules.identity import Identity
 from gcrules.rules.plugins import load_rules
 from gcrules.rules.rule_file import RuleCheck, check_rule, identities
 
-__all__ = ["checked_view", "owners", "saved", "usable"]
+__all__ = ["RuleFileRead", "all_read", "checked_view", "owners", "usable"]
 
 _SECONDS = 20.0
 """For one rule: what takes longer is not decided here."""
 
 
 @dataclass(frozen=True)
-class _Read:
+class RuleFileRead:
     """A file with the checks of its rules, or the fault that keeps it from being read."""
 
     script: Script | None
@@ -45,14 +44,14 @@ class _Read:
 
 def checked_view(files: Sequence[RuleFile]) -> CheckedRules:
     """What each file holds, and what is wrong with it. A rule whose id is taken is one that is wrong."""
-    return {"files": [_view(file, read) for file, read in zip(files, _all_read(files), strict=True)]}
+    return {"files": [_view(file, read) for file, read in zip(files, all_read(files), strict=True)]}
 
 
 def usable(files: Sequence[RuleFile]) -> tuple[Identity, ...]:
     """The rules that are proved and not switched off, in the order of the files."""
     return tuple(
         check.rule
-        for file, read in zip(files, _all_read(files), strict=True)
+        for file, read in zip(files, all_read(files), strict=True)
         for check in read.checks
         if check.ok and check.rule.id not in file["off"]
     )
@@ -62,18 +61,18 @@ def owners(files: Sequence[RuleFile]) -> Mapping[str, RuleOwner]:
     """By its id, who brought each rule that is proved and not switched off."""
     return {
         check.rule.id: {"kind": "file", "name": file["name"], "line": line_of[check.rule.id]}
-        for file, read in zip(files, _all_read(files), strict=True)
+        for file, read in zip(files, all_read(files), strict=True)
         for line_of in [_lines(read)]
         for check in read.checks
         if check.ok and check.rule.id not in file["off"]
     }
 
 
-def _lines(read: _Read) -> Mapping[str, int]:
+def _lines(read: RuleFileRead) -> Mapping[str, int]:
     return {r.id: r.line for r in read.script.rules} if read.script else {}
 
 
-def _all_read(files: Sequence[RuleFile]) -> list[_Read]:
+def all_read(files: Sequence[RuleFile]) -> list[RuleFileRead]:
     """The files one after the other; ids that one before has taken, or a rule of gcrules, are faults."""
     known = {rule.id: rule.owner for rule in load_rules()}
     found = []
@@ -82,7 +81,7 @@ def _all_read(files: Sequence[RuleFile]) -> list[_Read]:
             read = _read(file["name"], file["text"])
         checks = tuple(_clashing(check, known, read.script) for check in read.checks)
         known |= {c.rule.id: c.rule.owner for c in checks if c.ok and c.rule.id not in file["off"]}
-        found.append(_Read(read.script, checks, read.fault))
+        found.append(RuleFileRead(read.script, checks, read.fault))
     return found
 
 
@@ -96,7 +95,7 @@ def _clashing(check: RuleCheck, known: Mapping[str, str], script: Script | None)
     return RuleCheck(rule, check.place, "refused", check.ranks, fault)
 
 
-def _read(name: str, text: str) -> _Read:
+def _read(name: str, text: str) -> RuleFileRead:
     """The file with its checks, which are kept, but not those that took too long: the next time there may be more."""
     try:
         return _decided(name, text)
@@ -105,28 +104,28 @@ def _read(name: str, text: str) -> _Read:
 
 
 class _Undecided(Exception):
-    def __init__(self, read: _Read) -> None:
+    def __init__(self, read: RuleFileRead) -> None:
         super().__init__()
         self.read = read
 
 
 @remembered(32)
-def _decided(name: str, text: str) -> _Read:
+def _decided(name: str, text: str) -> RuleFileRead:
     read = _checked(name, text)
     if any(check.verdict == "undecided" for check in read.checks):
         raise _Undecided(read)
     return read
 
 
-def _checked(name: str, text: str) -> _Read:
+def _checked(name: str, text: str) -> RuleFileRead:
     try:
         script = parse_script(text, name)
     except GcrulesError as fault:
-        return _Read(None, fault=fault)
+        return RuleFileRead(None, fault=fault)
     if not script.rules:
         hint = 'rules are written  rule ID "sentence": A => B'
-        return _Read(script, fault=InputError("the file holds no rules", hint=hint))
-    return _Read(script, tuple(_checks(script)))
+        return RuleFileRead(script, fault=InputError("the file holds no rules", hint=hint))
+    return RuleFileRead(script, tuple(_checks(script)))
 
 
 def _checks(script: Script) -> Iterator[RuleCheck]:
@@ -150,7 +149,7 @@ def _check(rule: RuleText, script: Script) -> RuleCheck:
 # --- as the page is told -------------------------------------------------------------------------------------------
 
 
-def _view(file: RuleFile, read: _Read) -> CheckedRuleFile:
+def _view(file: RuleFile, read: RuleFileRead) -> CheckedRuleFile:
     lines = _lines(read)
     return {
         "name": file["name"],
@@ -169,59 +168,3 @@ def _rule_view(check: RuleCheck, line: int) -> CheckedRule:
         "reason": check.reason,
         "fault": fault_view(check.fault) if check.fault else None,
     }
-
-
-# --- as files that lines name --------------------------------------------------------------------------------------
-
-
-def saved(files: Sequence[RuleFile]) -> list[RepeatedFile]:
-    r"""The files that lines name, those without a rule that is used left out; in the others rules that are wrong or
-    switched off are comments.
-
-    >>> text = "rule one: ab /\\ cd => [abcd] rule two: ab /\\ cde => [acde] b - [bcde] a\n  silent [abcd]\n"
-    >>> (found,) = saved([{"name": "x", "text": text, "off": ["one"]}])
-    >>> print(found["name"], found["text"], sep="\n")
-    x.gca
-    # rule one: ab /\ cd => [abcd]
-     rule two: ab /\ cde => [acde] b - [bcde] a
-      silent [abcd]
-    <BLANKLINE>
-    """
-    texts = (_used(file, read) for file, read in zip(files, _all_read(files), strict=True))
-    return [{"name": name, "text": text} for name, text in zip(_names(files), texts, strict=True) if text]
-
-
-def _names(files: Sequence[RuleFile]) -> list[str]:
-    """A name for each file that any shell and any disk takes and that ends as files of rules do; all different.
-
-    >>> _names([{"name": n, "text": "", "off": []} for n in ("mine.gca", "../-a b$(x).gca", "Mine.gca", "…")])
-    ['mine.gca', 'a-b-x.gca', 'Mine-2.gca', 'rules.gca']
-    """
-    found: list[str] = []
-    for file in files:
-        stem = file["name"].rpartition("/")[2].removesuffix(".gca")
-        stem = re.sub(r"[^A-Za-z0-9_]+", "-", stem).strip("-") or "rules"
-        taken = {name.casefold() for name in found}
-        number = next(n for n in range(1, len(files) + 2) if _numbered(stem, n).casefold() not in taken)
-        found.append(_numbered(stem, number))
-    return found
-
-
-def _numbered(stem: str, number: int) -> str:
-    return f"{stem}.gca" if number == 1 else f"{stem}-{number}.gca"
-
-
-def _used(file: RuleFile, read: _Read) -> str:
-    """The text of a file whose rules that are wrong or switched off are comments; "" where none is left."""
-    if read.script is None:
-        return ""
-    wrong = {c.rule.id for c in read.checks if not c.ok} | {*file["off"]}
-    text = file["text"]
-    left = [rule for rule in read.script.rules if rule.id not in wrong]
-    for rule in reversed(read.script.rules):
-        if rule.id in wrong:
-            before, body, after = text[: rule.span.start], text[rule.span.start : rule.span.end], text[rule.span.end :]
-            begin = "" if not before or before.endswith("\n") else "\n"
-            end = "" if not after or after.startswith("\n") else "\n"
-            text = f"{before}{begin}" + "\n".join(f"# {line}" for line in body.split("\n")) + end + after
-    return text if left else ""

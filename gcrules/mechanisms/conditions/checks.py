@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 from itertools import combinations, pairwise
 from typing import Any
 
+from gcrules.core.english import counted
 from gcrules.core.errors import InputError, LimitReached
 from gcrules.core.yaml_file import Node
 from gcrules.mechanisms.conditions.carrying import check_carriers
@@ -43,8 +44,8 @@ def check_family(robot: Robot, places: Mapping[str, Node], facts: Sequence[tuple
             continue
         if d.sort == "direction" and not any(map(any, values)):
             places[d.name].fault(
-                f"the direction {d.name} is zero in every member of the family",
-                "its relation names parallel directions or coincident points",
+                f"the direction {d.name} is zero, whatever the coordinates are",
+                "its relation needs directions that are not parallel, or points that are not in one place",
             )
         elif family.plane and any(v[2] for v in values):
             places[d.name].fault(f"{d.name} does not lie in the plane z = 0 of a planar robot")
@@ -58,13 +59,14 @@ def check_family(robot: Robot, places: Mapping[str, Node], facts: Sequence[tuple
         if all(m[a] == m[b] for m in members) and places[b] not in told:
             told.append(places[b])
             places[b].fault(
-                f"{a} and {b} are one point in every member of the family", "use one name for both, or move one of them"
+                f"{a} and {b} are in one place, whatever the coordinates are",
+                "use one name for both, or move one of them",
             )
     for node, fact in facts:
         said = fact.relation
         if any(any(said.relation.residual(said.sort, RESIDUES, m, m[said.name])) for m in members):
             node.fault(
-                f"{fact.text!r} contradicts the relations: it fails on a random member of the family",
+                f"{fact.text!r} does not follow from the relations: it fails at coordinates drawn at random",
                 "put it among the relations that make the point or direction",
             )
 
@@ -82,8 +84,8 @@ def _check_arguments(d: Definition, values: Values, node: Node) -> None:
     origin, *ends = (d.relation.value(d.sort, RESIDUES, values, t) for t in ([0] * size, *units))
     if RESIDUES.rank([tuple(a - b for a, b in zip(end, origin, strict=True)) for end in ends]) < wanted:
         node.fault(
-            f"the {what} on which {d.name} should lie is undefined",
-            "its points coincide, or its directions are parallel, in every member of the family",
+            f"there is no {what} on which {d.name} could lie",
+            "the points that it names are in one place, or its directions parallel, whatever the coordinates are",
         )
 
 
@@ -143,13 +145,15 @@ def _check_limb(robot: Robot, text: LimbSpec, limb: Limb, node: Node) -> None:
         axes = [_axis(limb.joints[k]) for k in (led.joint, led.leader)]
         if len({RESIDUES.dot(u, u) for u in axes}) > 1:
             node.fault(
-                f"{text.name}: {joints[0]} and {joints[1]} are coupled, but their axes are not of equal length in all"
-                " members of the family",
+                f"{text.name}: {joints[0]} and {joints[1]} are coupled, but their axes are not always of equal length",
                 "a ratio relates rates about, or along, unit vectors: write both axes with one direction, or with"
                 " x, y and z",
             )
     if len(limb.locked(RESIDUES)) - len(limb.constraints(RESIDUES)) < text.actuators:
-        node.fault(f"an actuator of {text.name} applies no wrench: its freedom depends on the passive ones")
+        node.fault(
+            f"an actuator of {text.name} holds nothing when it is locked: the other joints make the same motion",
+            "drive another joint, or leave one out",
+        )
     if robot.family.plane and _leaves_plane(limb):
         node.fault(f"{text.name} leaves the plane z = 0 of a planar robot", "its turns are about z")
 
@@ -177,7 +181,7 @@ def _check_platform(robot: Robot, limbs: Sequence[Limb], mobility: Node) -> None
     if robot.mobility != freedom:
         mobility.fault(
             f"the platform has mobility {freedom}, not {robot.mobility}",
-            f"its limbs apply constraints of rank {6 - freedom} together; check joints, parallel axes and this number",
+            f"its limbs take {6 - freedom} of six freedoms together; check joints, parallel axes and this number",
         )
     if actuators < freedom:
         mobility.fault(
@@ -185,10 +189,11 @@ def _check_platform(robot: Robot, limbs: Sequence[Limb], mobility: Node) -> None
             "mark more joints as driven, with a star",
         )
     elif RESIDUES.rank(locked) < 6:
-        trivial = 3 if robot.family.plane else 0
+        left = 6 - RESIDUES.rank(locked)
         mobility.fault(
-            "the actuators never hold the platform: with all of them locked the wrenches have rank "
-            f"{RESIDUES.rank(locked) - trivial}, not {6 - trivial}, in every member of the family"
+            f"the actuators never hold the platform: with all of them locked it keeps {counted(left, 'freedom')},"
+            " whatever the coordinates are",
+            "drive other joints, or change how their axes lie",
         )
 
 
@@ -236,10 +241,10 @@ def check_home(robot: Robot, node: Node) -> None:
     for d in robot.family.definitions:
         place = keys.get(d.name, node)
         if d.sort == "direction" and not any(values[d.name]):
-            place.fault(f"the direction {d.name} is zero at home")
+            place.fault(f"the direction {d.name} is zero at home", "let one coordinate be other than 0")
         elif robot.violates(d, values):
             place.fault(
-                f"home violates the relation of {d.name}: {d.text}",
+                f"at home {d.name} is not as its relation says: {d.text}",
                 "change its coordinates"
                 if d.parameters
                 else "leave it out, and it is computed from the others, or change its coordinates",

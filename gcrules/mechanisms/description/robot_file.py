@@ -262,7 +262,8 @@ class _Reader:
                 self.faulty.append(node)
                 words = " ".join(n for _, n in reversed(term))
                 node.fault(
-                    f"{words} is not a {sort}", "the numbers before points add up to 1 in a point, 0 in a direction"
+                    f"{words} is not a {sort}: the numbers before its points add up to {weight}",
+                    "1 makes a point, as in A + B - C; 0 makes a direction, as in B - A",
                 )
                 return False
         return True

@@ -46,7 +46,7 @@ def around(sheet: Sheet, place: int, count: int) -> Sheet:
     """So many limbs around z in place of one; as `copies` of the file, where it has none of another number."""
     limb = sheet.limbs[place]
     if not 2 <= count <= MAX_COPIES:
-        raise InputError(f"{count} limbs around z", hint=f"from 2 to {MAX_COPIES} are possible")
+        raise InputError(f"{count} limbs do not go around z", hint=f"from 2 to {MAX_COPIES} do")
     if limb.numbered:
         raise InputError(f"{limb.name} already stands for {sheet.copies} limbs", hint="make single limbs of it first")
     check_room(sheet, count - 1)
@@ -60,7 +60,7 @@ def around(sheet: Sheet, place: int, count: int) -> Sheet:
 def recounted(sheet: Sheet, count: int) -> Sheet:
     """With another number of copies; the first stays, and the others are turned on from it."""
     if not 2 <= count <= MAX_COPIES:
-        raise InputError(f"{count} limbs around z", hint=f"from 2 to {MAX_COPIES} are possible")
+        raise InputError(f"{count} limbs do not go around z", hint=f"from 2 to {MAX_COPIES} do")
     made = replace(sheet, copies=count)
     check_room(made, 0)
     home: dict[str, Place] = {}

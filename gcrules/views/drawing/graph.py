@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from itertools import combinations, permutations
 from math import cos, pi, sin
 
 from gcrules.algebra.language.legs_text import legs_text
-from gcrules.views.drawing.drawing import XY, Circle, Drawing, Polygon, Run, Shape, Stroke, Text, name_runs
+from gcrules.views.drawing.drawing import XY, Circle, Drawing, Polygon, Run, Shape, Stroke, Text, name_runs, text_width
 from gcrules.views.drawing.labels import Label, place_labels
 from gcrules.views.drawing.legend import ROW, EntityLike, entity_entries, legend, legend_width, rounded
 from gcrules.views.drawing.palette import entity_role
@@ -22,6 +22,9 @@ _HEIGHT = 150.0
 _MARGIN = 42.0
 _JOINT = 5.5
 _AREA = 15.0
+_LONGEST = 15  # letters of a name
+_APART = 14.0  # names beside each other
+_NAMES = 15.0  # their size
 
 
 def draw_graph(
@@ -41,12 +44,13 @@ def draw_graph(
     layered = bool(legs) and all((a in base) != (b in base) and (a in platform) != (b in platform) for a, b in legs)
     at = _rows(legs, base, platform) if layered else _circle(legs)
     xs, ys = [x for x, _ in at.values()], [y for _, y in at.values()]
-    left = _MARGIN + (46 if layered else 0)
+    margin = max(_MARGIN, _widest(at) / 2 + 6)
+    left = margin + (46 if layered else 0)
     shift = (left - min(xs), _MARGIN - min(ys))
     at = {name: (x + shift[0], y + shift[1]) for name, (x, y) in at.items()}
     entries = entity_entries(entities) if key else []
     side = legend_width(entries)
-    width = left + max(xs) - min(xs) + _MARGIN + (side + 16 if entries else 0)
+    width = left + max(xs) - min(xs) + margin + (side + 16 if entries else 0)
     height = max(max(ys) - min(ys) + 2 * _MARGIN, ROW * len(entries) + 24)
     shapes = [
         *_areas(at, entities),
@@ -128,13 +132,28 @@ def _follow(legs: Legs, order: tuple[str, ...], others: Sequence[str]) -> tuple[
 def _rows(legs: Legs, base: Sequence[str], platform: Sequence[str]) -> dict[str, XY]:
     lower, upper = layered_order(legs, base, platform)
     count = max(len(lower), len(upper))
-    width = max(_SPACING * count, _LEAST_WIDTH)
+    width = max(max(_SPACING, _widest((*lower, *upper)) + _APART) * count, _LEAST_WIDTH)
     at = {}
     for row, y in ((lower, _HEIGHT), (upper, 0.0)):
         gap = width / len(row)
         for i, name in enumerate(row):
             at[name] = (gap * (i + 0.5), y)
     return at
+
+
+def _widest(names: Iterable[str]) -> float:
+    """The width of the longest of the names, as they are drawn."""
+    return max((text_width(Text((0, 0), name_runs(_shortened(name)), _NAMES)) for name in names), default=0.0)
+
+
+def _shortened(name: str) -> str:
+    """A long name without its middle.
+
+    >>> _shortened("left_front_corner_of_the_base")
+    'left_fr…e_base'
+    """
+    half = _LONGEST // 2
+    return name if len(name) <= _LONGEST else f"{name[:half]}…{name[1 - half :]}"
 
 
 def _circle(legs: Legs) -> dict[str, XY]:
@@ -173,7 +192,7 @@ def _labels(at: Mapping[str, XY], legs: Legs, layered: bool, areas: bool) -> lis
     labels = []
     for name, (x, y) in at.items():
         toward = (0.0, y - middle[1]) if layered else (x - middle[0], y - middle[1])
-        labels.append(Label(name_runs(name), (x, y), toward, _AREA if areas else _JOINT + 2))
+        labels.append(Label(name_runs(_shortened(name)), (x, y), toward, _AREA if areas else _JOINT + 2, _NAMES))
     return place_labels(labels, discs=[(xy, _JOINT) for xy in at.values()], strokes=[(at[a], at[b]) for a, b in legs])
 
 

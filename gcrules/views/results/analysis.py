@@ -12,11 +12,11 @@ from gcrules.views.report.parts import in_shell
 from gcrules.views.report.stages import leading_sentences, stages
 from gcrules.views.results.derivation import as_text as derivation_text
 from gcrules.views.results.derivation import ascii_words
+from gcrules.views.text_tables import line_width
 
 __all__ = ["as_text", "formula"]
 
-_WIDTH = 100
-_LONG = 120
+_LONG = 1.2  # of a line
 _MOST_TERMS, _FIRST = 12, 3  # of a superbracket, unless all is asked for
 
 
@@ -39,7 +39,7 @@ def as_text(a: Analysis, *, unicode: bool = False, full: bool = False) -> str:
 
 def _why(words: str) -> list[str]:
     """The sentence below a heading, in one line unless it is long."""
-    if len(words) > _LONG:
+    if len(words) > _LONG * line_width():
         return _wrapped(words.split(), "   ")
     return [f"   {words}"] if words else []
 
@@ -61,7 +61,7 @@ def _text_item(item: Item, a: Analysis, unicode: bool, most: int | None = None) 
 def _wrapped(words: list[str], indent: str) -> list[str]:
     lines = [indent]
     for word in words:
-        if len(lines[-1]) + len(word) > _WIDTH and lines[-1].strip():
+        if len(lines[-1]) + len(word) > line_width() and lines[-1].strip():
             lines.append(indent + "  ")
         lines[-1] += (" " if lines[-1].strip() else "") + word
     return lines

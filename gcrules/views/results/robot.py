@@ -20,6 +20,7 @@ from gcrules.views.report.parts import in_shell
 from gcrules.views.report.stage_ids import TITLES
 from gcrules.views.results.at_infinity import at_infinity
 from gcrules.views.results.derivation import ascii_words
+from gcrules.views.text_tables import line_width
 
 __all__ = [
     "CONDITION",
@@ -44,8 +45,6 @@ CONDITION = "Condition of the lines"
 FACTORS = "Its factors for this robot"
 OF_LIMBS = "Singularities of the limbs by themselves (of codimension one)"
 """Titles of sections."""
-
-_WIDTH = 100
 
 
 def as_text(a: RobotAnalysis, *, unicode: bool = False) -> str:
@@ -243,7 +242,12 @@ def factor_kind(part: FactorCause) -> str:
 def _wrapped(words: str, indent: int = 0) -> list[str]:
     first, rest = " " * indent, " " * (indent + 2 * (indent > 0 or words.startswith("- ")))
     return textwrap.wrap(
-        words, _WIDTH, initial_indent=first, subsequent_indent=rest, break_long_words=False, break_on_hyphens=False
+        words,
+        line_width(),
+        initial_indent=first,
+        subsequent_indent=rest,
+        break_long_words=False,
+        break_on_hyphens=False,
     )
 
 

@@ -8,6 +8,7 @@ from gcrules.algebra.language.text import text as expression_text
 from gcrules.conditions.transversals import Transversals
 from gcrules.views.formulas.latex_text import latex_words
 from gcrules.views.results import condition
+from gcrules.views.text_tables import line_width
 
 __all__ = ["as_latex", "as_text"]
 
@@ -18,7 +19,7 @@ def as_text(t: Transversals, *, unicode: bool = False) -> str:
     lines = []
     for r in t.readings:
         identity, *sentence = condition.as_text(r.condition, unicode=unicode, names=names).splitlines()
-        lines += [identity, *(line for part in sentence for line in wrap(part, 100))]
+        lines += [identity, *(line for part in sentence for line in wrap(part, line_width()))]
         for name, line in zip("pq", r.lines, strict=True):
             shown = expression_text(line.expression, unicode=unicode, names=names)
             lines.append(f"  {name:<12} {shown}, {line.words}")

@@ -54,18 +54,20 @@ export function Start({ store }: PanelProps) {
       </div>
       {!gallery && <p class="busy"><span class="spinner" aria-hidden="true" /> Loading the gallery …</p>}
       {gallery && groups.length === 0 && <p class="none">Nothing matches “{query}”.</p>}
-      {groups.map(({ title, items }) => (
-        <section class="group" key={title}>
-          <h2>
-            {title} <span>{items.length}</span>
-          </h2>
-          <ul class="cards">
-            {items.map((item) => (
-              <Card key={`${item.source.kind}${item.id}`} item={item} />
-            ))}
-          </ul>
-        </section>
-      ))}
+      <div class="groups">
+        {groups.map(({ title, items }) => (
+          <section class="group" key={title} style={{ "--count": items.length }}>
+            <h2>
+              {title} <span>{items.length}</span>
+            </h2>
+            <ul class="cards">
+              {items.map((item) => (
+                <Card key={`${item.source.kind}${item.id}`} item={item} />
+              ))}
+            </ul>
+          </section>
+        ))}
+      </div>
     </div>
   );
 }

@@ -23,7 +23,7 @@ export function TopBar() {
       <div class="study" data-testid="title">
         {title && (
           <>
-            <Title>{title}</Title>
+            <Title title={title}>{title}</Title>
             {!drawn && study?.invented && (
               <span class="tag" title="No coordinates were given: the picture and the numbers are of a sample shape">
                 sample shape

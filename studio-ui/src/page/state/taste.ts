@@ -21,7 +21,11 @@ export interface Taste {
   down: Signal<number>;
 }
 
-const WIDEST = 860; // pixels of the steps to begin with: lines of text grow no longer, the picture takes what is left
+/** Pixels of the steps to begin with: lines of text grow no longer, until there is room for a second column of them. */
+const steps = (window: number): number => Math.min(WIDEST, window / 2) + Math.max(0, window - WIDE) / 2;
+const [WIDEST, WIDE] = [860, 2560];
+/** Pixels that the numbers below the picture need where they stand in columns. */
+const BELOW = 520;
 
 const KEY = "gcrules-studio";
 
@@ -35,8 +39,8 @@ export function createTaste(): Taste {
   const angles = signal(ANGLES.find((kind) => kind === kept.angles) ?? "vector");
   const single = signal(kept.single !== false);
   const led = signal<Led>(kept.led === "platform" ? "platform" : "actuators");
-  const across = signal(share(kept.across, Math.max(0.2, Math.min(0.5, WIDEST / innerWidth))));
-  const down = signal(share(kept.down, innerWidth > 2 * WIDEST ? 0.62 : 0.47));
+  const across = signal(share(kept.across, Math.max(0.2, steps(innerWidth) / innerWidth)));
+  const down = signal(share(kept.down, innerWidth > 2 * WIDEST ? Math.min(Math.max(0.62, 1 - BELOW / innerHeight), 0.75) : 0.47));
   const printed = signal(false);
   addEventListener("beforeprint", () => (printed.value = true));
   addEventListener("afterprint", () => (printed.value = false));

@@ -3,6 +3,7 @@ import { useState } from "preact/hooks";
 import type { AppliedRule, BenchResult, Piece, Repeated, RuleOwner } from "../../../protocol";
 import { Formula } from "../../parts/formula";
 import { Icon, type IconName } from "../../parts/icon";
+import { hangOf } from "../../lib/hanging";
 import { LineToCopy, useCopy } from "../../parts/line-to-copy";
 
 const STEPS = ["scalar", "point", "line", "plane"];
@@ -102,7 +103,7 @@ function Answer({ result, rank, shown, onToggle }: AnswerProps) {
           <Icon name="terminal" size={15} />
         </button>
       </span>
-      {repeating && <Lines repeated={result.repeat} />}
+      {repeating && <Repeating repeated={result.repeat} />}
     </div>
   );
 }
@@ -114,13 +115,27 @@ const texTitle = (command: string | null): string => `Copy ${IN_WORDS.has(comman
 
 const FEW = 12; // lines of an answer in words that are shown without being asked for
 
+/** Plain text, broken to the width that there is: what is broken goes on below its first word, of facts below what is said. */
+function Lined({ lines }: { lines: readonly string[] }) {
+  return (
+    <pre class="said">
+      {lines.map((line, i) => (
+        <span key={i} style={{ "--hang": `${hangOf(line)}ch` }}>
+          {line}
+          {"\n"}
+        </span>
+      ))}
+    </pre>
+  );
+}
+
 function Said({ text }: { text: string }) {
   const [all, showAll] = useState(false);
   const lines = text.split("\n");
   const long = lines.length > FEW + 3;
   return (
     <>
-      <pre class="said">{long && !all ? lines.slice(0, FEW).join("\n").trimEnd() : text}</pre>
+      <Lined lines={long && !all ? lines.slice(0, FEW) : lines} />
       {long && (
         <button type="button" class="quiet" onClick={() => showAll(!all)} data-testid="bench-more">
           {all ? "Less" : `All ${lines.length} lines`}
@@ -138,7 +153,7 @@ function Analysed({ sentences, text }: { sentences: readonly string[]; text: str
       {sentences.map((sentence) => (
         <p key={sentence}>{sentence}</p>
       ))}
-      {all && <pre class="said">{text}</pre>}
+      {all && <Lined lines={text.split("\n")} />}
       <button type="button" class="quiet" onClick={() => showAll(!all)} data-testid="bench-more">
         {all ? "Less" : "The analysis, step by step"}
       </button>
@@ -163,7 +178,7 @@ function Applied({ rules }: { rules: readonly AppliedRule[] }) {
 
 const ownerName = ({ kind, name, line }: RuleOwner): string => (kind === "text" ? "of this text" : kind === "gcrules" ? "gcrules" : line === null ? name : `${name}:${line}`);
 
-function Lines({ repeated }: { repeated: Repeated | null }) {
+function Repeating({ repeated }: { repeated: Repeated | null }) {
   if (!repeated)
     return (
       <p class="lines none" data-testid="bench-lines">

@@ -27,7 +27,7 @@ export function Coordinates({ study, selected, select }: Props) {
             </tr>
             {group.rows.map((row) => (
               <tr key={row.name} class={row.name === selected ? "selected" : ""} onFocusCapture={() => select(row.name)}>
-                <th scope="row">
+                <th scope="row" title={row.name.length > 4 ? row.name : undefined}>
                   <PointName name={row.name} />
                 </th>
                 <Fields study={study} group={group} row={row} />

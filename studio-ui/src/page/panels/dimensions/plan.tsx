@@ -25,6 +25,8 @@ interface Window {
   half: number;
 }
 
+const [LONG, LONGEST] = [6, 20]; // letters
+
 export function Plan({ study, selected, select }: Props) {
   const { resizing } = useStore();
   const svg = useRef<SVGSVGElement>(null);
@@ -98,12 +100,14 @@ export function Plan({ study, selected, select }: Props) {
         {rows.map(({ name, at }) => {
           const [p, q] = flat(name);
           const body = study.base.includes(name) ? "base" : study.platform.includes(name) ? "platform" : "limb";
+          const inwards = name.length > LONG && p > x ? "end" : "start"; // a long name does not leave the sheet
+          const anchor = name.length > LONG ? inwards : body === "base" ? "end" : "start";
           const place = `translate(${p} ${-q}) scale(${half / 110})`;
           const dot = (
             <>
               <circle class="dot" r="4.5" />
-              <text x={body === "base" ? -8 : 8} y={body === "base" ? 14 : -7} text-anchor={body === "base" ? "end" : "start"}>
-                {name}
+              <text x={anchor === "end" ? -8 : 8} y={body === "base" ? 14 : -7} text-anchor={anchor}>
+                {name.length > LONGEST ? `${name.slice(0, LONGEST)}…` : name}
               </text>
             </>
           );

@@ -1,0 +1,180 @@
+"""The studio's page in narrow and in very wide windows, and with long names: nothing runs out of its place."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterator
+from itertools import combinations
+from typing import Any
+
+import pytest
+from places import ROOT
+
+pytest.importorskip("starlette", reason="needs the extra gcrules[studio]")
+pytest.importorskip("playwright", reason="needs the extra gcrules[dev]")
+
+from studio_page import Desk
+
+pytestmark = pytest.mark.browser
+
+SitDown = Callable[..., Desk]
+
+TITLE = "TheRobotOfTheLaboratoryForParallelKinematicsWithAVeryLongTitle, and more words"
+CORNERS = [
+    *("left_front_corner_of_the_base_frame_next", "right_front_corner_of_the_base_frame_too"),
+    *("middle_of_the_back_of_the_base_frame_low", "first_joint_of_the_moving_platform_above"),
+    *("second_joint_of_the_moving_platform_high", "third_joint_of_the_moving_platform_above"),
+]
+PLACES = ("[0, 0, 0]", "[1, 0, 0]", "[0.5, 0.9, 0]", "[0.2, 0.2, 1]", "[0.8, 0.25, 1.1]", "[0.5, 0.7, 0.9]")
+LEGS = ((0, 3), (0, 4), (1, 4), (1, 5), (2, 5), (2, 3))
+PLATFORM = "\n".join(
+    [
+        f"title: {TITLE}",
+        "points:",
+        *(f"  {name}: {at}" for name, at in zip(CORNERS, PLACES, strict=True)),
+        "legs:",
+        *(f"  - [{CORNERS[a]}, {CORNERS[b]}]" for a, b in LEGS),
+    ]
+)
+"""Points with the longest names that a platform takes."""
+
+
+def long_robot() -> str:
+    """The 3-RPS robot, its joints with the longest names that a robot takes."""
+    text = (ROOT / "plugins" / "3-rps" / "robot.yaml").read_text()
+    text = re.sub(r"\b([ASr])(?=[%123])", r"\g<1>1234567890", text)
+    text = text.replace("leg %", "the_leg_that_carries_most_of_the_weight_of_the_platform_%")
+    return re.sub("title: .*", f"title: {TITLE}", text)
+
+
+def opened(desk: Desk, what: str) -> Desk:
+    kind, _, name = what.partition(" ")
+    if kind != "file":
+        return desk.open(kind, name)
+    source = {"kind": "file", "text": PLATFORM if name == "platform" else long_robot(), "name": f"{'long_' * 12}.yaml"}
+    desk.run("source => gcrules.open(source)", source)
+    desk.answered()
+    return desk
+
+
+ROLLS = ".formula, .monomials, .legend, .viewer, svg, .scrolled, .katex, .cm-editor, .paper, .chart, .bars"
+"""What is made to be scrolled sideways, or draws."""
+
+RUNS_OUT = f"""() => [document.documentElement, ...document.querySelectorAll(".shell *")].filter(e =>
+  e.clientWidth > 1 && !e.closest("{ROLLS}, .sr-only, .skip") && !e.matches("input, .sliders")
+  && e.checkVisibility({{visibilityProperty: true}}) && e.scrollWidth > e.clientWidth + 2
+  && getComputedStyle(e).textOverflow !== "ellipsis").map(e => `${{e.tagName}}.${{e.className}} ${{e.scrollWidth}} >
+  ${{e.clientWidth}}: ${{e.textContent.slice(0, 60)}}`)"""
+"""Elements whose contents are wider than they are."""
+
+SQUEEZED = """() => [...document.querySelectorAll(".shell *")].filter(e => {
+  const words = [...e.childNodes].filter(n => n.nodeType === 3 && n.data.trim().split(/\\s+/).length > 3);
+  const box = e.getBoundingClientRect(), em = parseFloat(getComputedStyle(e).fontSize);
+  return words.length > 0 && !e.closest("svg, .sr-only, .viewer, .katex") && e.checkVisibility()
+    && box.width > 1 && box.width < 8 * 0.55 * em && box.height > 4 * em; }).map(e => e.outerHTML.slice(0, 120))"""
+"""Text in lines of fewer than eight letters."""
+
+
+def views(desk: Desk) -> Iterator[str]:
+    """Each panel, each step and each tab of numbers, one after the other on show."""
+    for panel in desk.run("[...document.querySelectorAll('.rail button')].map(b => b.dataset.testid)"):
+        desk.one(panel).click()
+        if panel == "panel-project":
+            desk.one("project-keep").click()
+        if panel == "panel-guided":
+            for stage in desk.run("gcrules.study.value.stages.map(s => s.id)"):
+                desk.step(stage)
+                yield f"step {stage}"
+            for tab in ("tab-readings", "tab-actuators", "tab-way"):
+                desk.one(tab).click()
+                yield tab
+        yield panel
+
+
+@pytest.mark.parametrize(
+    ("width", "what"),
+    [
+        (320, "class 3-3.3"),
+        (390, "class 3-3.3"),
+        (320, "robot gallardo-4dof"),
+        (320, "file platform"),
+        (1280, "file platform"),
+        (390, "file robot"),
+        (1280, "file robot"),
+    ],
+)
+def test_nothing_runs_out_of_its_place(sit_down: SitDown, width: int, what: str) -> None:
+    desk = opened(sit_down(viewport={"width": width, "height": 740}).visit(), what)
+    found: dict[str, Any] = {}
+    for view in views(desk):
+        desk.painted()
+        found[view] = desk.run(RUNS_OUT) + desk.run(SQUEEZED)
+    assert len(found) > 15
+    assert {view: seen for view, seen in found.items() if seen} == {}
+
+
+def test_the_limb_editor_holds_long_names(sit_down: SitDown) -> None:
+    for width in (320, 1280):
+        desk = opened(sit_down(viewport={"width": width, "height": 740}).visit(), "file robot")
+        desk.one("panel-dimensions").click()
+        desk.one("shape-limbs").click()
+        desk.one("limbs-title").wait_for()
+        desk.painted()
+        assert desk.run(RUNS_OUT) + desk.run(SQUEEZED) == []
+
+
+@pytest.mark.parametrize("width", [320, 390, 480])
+def test_bar_and_rail_of_a_phone_have_all_buttons_apart(sit_down: SitDown, width: int) -> None:
+    desk = opened(sit_down(viewport={"width": width, "height": 740}).visit(), "class 3-3.3")
+    for where, least in ((".top-bar .tools button", 7), (".rail button span", 10)):
+        boxes = [box for one in desk.page.locator(where).all() if (box := one.bounding_box())]
+        assert len(boxes) >= least
+        assert all(box["x"] >= 0 and box["x"] + box["width"] <= width for box in boxes)
+        for a, b in combinations(boxes, 2):
+            apart = max(b["x"] - a["x"] - a["width"], a["x"] - b["x"] - b["width"])
+            assert apart >= (0 if "tools" in where else 2) or a["y"] != b["y"]
+
+
+@pytest.mark.parametrize("width", [2560, 3440, 3840])
+def test_a_very_wide_window_is_used(sit_down: SitDown, width: int) -> None:
+    """Sections, cards and numbers stand side by side; what is set grows with the window."""
+    desk = opened(sit_down(viewport={"width": width, "height": 1440}).visit(), "class 3-3.3")
+    size = float(desk.run("parseFloat(getComputedStyle(document.documentElement).fontSize)"))
+    assert (size > 18) == (width > 2560)
+
+    def lefts(selector: str) -> int:
+        return len({round(box["x"]) for one in desk.page.locator(selector).all() if (box := one.bounding_box())})
+
+    assert lefts(".pose-panel > *") == 3
+    for panel, sections in (("motion", ".motion > section"), ("take-away", ".take-away > section")):
+        desk.one(f"panel-{panel}").click()
+        assert lefts(sections) == (1 if width == 2560 else 2), panel
+    desk.one("panel-start").click()
+    start = desk.page.locator(".start").bounding_box()
+    assert start["width"] > 0.85 * width
+    assert lefts(".start .group") > 1
+
+
+@pytest.mark.parametrize("width", [390, 1280, 2560])
+def test_answers_of_the_bench_are_broken_once(sit_down: SitDown, width: int) -> None:
+    """No line ends before the width is used, and what is broken goes on farther in."""
+    desk = opened(sit_down(viewport={"width": width, "height": 900}).visit(), "class 3-3.3")
+    desk.one("panel-bench").click()
+    desk.run("gcrules.edit({bench: ':analyze aA bB cC dD eE fF'})")
+    desk.one("bench-run").click()
+    desk.one("bench-more").click()
+    desk.painted()
+    lines = desk.page.locator(".said span").evaluate_all(
+        """spans => spans.map(span => { const range = document.createRange(), rows = {}; range.selectNodeContents(span);
+        for (const {top, left, right, width} of range.getClientRects()) if (width > 1) {
+          const row = rows[Math.round(top)] ??= [left, right];
+          rows[Math.round(top)] = [Math.min(row[0], left), Math.max(row[1], right)]; }
+        return {rows: Object.values(rows), right: span.getBoundingClientRect().right}; })"""
+    )
+    broken = [line for line in lines if len(line["rows"]) > 1]
+    assert broken
+    for line in broken:
+        (first, end), *others = line["rows"]
+        assert all(left > first for left, _ in others)
+        assert end > line["right"] - 160
+    assert desk.run(RUNS_OUT) == []
