@@ -21,13 +21,12 @@ _Command = Callable[..., Any]
 proof_file = deferred("gcrules.mechanisms.proofs:proof_file")
 
 _FORMATS = {
-    "certificate": (
-        ".json",
-        "Write the theorems with their proofs, which tools/check_proof.py checks without gcrules.",
-    ),
+    "certificate": (".json", "Write the theorems with their proofs, which a program checks without gcrules."),
     "coq": (".v", "Write them as a script of Coq, which proves them without axioms."),
     "lean": (".lean", "Write them as text of Lean 4, which is not checked here."),
 }
+_EACH = {"certificate": '{"name":', "coq": "Print Assumptions ", "lean": "theorem "}
+"""How a line begins, of which a file has one for each theorem."""
 
 
 @dataclass(frozen=True)
@@ -55,7 +54,7 @@ class ProofOptions:
             for form, path in wanted.items():
                 text = texts[form]()
                 write_file(path, text)
-                number = text.count("\nTheorem ") or text.count("\ntheorem ") or len(proofs.theorems)
+                number = text.count("\n" + _EACH[form])
                 click.echo(f"{path}: {counted(number, 'theorem')}, digest {proofs.digest[:12]}", err=True)
         for one in proofs.left_out:
             click.echo(f"note: no proof is written of {one}", err=True)
