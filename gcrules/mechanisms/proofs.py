@@ -162,7 +162,7 @@ def _readings(structure: Structure, conditions: Iterable[Condition]) -> Iterator
 
 def _of_robot(found: RobotAnalysis) -> _Claims:
     if found.lines is None:
-        raise InputError(f"{found.robot.id}: its limbs apply wrenches that are no lines of its points: no identity")
+        raise InputError(f"{found.robot.id}: its limbs apply wrenches that are not lines of its points")
     conditions = [c for c in (found.condition, found.lines.condition, *found.lines.readings) if c is not None]
     return found.robot.title, _readings(found.lines.structure, conditions)
 

@@ -25,7 +25,7 @@ import gcrules as gc
 from gcrules.algebra.bracket import BracketPolynomial
 from gcrules.algebra.language.statements import parse_script
 from gcrules.algebra.straightening.straighten import straighten_steps
-from gcrules.api import functions, poses
+from gcrules.api import functions, poses, proofs
 from gcrules.conditions.catalog_check import check_entry
 from gcrules.conditions.example_poses import singular_pose
 from gcrules.conditions.pose_value import pose_value
@@ -401,9 +401,9 @@ def test_faults_can_be_pickled(fault: gc.GcrulesError) -> None:
 
 
 def test_the_public_names_are_those_of_the_api() -> None:
-    both = {n: module for module in (functions, poses) for n in module.__all__}
-    assert set(gc.__all__) == {*both, *IN_APPS, "__version__"}
-    assert all(getattr(gc, name) is getattr(module, name) for name, module in both.items())
+    every = {n: module for module in (functions, poses, proofs) for n in module.__all__}
+    assert set(gc.__all__) == {*every, *IN_APPS, "__version__"}
+    assert all(getattr(gc, name) is getattr(module, name) for name, module in every.items())
 
 
 @pytest.mark.parametrize(("command", "name"), [("map", "singular_map"), ("free", "free_region")])
