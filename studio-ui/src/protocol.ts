@@ -490,7 +490,7 @@ export interface ComposeArgs {
   drawing: Sketch;
 }
 
-export type Format = "html" | "latex" | "svg" | "png" | "pdf" | "json" | "yaml" | "c" | "cpp" | "py" | "rs";
+export type Format = "html" | "latex" | "svg" | "png" | "pdf" | "json" | "yaml" | "proof" | "coq" | "c" | "cpp" | "py" | "rs";
 
 /** The pose that Python or another page brings after the one of this number; `page` is a name of the page's own. */
 export interface FollowArgs {

@@ -15,6 +15,7 @@ from gcrules.apps.studio.standing import report_there
 from gcrules.apps.studio.subject import Subject
 from gcrules.core.errors import InputError
 from gcrules.core.files import file_name
+from gcrules.mechanisms.proofs import proof_file
 from gcrules.poses.compiling.controller import controller_of
 from gcrules.views.code.source_code import source_code
 from gcrules.views.drawing.drawing_files import pdf_bytes
@@ -40,8 +41,7 @@ def saved(
         found = report_there(subject, pose, threshold, state, folders)
     binary = isinstance(found, bytes)
     data = base64.b64encode(found).decode() if isinstance(found, bytes) else found
-    ending = "tex" if what == "latex" else what
-    return {"name": file_name(subject.title, ending), "mime": mime, "data": data, "binary": binary}
+    return {"name": file_name(subject.title, _ENDINGS.get(what, what)), "mime": mime, "data": data, "binary": binary}
 
 
 # --- formats -------------------------------------------------------------------------------------------------------
@@ -77,6 +77,15 @@ def _yaml(subject: Subject, pose: PoseJson, threshold: str | None) -> str:
     return file_there(subject, pose)
 
 
+def _proof(subject: Subject, pose: PoseJson, threshold: str | None) -> str:
+    """The theorems of the analysis; they are the same for every pose."""
+    return proof_file(subject.robot or analysis_of(subject)).json_text()
+
+
+def _coq(subject: Subject, pose: PoseJson, threshold: str | None) -> str:
+    return proof_file(subject.robot or analysis_of(subject)).coq()
+
+
 def _code(language: str) -> Bytes:
     """Factors, margin and inverse kinematics for a controller, from home; they are the same for every pose."""
 
@@ -86,6 +95,7 @@ def _code(language: str) -> Bytes:
     return make
 
 
+_ENDINGS: Mapping[Format, str] = {"latex": "tex", "proof": "proof.json", "coq": "v"}
 _MAKERS: Mapping[Format, tuple[str, Bytes]] = {
     "html": ("text/html", _html),
     "latex": ("application/x-tex", _latex),
@@ -94,6 +104,8 @@ _MAKERS: Mapping[Format, tuple[str, Bytes]] = {
     "png": ("image/png", _png),
     "json": ("application/json", _json),
     "yaml": ("application/yaml", _yaml),
+    "proof": ("application/json", _proof),
+    "coq": ("text/plain", _coq),
     "c": ("text/plain", _code("c")),
     "cpp": ("text/plain", _code("cpp")),
     "py": ("text/plain", _code("python")),

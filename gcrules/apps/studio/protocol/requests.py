@@ -344,7 +344,7 @@ class ComposeArgs(TypedDict):
     drawing: Sketch
 
 
-Format = Literal["html", "latex", "svg", "png", "pdf", "json", "yaml", "c", "cpp", "py", "rs"]
+Format = Literal["html", "latex", "svg", "png", "pdf", "json", "yaml", "proof", "coq", "c", "cpp", "py", "rs"]
 
 
 class FollowArgs(TypedDict):

@@ -45,6 +45,18 @@ export const SECTIONS: readonly { title: string; offers: readonly Offer[] }[] = 
     ],
   },
   {
+    title: "Proofs that others check",
+    offers: [
+      {
+        thing: "proof",
+        title: "Proof file",
+        badge: "PROOF",
+        words: "The condition and all readings as theorems with their proofs, which a program of 400 lines checks without gcrules.",
+      },
+      { thing: "coq", title: "Script of Coq", badge: "COQ", words: "The same, down to coordinates; coqc proves it without axioms." },
+    ],
+  },
+  {
     title: "Code for a controller",
     offers: [
       { thing: "c", title: "Check and kinematics", badge: "C", words: "Factors, margin and inverse kinematics as functions of the pose, with a test." },
