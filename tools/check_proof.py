@@ -30,6 +30,7 @@ on W and W is not zero:
 Exit codes: 0 all theorems are proved, 1 one is not (its name, and what is left), 2 the file is no proof file.
 """
 
+import hashlib
 import json
 import re
 import sys
@@ -389,7 +390,8 @@ def main(path):
     except (OSError, ValueError, TypeError, LookupError, AttributeError, ArithmeticError, RecursionError) as fault:
         print(f"{path}: no proof file: {type(fault).__name__}: {fault}", file=sys.stderr)
         return 2
-    print(f"theorems proved: {len(data['theorems'])}")
+    text = json.dumps(data["theorems"], separators=(",", ":"), ensure_ascii=False)
+    print(f"theorems proved: {len(data['theorems'])}, digest {hashlib.sha256(text.encode()).hexdigest()}")
     return 0
 
 

@@ -9,6 +9,7 @@ r"""What an answer claims, with the proofs that a checker can replay.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
+from dataclasses import replace
 from typing import Any
 
 from gcrules.algebra.evaluate import vanishes
@@ -114,6 +115,9 @@ def _factored(found: Factorization) -> Iterator[_Claim]:
         yield _Claim("factorization", found.input, found.whole(), found.rank, reason=_RANDOM)
         return
     yield _Claim("factorization", found.input, found.whole(), found.rank, found.ideal)
+    if not found.exists:
+        searched = f"it is the result of a search, {found.family.searched()}; {found.certificate.detail}"
+        yield _Claim("no expression of the family", found.input, found.whole(), found.rank, reason=searched)
     for i, form in enumerate((*found.alternatives, *found.rational), 1):
         yield _Claim(f"form {i}", mul(form.cofactor, found.input), form.product(), found.rank, found.ideal)
 
@@ -121,8 +125,10 @@ def _factored(found: Factorization) -> Iterator[_Claim]:
 def _of_shortening(found: Shortening) -> _Claims:
     p = found.polynomial
     assert found.input is not None
-    ideal = p.points[: p.ideal]
-    return f"shortest form of {found.input}", [_Claim("shortest form", found.input, p.to_expr(), p.rank, ideal)]
+    equal = _Claim("shortest form", found.input, p.to_expr(), p.rank, p.points[: p.ideal])
+    fewer = f"at least {found.lower} terms are needed"
+    searched = f"it is the result of a search; {found.bound.detail}"
+    return f"shortest form of {found.input}", [equal, replace(equal, name=fewer, reason=searched)]
 
 
 def _of_script(found: ScriptResult) -> _Claims:

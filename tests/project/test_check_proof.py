@@ -92,13 +92,14 @@ def test_other_answers(name: str) -> None:
 
 def test_the_claim_is_printed_as_it_is_read(tmp_path: Path) -> None:
     file = tmp_path / "proof.json"
-    file.write_text(gc.proof_file(ANSWERS["kinds"]()).json_text(), encoding="utf-8")
+    proofs = gc.proof_file(ANSWERS["kinds"]())
+    file.write_text(proofs.json_text(), encoding="utf-8")
     done = subprocess.run([sys.executable, CHECKER, file], capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
     assert done.stdout.splitlines() == [
         "proved  'claim':",
         "  [a c d] == 0, where [a b c] == 0 and [a b d] == 0 and (a v b) != 0 (rank 3)",
-        "theorems proved: 1",
+        f"theorems proved: 1, digest {proofs.digest}",
     ]
 
 
