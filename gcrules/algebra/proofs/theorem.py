@@ -18,15 +18,18 @@ from gcrules.algebra.bracket import Coefficient, Monomial, Terms, sorted_row
 from gcrules.algebra.expand import MAX_TERMS
 from gcrules.algebra.expr import ZERO, Expr, Superbracket, common_rank, neg, points_of, sub, subexpressions
 from gcrules.algebra.proofs.coverage import Flat, flats
-from gcrules.algebra.proofs.relations import Relation, relations
+from gcrules.algebra.proofs.relations import MAX_RELATIONS, Relation, relations
 from gcrules.algebra.proofs.written import Written, number
 from gcrules.algebra.space import Assumption, Space
+from gcrules.algebra.straightening.order import easy_places
 from gcrules.core.dataclass import dataclass
-from gcrules.core.errors import InputError
+from gcrules.core.errors import InputError, LimitReached
 
 __all__ = ["PlacedPoint", "Theorem", "theorem"]
 
 _LARGEST = 4  # rank of superbrackets that the checker expands
+_ROWS = 1_000  # different brackets among which an easy order of the points is quickly found
+_SHORT = 5_000  # exchanges of a proof in the first order; only longer ones are sought at length
 
 
 @dataclass(frozen=True)
@@ -139,10 +142,7 @@ def theorem(
     if len(found) > 1:
         raise InputError(f"the assumptions allow {len(found)} kinds of positions, of which no proof is written")
     c = found[0].construction
-    places, moved = _by_frequency(c.closed_terms(difference, limit, as_defined=True), len(c.order), c.at_infinity)
-    proof = relations(moved, c.at_infinity)
-    if proof is None:
-        raise InputError("the sides are not equal")
+    places, proof = _shortest(c.closed_terms(difference, limit, as_defined=True), len(c.order), c.at_infinity)
     order = tuple(c.order[i] for i in places)
     return Theorem(name, rank, left, right, order, c.at_infinity, proof, c.equations, c.nonzero, tuple(_placed(c)))
 
@@ -155,13 +155,39 @@ def _placed(c: Construction) -> Iterator[PlacedPoint]:
         yield PlacedPoint(step.name, step.within, step.fresh, found)
 
 
-def _by_frequency(terms: Mapping[Monomial, Coefficient], points: int, ideal: int) -> tuple[tuple[int, ...], Terms]:
-    """The numbers of the points in an order in which proofs are short, and the terms in it: those that occur often
-    first, so that many rows agree in their first points; points at infinity stay before the others, those that close
-    extensors behind them.
+def _shortest(
+    terms: Mapping[Monomial, Coefficient], points: int, ideal: int
+) -> tuple[tuple[int, ...], tuple[Relation, ...]]:
+    """The shortest proof that terms add up to nothing among those in some orders of the points, and its order; points
+    at infinity stay before the others, those that close extensors behind them. Raises InputError where they do not add
+    up to nothing.
     """
-    often = Counter(i for m in terms for row in m if len(row) > 1 for i in row)
-    order = sorted(range(points), key=lambda i: (i >= ideal, -often[i], i))
+    brackets = [tuple(row for row in m if len(row) > 1) for m in terms]
+    often = Counter(i for m in brackets for row in m for i in row)
+    orders = [tuple(sorted(range(points), key=lambda i: (i >= ideal, -often[i], i)))]
+    if len({row for m in brackets for row in m}) <= _ROWS:
+        easy = easy_places(brackets, points, ideal)
+        orders += [easy, (*easy[:ideal][::-1], *easy[ideal:][::-1])]
+    for most in (_SHORT, MAX_RELATIONS):
+        found = []
+        reached: LimitReached | None = None
+        for order in dict.fromkeys(orders):
+            try:
+                proof = relations(_moved(terms, order), ideal, most)
+            except LimitReached as limited:
+                reached = limited
+                continue
+            if proof is None:
+                raise InputError("the sides are not equal")
+            found.append((sum(len(r.multiplier) for r in proof), order, proof))
+        if found:
+            return min(found, key=lambda one: one[0])[1:]
+    assert reached is not None
+    raise reached
+
+
+def _moved(terms: Mapping[Monomial, Coefficient], order: tuple[int, ...]) -> Terms:
+    """The terms with the points numbered by their places in an order; rows of one entry are scalars."""
     place = {x: n for n, x in enumerate(order)}
     moved: Terms = {}
     for m, c in terms.items():
@@ -172,4 +198,4 @@ def _by_frequency(terms: Mapping[Monomial, Coefficient], points: int, ideal: int
             rows.append(new)
         key = tuple(sorted(rows))
         moved[key] = moved.get(key, 0) + c
-    return tuple(order), moved
+    return moved
