@@ -13,11 +13,11 @@ from dataclasses import replace
 from typing import Any
 
 from gcrules.algebra.evaluate import vanishes
-from gcrules.algebra.expr import Expr, Number, mul, sub
+from gcrules.algebra.expr import Expr, Number, mul
 from gcrules.algebra.factoring.result import Factorization
 from gcrules.algebra.proofs.proof_file import LeftOut, ProofFile
 from gcrules.algebra.proofs.theorem import Theorem, theorem
-from gcrules.algebra.prove import Proof
+from gcrules.algebra.prove import Proof, difference_of
 from gcrules.algebra.shortening.result import Shortening
 from gcrules.algebra.space import Assumption
 from gcrules.algebra.structure import Structure
@@ -88,7 +88,7 @@ def _proved(title: str, claims: Iterable[_Claim]) -> ProofFile:
 
 def _everywhere(claim: _Claim) -> bool:
     """Whether what is claimed under assumptions holds without them too."""
-    return vanishes(sub(claim.left, claim.right, rank=claim.rank), rank=claim.rank, ideal=claim.ideal)
+    return vanishes(difference_of(claim.left, claim.right, claim.rank), rank=claim.rank, ideal=claim.ideal)
 
 
 # --- what each kind of answer claims ---------------------------------------------------------------------------------

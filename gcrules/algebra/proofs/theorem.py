@@ -8,19 +8,19 @@ r"""A theorem with its proof, as anyone can check it: a claim, and exchange rela
 
 from __future__ import annotations
 
-from collections import Counter
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator
 from typing import Any
 
 from gcrules.algebra.assumptions.assumed import kinds
 from gcrules.algebra.assumptions.construction import Construction
-from gcrules.algebra.bracket import Coefficient, Monomial, Terms, sorted_row
 from gcrules.algebra.expand import MAX_TERMS
-from gcrules.algebra.expr import ZERO, Expr, Superbracket, common_rank, neg, points_of, sub, subexpressions
+from gcrules.algebra.expr import Expr, Superbracket, common_rank, points_of, subexpressions
 from gcrules.algebra.proofs.coverage import Flat, flats
 from gcrules.algebra.proofs.relations import Relation, relations
 from gcrules.algebra.proofs.written import Written, number
+from gcrules.algebra.prove import difference_of
 from gcrules.algebra.space import Assumption, Space
+from gcrules.algebra.straightening.straighten import by_frequency
 from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import InputError
 
@@ -134,12 +134,13 @@ def theorem(
     if any(isinstance(e, Superbracket) and e.rank > _LARGEST for side in (left, right) for e in subexpressions(side)):
         raise InputError(f"proof files have no superbrackets of rank {_LARGEST + 1} or more")
     rank = common_rank(rank, left, right, *(e for a in assumptions for e in a.args))
-    difference = neg(right) if left == ZERO else left if right == ZERO else sub(left, right, rank=rank)
+    difference = difference_of(left, right, rank)
     found = kinds(Space(rank, (), at_infinity, assumptions), points_of(left, right), (difference,))
     if len(found) > 1:
         raise InputError(f"the assumptions allow {len(found)} kinds of positions, of which no proof is written")
     c = found[0].construction
-    places, moved = _by_frequency(c.closed_terms(difference, limit, as_defined=True), len(c.order), c.at_infinity)
+    terms = c.closed_terms(difference, limit, as_defined=True)
+    places, moved = by_frequency(terms, c.at_infinity, range(len(c.order)))
     proof = relations(moved, c.at_infinity)
     if proof is None:
         raise InputError("the sides are not equal")
@@ -153,23 +154,3 @@ def _placed(c: Construction) -> Iterator[PlacedPoint]:
         if found is None:
             raise InputError(f"that {step.name} is on {step.within} does not follow from one assumption")
         yield PlacedPoint(step.name, step.within, step.fresh, found)
-
-
-def _by_frequency(terms: Mapping[Monomial, Coefficient], points: int, ideal: int) -> tuple[tuple[int, ...], Terms]:
-    """The numbers of the points in an order in which proofs are short, and the terms in it: those that occur often
-    first, so that many rows agree in their first points; points at infinity stay before the others, those that close
-    extensors behind them.
-    """
-    often = Counter(i for m in terms for row in m if len(row) > 1 for i in row)
-    order = sorted(range(points), key=lambda i: (i >= ideal, -often[i], i))
-    place = {x: n for n, x in enumerate(order)}
-    moved: Terms = {}
-    for m, c in terms.items():
-        rows = []
-        for row in m:
-            sign, new = sorted_row(place.get(i, i) for i in row) if len(row) > 1 else (1, row)
-            c = c * sign
-            rows.append(new)
-        key = tuple(sorted(rows))
-        moved[key] = moved.get(key, 0) + c
-    return tuple(order), moved
