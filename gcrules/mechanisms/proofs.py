@@ -31,7 +31,7 @@ from gcrules.rules.catalog.catalog import Catalog
 from gcrules.rules.condition import Condition
 from gcrules.rules.script import ClaimResult, RuleResult, ScriptResult
 
-__all__ = ["proof_file"]
+__all__ = ["proof_file", "proof_file_or_none"]
 
 _RANDOM = "it was tested at random points only"
 
@@ -53,14 +53,22 @@ def proof_file(answer: Any) -> ProofFile:
     """The theorems of an answer, each with a proof that can be replayed without gcrules (`tools/check_proof.py`).
 
     An answer is a proof, a factorization, a shortest form, a script's results, an analysis of legs or of a robot, a
-    transversal condition, or a catalog. What an answer says without a proof, or under assumptions, is `left_out` with
-    the reason. Raises InputError for any other kind of answer, and where nothing is left to prove.
+    transversal condition, or a catalog. What it says and cannot be written with a proof is `left_out`, with the reason.
+    Raises InputError for any other kind of answer, and where nothing is left to prove.
     """
     for kind, claims in _KINDS.items():
         if isinstance(answer, kind):
             return _proved(*claims(answer))
     names = ", ".join(kind.__name__ for kind in _KINDS)
     raise InputError(f"no proofs can be written of a {type(answer).__name__}", hint=f"they are written of: {names}")
+
+
+def proof_file_or_none(answer: Any) -> ProofFile | None:
+    """The same; None where there is no proof to write."""
+    try:
+        return proof_file(answer)
+    except (InputError, LimitReached):
+        return None
 
 
 def _proved(title: str, claims: Iterable[_Claim]) -> ProofFile:

@@ -26,7 +26,7 @@ from gcrules.core.errors import InputError
 
 __all__ = ["PlacedPoint", "Theorem", "theorem"]
 
-_LARGEST = 4  # rank of superbrackets that the checker expands
+_SUPERBRACKETS = 4  # the highest rank in which the checker expands them
 
 
 @dataclass(frozen=True)
@@ -131,8 +131,10 @@ def theorem(
     too long.
     """
     assumptions, at_infinity = tuple(given), tuple(ideal)
-    if any(isinstance(e, Superbracket) and e.rank > _LARGEST for side in (left, right) for e in subexpressions(side)):
-        raise InputError(f"proof files have no superbrackets of rank {_LARGEST + 1} or more")
+    if any(
+        isinstance(e, Superbracket) and e.rank > _SUPERBRACKETS for side in (left, right) for e in subexpressions(side)
+    ):
+        raise InputError(f"proof files have no superbrackets of rank {_SUPERBRACKETS + 1} or more")
     rank = common_rank(rank, left, right, *(e for a in assumptions for e in a.args))
     difference = difference_of(left, right, rank)
     found = kinds(Space(rank, (), at_infinity, assumptions), points_of(left, right), (difference,))
