@@ -9,7 +9,6 @@ r"""What an answer claims, with the proofs that a checker can replay.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
-from dataclasses import replace
 from typing import Any
 
 from gcrules.algebra.evaluate import vanishes
@@ -25,6 +24,7 @@ from gcrules.conditions.analysis import Analysis
 from gcrules.conditions.transversals import Transversals
 from gcrules.core.budget import checkpoint, report
 from gcrules.core.dataclass import dataclass
+from gcrules.core.english import counted
 from gcrules.core.errors import InputError, LimitReached
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.rules.catalog.catalog import Catalog
@@ -38,7 +38,7 @@ _RANDOM = "it was tested at random points only"
 
 @dataclass(frozen=True)
 class _Claim:
-    """left == right, to be proved; or, with a `reason`, what is not proved in a file."""
+    """left == right, to be proved."""
 
     name: str
     left: Expr
@@ -46,7 +46,6 @@ class _Claim:
     rank: int
     ideal: tuple[str, ...] = ()
     given: tuple[Assumption, ...] = ()
-    reason: str = ""
 
 
 def proof_file(answer: Any) -> ProofFile:
@@ -71,23 +70,22 @@ def proof_file_or_none(answer: Any) -> ProofFile | None:
         return None
 
 
-def _proved(title: str, claims: Iterable[_Claim]) -> ProofFile:
+def _proved(title: str, claims: Iterable[_Claim | LeftOut]) -> ProofFile:
     theorems: list[Theorem] = []
     left_out: list[LeftOut] = []
     for claim in claims:
         checkpoint()
         report(claim.name)
-        reason = claim.reason
-        if not reason:
-            given = () if claim.given and _everywhere(claim) else claim.given
-            try:
-                theorems.append(
-                    theorem(claim.name, claim.left, claim.right, ideal=claim.ideal, rank=claim.rank, given=given)
-                )
-            except (InputError, LimitReached) as fault:
-                reason = fault.message
-        if reason:
-            left_out.append(LeftOut(claim.name, reason))
+        if isinstance(claim, LeftOut):
+            left_out.append(claim)
+            continue
+        given = () if claim.given and _everywhere(claim) else claim.given
+        try:
+            theorems.append(
+                theorem(claim.name, claim.left, claim.right, ideal=claim.ideal, rank=claim.rank, given=given)
+            )
+        except (InputError, LimitReached) as fault:
+            left_out.append(LeftOut(claim.name, fault.message))
     if not theorems:
         why = "; ".join(map(str, left_out)) or "it claims nothing"
         raise InputError(f"{title}: there is no proof to write: {why}")
@@ -101,31 +99,33 @@ def _everywhere(claim: _Claim) -> bool:
 
 # --- what each kind of answer claims ---------------------------------------------------------------------------------
 
-_Claims = tuple[str, Iterable[_Claim]]
+_Claims = tuple[str, Iterable[_Claim | LeftOut]]
+"""Whose they are, and what the answer says: what is to be proved, and what is not proved in a file."""
 
 
 def _of_proof(proof: Proof) -> _Claims:
     return f"{proof.left} == {proof.right}", [_equation("claim", proof)]
 
 
-def _equation(name: str, proof: Proof) -> _Claim:
-    reason = "" if proof.proved else f"it is {proof.verdict}"
-    return _Claim(name, proof.left, proof.right, proof.rank, proof.ideal, proof.given, reason)
+def _equation(name: str, proof: Proof) -> _Claim | LeftOut:
+    if not proof.proved:
+        return LeftOut(name, f"it is {proof.verdict}")
+    return _Claim(name, proof.left, proof.right, proof.rank, proof.ideal, proof.given)
 
 
 def _of_factorization(found: Factorization) -> _Claims:
     return f"factors of {found.input}", _factored(found)
 
 
-def _factored(found: Factorization) -> Iterator[_Claim]:
+def _factored(found: Factorization) -> Iterator[_Claim | LeftOut]:
     assert found.input is not None
     if not found.proved:
-        yield _Claim("factorization", found.input, found.whole(), found.rank, reason=_RANDOM)
+        yield LeftOut("factorization", _RANDOM)
         return
     yield _Claim("factorization", found.input, found.whole(), found.rank, found.ideal)
     if not found.exists:
         searched = f"it is the result of a search, {found.family.searched()}; {found.certificate.detail}"
-        yield _Claim("no expression of the family", found.input, found.whole(), found.rank, reason=searched)
+        yield LeftOut("no expression of the family", searched)
     for i, form in enumerate((*found.alternatives, *found.rational), 1):
         yield _Claim(f"form {i}", mul(form.cofactor, found.input), form.product(), found.rank, found.ideal)
 
@@ -134,16 +134,16 @@ def _of_shortening(found: Shortening) -> _Claims:
     p = found.polynomial
     assert found.input is not None
     equal = _Claim("shortest form", found.input, p.to_expr(), p.rank, p.points[: p.ideal])
-    fewer = f"at least {found.lower} terms are needed"
-    searched = f"it is the result of a search; {found.bound.detail}"
-    return f"shortest form of {found.input}", [equal, replace(equal, name=fewer, reason=searched)]
+    needed = f"at least {counted(found.lower, 'term')} {'is' if found.lower == 1 else 'are'} needed"
+    bound = [LeftOut(needed, f"it is not an identity; {found.bound.detail}")] if found.lower else []
+    return f"shortest form of {found.input}", [equal, *bound]
 
 
 def _of_script(found: ScriptResult) -> _Claims:
     return "a script", (claim for result in found.results for claim in _of_result(result))
 
 
-def _of_result(result: object) -> Iterator[_Claim]:
+def _of_result(result: object) -> Iterator[_Claim | LeftOut]:
     if isinstance(result, ClaimResult) and result.proof is not None:
         yield _equation(f"line {result.line}: {result.label}", result.proof)
     elif isinstance(result, RuleResult) and result.check.ok:
@@ -160,18 +160,14 @@ def _of_transversals(found: Transversals) -> _Claims:
     return found.structure.text(), _readings(found.structure, [r.condition for r in found.readings])
 
 
-def _readings(structure: Structure, conditions: Iterable[Condition]) -> Iterator[_Claim]:
+def _readings(structure: Structure, conditions: Iterable[Condition]) -> Iterator[_Claim | LeftOut]:
     for i, c in enumerate(dict.fromkeys(conditions)):
         name = f"reading {i}: {c.kind}" if i else f"condition: {c.kind}"
-        yield _Claim(
-            name,
-            mul(c.cofactor, structure.superbracket),
-            c.right_side,
-            structure.rank,
-            structure.ideal,
-            structure.given,
-            _RANDOM if c.certificate.method == "random-points" else "",
-        )
+        if c.certificate.method == "random-points":
+            yield LeftOut(name, _RANDOM)
+            continue
+        left = mul(c.cofactor, structure.superbracket)
+        yield _Claim(name, left, c.right_side, structure.rank, structure.ideal, structure.given)
 
 
 def _of_robot(found: RobotAnalysis) -> _Claims:

@@ -34,7 +34,7 @@ class _Format:
     each: str
 
 
-_FORMATS: Mapping[str, _Format] = {
+_FORMATS: dict[str, _Format] = {
     "certificate": _Format(
         ".json",
         "Write the theorems with their proofs, which a program checks without gcrules.",
