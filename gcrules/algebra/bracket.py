@@ -35,6 +35,7 @@ __all__ = [
     "Monomial",
     "Row",
     "Terms",
+    "by_parameters",
     "primitive",
     "sorted_row",
     "tableau_order",
@@ -46,6 +47,19 @@ Monomial = tuple[Row, ...]
 Terms = dict[Monomial, Coefficient]
 
 MANY_EQUAL = 10  # brackets that are written as a power where a short text is asked for
+
+
+def by_parameters(terms: Mapping[Monomial, Coefficient]) -> dict[Monomial, Terms]:
+    """The polynomial in brackets with which each product of parameters, which are rows of one entry, occurs.
+
+    >>> by_parameters({((0,), (0, 1)): 2, ((0, 2), (1, 2)): 1})
+    {((0,),): {((0, 1),): 2}, (): {((0, 2), (1, 2)): 1}}
+    """
+    parts: dict[Monomial, Terms] = {}
+    for m, c in terms.items():
+        parameters = tuple(row for row in m if len(row) == 1)
+        parts.setdefault(parameters, {})[tuple(row for row in m if len(row) > 1)] = c
+    return parts
 
 
 def tableau_order(names: Iterable[str], declared: Iterable[str] = (), ideal: Iterable[str] = ()) -> tuple[str, ...]:

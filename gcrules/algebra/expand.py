@@ -93,8 +93,8 @@ def expand(
 class Expander:
     """Values of expressions as Σ coefficient · extensor; parts that occur again are expanded once.
 
-    A coefficient is Σ number · monomial in brackets. Rows of one entry are letters of their own (parameters): they
-    commute and are never straightened. A meet is split on the side that gives fewer terms; `as_defined` on the first.
+    A coefficient is Σ number · monomial in brackets. Rows of one entry are parameters: they commute
+    and are never straightened. A meet is split on the side that gives fewer terms; `as_defined` on the first.
     """
 
     def __init__(self, order: Sequence[str], rank: int, ideal: int, limit: int, *, as_defined: bool = False) -> None:

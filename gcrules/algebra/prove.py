@@ -37,7 +37,7 @@ from gcrules.core.errors import LimitReached, StepError
 from gcrules.core.frozen import FrozenMap
 from gcrules.core.shown import Shown
 
-__all__ = ["KindVerdict", "Proof", "prove"]
+__all__ = ["KindVerdict", "Proof", "difference_of", "prove"]
 
 _SAMPLES = 3
 _TRIES = 400  # small positions that are tried
@@ -78,8 +78,7 @@ class Proof(Shown):
     Where assumptions allow several kinds of positions, `kinds` holds the verdict for each; proved is what is proved for
     all of them, refuted what is refuted for one. A claim is about all homogeneous coordinates of its points;
     `unit_weights` says that one that is refuted holds nevertheless wherever the finite points have last coordinate 1.
-    `rank`, `ideal`
-    and `given` are those of the claim.
+    `rank`, `ideal` and `given` are those of the claim.
     """
 
     left: Expr
@@ -143,13 +142,18 @@ def prove(
         raise StepError(f"an expression of step {left.step} cannot equal one of step {right.step}")
     assumptions = tuple(given)
     rank = common_rank(rank, left, right, *(e for a in assumptions for e in a.args))
-    difference = neg(right) if left == ZERO else left if right == ZERO else sub(left, right, rank=rank)
+    difference = difference_of(left, right, rank)
     order, at_infinity = tuple(points), tuple(ideal)
     if assumptions:
         proof = _under_assumptions(left, right, difference, Space(rank, order, at_infinity, assumptions), limit)
     else:
         proof = _everywhere(left, right, difference, order, at_infinity, rank, limit)
     return replace(proof, rank=rank, ideal=at_infinity, given=assumptions)
+
+
+def difference_of(left: Expr, right: Expr, rank: int) -> Expr:
+    """left − right, where 0 may stand for an extensor of any step. Raises StepError where the steps differ."""
+    return neg(right) if left == ZERO else left if right == ZERO else sub(left, right, rank=rank)
 
 
 def _everywhere(

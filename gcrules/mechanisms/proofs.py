@@ -3,21 +3,20 @@ r"""What an answer claims, with the proofs that a checker can replay.
 >>> from gcrules.conditions.analysis import analyze
 >>> found = proof_file(analyze("ab af cb cd ed ef"))
 >>> [(t.name, t.size) for t in found.theorems]
-[('condition: four-planes', 2), ('reading 1: four-planes', 2), ('reading 2: linear-complex', 0)]
+[('condition: four-planes', 2), ('reading 1: four-planes', 2)]
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
-from dataclasses import replace
 from typing import Any
 
 from gcrules.algebra.evaluate import vanishes
-from gcrules.algebra.expr import Expr, Number, mul, sub
+from gcrules.algebra.expr import Expr, Number, mul
 from gcrules.algebra.factoring.result import Factorization
 from gcrules.algebra.proofs.proof_file import LeftOut, ProofFile
 from gcrules.algebra.proofs.theorem import Theorem, theorem
-from gcrules.algebra.prove import Proof
+from gcrules.algebra.prove import Proof, difference_of
 from gcrules.algebra.shortening.result import Shortening
 from gcrules.algebra.space import Assumption
 from gcrules.algebra.structure import Structure
@@ -25,20 +24,24 @@ from gcrules.conditions.analysis import Analysis
 from gcrules.conditions.transversals import Transversals
 from gcrules.core.budget import checkpoint, report
 from gcrules.core.dataclass import dataclass
+from gcrules.core.english import counted
 from gcrules.core.errors import InputError, LimitReached
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.rules.catalog.catalog import Catalog
+from gcrules.rules.catalog.entries import Entry
 from gcrules.rules.condition import Condition
 from gcrules.rules.script import ClaimResult, RuleResult, ScriptResult
 
-__all__ = ["proof_file"]
+__all__ = ["proof_file", "proof_file_or_none"]
 
 _RANDOM = "it was tested at random points only"
+_BY_DEFINITION = "it holds by definition of the superbracket"
+_WITH_FULL = "they are written where --full (in Python every=True) asks for them"
 
 
 @dataclass(frozen=True)
 class _Claim:
-    """left == right, to be proved; or, with a `reason`, what is not proved in a file."""
+    """left == right, to be proved."""
 
     name: str
     left: Expr
@@ -46,15 +49,14 @@ class _Claim:
     rank: int
     ideal: tuple[str, ...] = ()
     given: tuple[Assumption, ...] = ()
-    reason: str = ""
 
 
 def proof_file(answer: Any) -> ProofFile:
     """The theorems of an answer, each with a proof that can be replayed without gcrules (`tools/check_proof.py`).
 
     An answer is a proof, a factorization, a shortest form, a script's results, an analysis of legs or of a robot, a
-    transversal condition, or a catalog. What an answer says without a proof, or under assumptions, is `left_out` with
-    the reason. Raises InputError for any other kind of answer, and where nothing is left to prove.
+    transversal condition, or a catalog. What it says and cannot be written with a proof is `left_out`, with the reason.
+    Raises InputError for any other kind of answer, and where nothing is left to prove.
     """
     for kind, claims in _KINDS.items():
         if isinstance(answer, kind):
@@ -63,23 +65,30 @@ def proof_file(answer: Any) -> ProofFile:
     raise InputError(f"no proofs can be written of a {type(answer).__name__}", hint=f"they are written of: {names}")
 
 
-def _proved(title: str, claims: Iterable[_Claim]) -> ProofFile:
+def proof_file_or_none(answer: Any) -> ProofFile | None:
+    """The same; None where there is no proof to write."""
+    try:
+        return proof_file(answer)
+    except (InputError, LimitReached):
+        return None
+
+
+def _proved(title: str, claims: Iterable[_Claim | LeftOut]) -> ProofFile:
     theorems: list[Theorem] = []
     left_out: list[LeftOut] = []
     for claim in claims:
         checkpoint()
         report(claim.name)
-        reason = claim.reason
-        if not reason:
-            given = () if claim.given and _everywhere(claim) else claim.given
-            try:
-                theorems.append(
-                    theorem(claim.name, claim.left, claim.right, ideal=claim.ideal, rank=claim.rank, given=given)
-                )
-            except (InputError, LimitReached) as fault:
-                reason = fault.message
-        if reason:
-            left_out.append(LeftOut(claim.name, reason))
+        if isinstance(claim, LeftOut):
+            left_out.append(claim)
+            continue
+        given = () if claim.given and _everywhere(claim) else claim.given
+        try:
+            theorems.append(
+                theorem(claim.name, claim.left, claim.right, ideal=claim.ideal, rank=claim.rank, given=given)
+            )
+        except (InputError, LimitReached) as fault:
+            left_out.append(LeftOut(claim.name, fault.message))
     if not theorems:
         why = "; ".join(map(str, left_out)) or "it claims nothing"
         raise InputError(f"{title}: there is no proof to write: {why}")
@@ -88,36 +97,41 @@ def _proved(title: str, claims: Iterable[_Claim]) -> ProofFile:
 
 def _everywhere(claim: _Claim) -> bool:
     """Whether what is claimed under assumptions holds without them too."""
-    return vanishes(sub(claim.left, claim.right, rank=claim.rank), rank=claim.rank, ideal=claim.ideal)
+    return vanishes(difference_of(claim.left, claim.right, claim.rank), rank=claim.rank, ideal=claim.ideal)
 
 
 # --- what each kind of answer claims ---------------------------------------------------------------------------------
 
-_Claims = tuple[str, Iterable[_Claim]]
+_Claims = tuple[str, Iterable[_Claim | LeftOut]]
+"""Whose they are, and what the answer says: what is to be proved, and what is not proved in a file."""
 
 
 def _of_proof(proof: Proof) -> _Claims:
     return f"{proof.left} == {proof.right}", [_equation("claim", proof)]
 
 
-def _equation(name: str, proof: Proof) -> _Claim:
-    reason = "" if proof.proved else f"it is {proof.verdict}"
-    return _Claim(name, proof.left, proof.right, proof.rank, proof.ideal, proof.given, reason)
+def _equation(name: str, proof: Proof) -> _Claim | LeftOut:
+    if not proof.proved:
+        return LeftOut(name, f"it is {proof.verdict}")
+    return _Claim(name, proof.left, proof.right, proof.rank, proof.ideal, proof.given)
 
 
 def _of_factorization(found: Factorization) -> _Claims:
     return f"factors of {found.input}", _factored(found)
 
 
-def _factored(found: Factorization) -> Iterator[_Claim]:
+def _factored(found: Factorization) -> Iterator[_Claim | LeftOut]:
     assert found.input is not None
     if not found.proved:
-        yield _Claim("factorization", found.input, found.whole(), found.rank, reason=_RANDOM)
+        yield LeftOut("factorization", _RANDOM)
         return
-    yield _Claim("factorization", found.input, found.whole(), found.rank, found.ideal)
+    name = "factorization" if found.exists else "expansion"
+    yield _Claim(name, found.input, found.whole(), found.rank, found.ideal)
     if not found.exists:
-        searched = f"it is the result of a search, {found.family.searched()}; {found.certificate.detail}"
-        yield _Claim("no expression of the family", found.input, found.whole(), found.rank, reason=searched)
+        searched = f"a search says so, {found.family.searched()}; {found.certificate.detail}"
+        yield LeftOut("that no expression of the family equals it", searched)
+    if found.more:
+        yield LeftOut(counted(found.more, "further expression"), _WITH_FULL)
     for i, form in enumerate((*found.alternatives, *found.rational), 1):
         yield _Claim(f"form {i}", mul(form.cofactor, found.input), form.product(), found.rank, found.ideal)
 
@@ -126,16 +140,16 @@ def _of_shortening(found: Shortening) -> _Claims:
     p = found.polynomial
     assert found.input is not None
     equal = _Claim("shortest form", found.input, p.to_expr(), p.rank, p.points[: p.ideal])
-    fewer = f"at least {found.lower} terms are needed"
-    searched = f"it is the result of a search; {found.bound.detail}"
-    return f"shortest form of {found.input}", [equal, replace(equal, name=fewer, reason=searched)]
+    needed = f"that at least {counted(found.lower, 'term')} {'is' if found.lower == 1 else 'are'} needed"
+    bound = [LeftOut(needed, f"this is not an identity; {found.bound.detail}")] if found.lower else []
+    return f"shortest form of {found.input}", [equal, *bound]
 
 
 def _of_script(found: ScriptResult) -> _Claims:
     return "a script", (claim for result in found.results for claim in _of_result(result))
 
 
-def _of_result(result: object) -> Iterator[_Claim]:
+def _of_result(result: object) -> Iterator[_Claim | LeftOut]:
     if isinstance(result, ClaimResult) and result.proof is not None:
         yield _equation(f"line {result.line}: {result.label}", result.proof)
     elif isinstance(result, RuleResult) and result.check.ok:
@@ -149,41 +163,44 @@ def _of_analysis(found: Analysis) -> _Claims:
 
 
 def _of_transversals(found: Transversals) -> _Claims:
-    return found.structure.text(), _readings(found.structure, [r.condition for r in found.readings])
+    more = [LeftOut(counted(found.more, "further reading"), _WITH_FULL)] if found.more else []
+    return found.structure.text(), (*_readings(found.structure, [r.condition for r in found.readings]), *more)
 
 
-def _readings(structure: Structure, conditions: Iterable[Condition]) -> Iterator[_Claim]:
+def _readings(structure: Structure, conditions: Iterable[Condition]) -> Iterator[_Claim | LeftOut]:
     for i, c in enumerate(dict.fromkeys(conditions)):
         name = f"reading {i}: {c.kind}" if i else f"condition: {c.kind}"
-        yield _Claim(
-            name,
-            mul(c.cofactor, structure.superbracket),
-            c.right_side,
-            structure.rank,
-            structure.ideal,
-            structure.given,
-            _RANDOM if c.certificate.method == "random-points" else "",
-        )
+        if c.certificate.method == "random-points":
+            yield LeftOut(name, _RANDOM)
+            continue
+        left = mul(c.cofactor, structure.superbracket)
+        if left == c.right_side:
+            yield LeftOut(name, _BY_DEFINITION)
+        else:
+            yield _Claim(name, left, c.right_side, structure.rank, structure.ideal, structure.given)
 
 
 def _of_robot(found: RobotAnalysis) -> _Claims:
     if found.lines is None:
         raise InputError(f"{found.robot.id}: its limbs apply wrenches that are not lines of its points")
     conditions = [c for c in (found.condition, found.lines.condition, *found.lines.readings) if c is not None]
-    return found.robot.title, _readings(found.lines.structure, conditions)
+    members = f"compared at {counted(found.members, 'exact random member')} of the robot's family"
+    lines = LeftOut("that these lines stand for the joints", members)
+    return found.robot.title, (*_readings(found.lines.structure, conditions), lines)
 
 
 def _of_catalog(found: Catalog) -> _Claims:
-    return "the catalog of classes", (
-        _Claim(
-            f"{entry.id}: {c.kind}" + (f" ({i})" if i else ""),
-            mul(c.cofactor, entry.structure.superbracket),
-            mul(Number(c.coefficient), c.expression),
-            entry.structure.rank,
-        )
-        for entry in found.entries
-        for i, c in enumerate((entry.condition, *entry.readings))
-    )
+    return "the catalog of classes", (one for entry in found.entries for one in _of_entry(entry))
+
+
+def _of_entry(entry: Entry) -> Iterator[_Claim | LeftOut]:
+    for i, c in enumerate((entry.condition, *entry.readings)):
+        name = f"{entry.id}, reading {i}: {c.kind}" if i else f"{entry.id}, condition: {c.kind}"
+        left, right = mul(c.cofactor, entry.structure.superbracket), mul(Number(c.coefficient), c.expression)
+        if left == right:
+            yield LeftOut(name, _BY_DEFINITION)
+        else:
+            yield _Claim(name, left, right, entry.structure.rank)
 
 
 _KINDS: dict[type, Callable[[Any], _Claims]] = {

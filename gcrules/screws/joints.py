@@ -65,6 +65,11 @@ class JointKind:
         field.go_together(read.values(), f"a joint {self.symbol}")
         return self.rows(field, read)
 
+    @property
+    def has_bars(self) -> bool:
+        """Whether it is made of bars that swing, so that the links within it do not move by its twists."""
+        return "bars" in self.parts
+
     @cached_property
     def slides(self) -> bool:
         """Whether no twist of it turns; seen from parts in general position."""

@@ -17,7 +17,7 @@ from typing import Any
 
 from gcrules.algebra import claims
 from gcrules.algebra import expr as ex
-from gcrules.algebra.bracket import Monomial, Terms, tableau_order
+from gcrules.algebra.bracket import Monomial, Terms, by_parameters, tableau_order
 from gcrules.algebra.evaluate import PRIME, Evaluator, random_points, random_rational_points
 from gcrules.algebra.expand import MAX_TERMS, Expander, Multivector
 from gcrules.algebra.expr import Expr, Join, Point, points_of
@@ -234,11 +234,8 @@ class Construction:
 
         Raises LimitReached where more than `limit` terms would be made.
         """
-        groups: dict[Monomial, Terms] = {}
-        for m, c in self.closed_terms(e, limit).items():
-            letters = tuple(r for r in m if len(r) == 1)
-            groups.setdefault(letters, {})[tuple(r for r in m if len(r) > 1)] = c
-        return all(terms_are_zero(terms, self.at_infinity, limit) for terms in groups.values())
+        parts = by_parameters(self.closed_terms(e, limit))
+        return all(terms_are_zero(terms, self.at_infinity, limit) for terms in parts.values())
 
     def closed_terms(self, e: Expr, limit: int = MAX_TERMS, *, as_defined: bool = False) -> Terms:
         """The expression as a polynomial in brackets of the points of `order`, whose numbers make its rows, and in the
@@ -258,19 +255,18 @@ class Construction:
     def _expanded(self, e: Expr, limit: int, as_defined: bool) -> Multivector:
         """The expression with the constructed points written out; parameters are rows of one entry."""
         expander = Expander(self.order, self.rank, self.at_infinity, limit, as_defined=as_defined)
-        letters = 0
+        parameters = 0
         for step in self.steps:
             value: Multivector = {}
             for part in step.parts:
-                letter: Terms = {((letters,),): 1} if step.scaled(part) else {(): 1}
-                letters += 1
+                parameter: Monomial = ((parameters,),) if step.scaled(part) else ()
+                parameters += 1
                 for row, terms in expander.value(part).items():
                     into = value.setdefault(row, {})
                     for m, c in terms.items():
                         checkpoint()
-                        for k in letter:
-                            key = tuple(sorted((*m, *k)))
-                            into[key] = into.get(key, 0) + c
+                        key = tuple(sorted((*m, *parameter)))
+                        into[key] = into.get(key, 0) + c
             expander.known[Point(step.name)] = value
         try:
             return expander.value(e)

@@ -17,7 +17,7 @@ from gcrules.core.dataclass import dataclass
 
 __all__ = ["Flat", "Multiple", "flats"]
 
-_LARGEST = 24
+_LARGEST = 24  # whole number by which an expression may be a multiple of an equation
 
 
 @dataclass(frozen=True)
@@ -50,7 +50,7 @@ def flats(step: ConstructionStep, construction: Construction) -> tuple[Flat, ...
     found: list[Flat] = []
     if not _plain(step.within):
         return None
-    return tuple(dict.fromkeys(found)) if _lies(step.name, step.within, construction, found) else None
+    return tuple(dict.fromkeys(found)) if _lies(step, step.within, construction, found) else None
 
 
 def _plain(e: Expr) -> bool:
@@ -58,21 +58,23 @@ def _plain(e: Expr) -> bool:
     return isinstance(e, Point) or (isinstance(e, Join | Meet) and all(map(_plain, e.args)))
 
 
-def _lies(name: str, within: Expr, c: Construction, found: list[Flat]) -> bool:
-    flat = _flat(name, within, c)
+def _lies(step: ConstructionStep, within: Expr, c: Construction, found: list[Flat]) -> bool:
+    """Whether the point of a step lies on an extensor; the flats from which that follows are added to those `found`."""
+    flat = _flat(step.name, within, c)
     if flat is not None:
         found.append(flat)
         return True
     match within:
         case Meet(args=args):
-            return all(_lies(name, a, c, found) for a in args)
+            return all(_lies(step, a, c, found) for a in args)
         case Join(args=args):
-            kept = [a for a in args if not (isinstance(a, Point) and ":" in a.name)]
-            return len(kept) < len(args) and _lies(name, ex.join(*kept, rank=c.rank), c, found)
+            kept = [a for a in args if not (isinstance(a, Point) and a.name in step.fresh)]
+            return len(kept) < len(args) and _lies(step, ex.join(*kept, rank=c.rank), c, found)
     return False
 
 
 def _flat(name: str, extensor: Expr, c: Construction) -> Flat | None:
+    """The extensor as a flat on which a point lies by one equation, or for want of room; None where neither says so."""
     if extensor.step >= c.rank:
         return None
     joined = ex.join(extensor, Point(name), rank=c.rank)
@@ -111,6 +113,7 @@ def _inside(joined: Expr, room: Expr, c: Construction) -> tuple[Multiple, ...] |
 
 
 def _multiple(e: Expr, c: Construction) -> Multiple | None:
+    """An expression as a multiple of an equation; None where it is not one."""
     names = set(points_of(e))
     for index, equation in enumerate(c.equations):
         if set(points_of(equation)) == names and equation.step % c.rank == e.step % c.rank:

@@ -18,7 +18,7 @@ from collections.abc import Mapping
 from heapq import heapify, heappop, heappush
 from math import comb
 
-from gcrules.algebra.bracket import Coefficient, Monomial, Row, Terms
+from gcrules.algebra.bracket import Coefficient, Monomial, Row, Terms, by_parameters
 from gcrules.algebra.straightening.straighten import Last, offence
 from gcrules.algebra.straightening.syzygies import exchange
 from gcrules.core.budget import Count, checkpoint
@@ -32,7 +32,9 @@ MAX_RELATIONS = 200_000
 
 @dataclass(frozen=True)
 class Relation:
-    """`multiplier` times what [first][second] is less than its exchange of the first `number` points of `first`."""
+    """`multiplier` · ([first][second] − the sum of the products in which the first `number` points of `first` change
+    places with points of `second`), which is zero.
+    """
 
     first: Row
     second: Row
@@ -45,29 +47,20 @@ def relations(
 ) -> tuple[Relation, ...] | None:
     """Relations whose sum is a polynomial (`terms`); None where it is not zero.
 
-    Rows whose points all come before `ideal` are zero; those of one entry are scalars. Raises LimitReached where more
-    than `limit` products of brackets are exchanged.
+    Rows whose points all come before `ideal` are zero; those of one entry are parameters. Raises LimitReached where
+    more than `limit` products of brackets are exchanged.
     """
     found: dict[tuple[Row, Row, int], Terms] = defaultdict(dict)
     done = Count(limit, "the proof takes", "exchanges")
-    for scalars, brackets in _by_scalars(terms, ideal).items():
-        if not _reduced(brackets, scalars, ideal, found, done):
+    kept = {m: c for m, c in terms.items() if c and not any(len(row) > 1 and row[-1] < ideal for row in m)}
+    for parameters, brackets in by_parameters(kept).items():
+        if not _reduced(brackets, parameters, ideal, found, done):
             return None
     return tuple(Relation(*key, FrozenMap(multiplier)) for key, multiplier in found.items())
 
 
-def _by_scalars(terms: Mapping[Monomial, Coefficient], ideal: int) -> dict[Monomial, Terms]:
-    """The polynomial in brackets with which each product of scalars occurs."""
-    parts: dict[Monomial, Terms] = defaultdict(dict)
-    for m, c in terms.items():
-        brackets = tuple(row for row in m if len(row) > 1)
-        if c and not any(row[-1] < ideal for row in brackets):
-            parts[tuple(row for row in m if len(row) == 1)][brackets] = c
-    return parts
-
-
 def _reduced(
-    pending: Terms, scalars: Monomial, ideal: int, found: dict[tuple[Row, Row, int], Terms], done: Count
+    pending: Terms, parameters: Monomial, ideal: int, found: dict[tuple[Row, Row, int], Terms], done: Count
 ) -> bool:
     """Whether a polynomial is reduced to nothing by relations, which are added to those `found`."""
     heap = [Last(m) for m in pending]
@@ -88,7 +81,8 @@ def _reduced(
         )
         rest = (*monomial[:at], *monomial[at + 2 :])
         multiplier = found[one, other, number]
-        multiplier[rest + scalars] = multiplier.get(rest + scalars, 0) + coefficient
+        key = rest + parameters
+        multiplier[key] = multiplier.get(key, 0) + coefficient
         for sign, (a, b) in exchange(one, other, number):
             if a[-1] < ideal:
                 continue

@@ -8,26 +8,27 @@ r"""A theorem with its proof, as anyone can check it: a claim, and exchange rela
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
 
 from gcrules.algebra.assumptions.assumed import kinds
 from gcrules.algebra.assumptions.construction import Construction
-from gcrules.algebra.bracket import Coefficient, Monomial, Terms, sorted_row
+from gcrules.algebra.bracket import Coefficient, Monomial
 from gcrules.algebra.expand import MAX_TERMS
-from gcrules.algebra.expr import ZERO, Expr, Superbracket, common_rank, neg, points_of, sub, subexpressions
+from gcrules.algebra.expr import Expr, Superbracket, common_rank, points_of, subexpressions
 from gcrules.algebra.proofs.coverage import Flat, flats
 from gcrules.algebra.proofs.relations import MAX_RELATIONS, Relation, relations
 from gcrules.algebra.proofs.written import Written, number
+from gcrules.algebra.prove import difference_of
 from gcrules.algebra.space import Assumption, Space
 from gcrules.algebra.straightening.order import easy_places
+from gcrules.algebra.straightening.straighten import by_frequency, reordered
 from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import InputError, LimitReached
 
 __all__ = ["PlacedPoint", "Theorem", "theorem"]
 
-_LARGEST = 4  # rank of superbrackets that the checker expands
+_SUPERBRACKETS = 4  # the highest rank in which the checker expands them
 _ROWS = 1_000  # different brackets among which an easy order of the points is quickly found
 _SHORT = 5_000  # exchanges of a proof in the first order; only longer ones are sought at length
 
@@ -134,10 +135,12 @@ def theorem(
     too long.
     """
     assumptions, at_infinity = tuple(given), tuple(ideal)
-    if any(isinstance(e, Superbracket) and e.rank > _LARGEST for side in (left, right) for e in subexpressions(side)):
-        raise InputError(f"proof files have no superbrackets of rank {_LARGEST + 1} or more")
+    if any(
+        isinstance(e, Superbracket) and e.rank > _SUPERBRACKETS for side in (left, right) for e in subexpressions(side)
+    ):
+        raise InputError(f"proof files have no superbrackets of rank {_SUPERBRACKETS + 1} or more")
     rank = common_rank(rank, left, right, *(e for a in assumptions for e in a.args))
-    difference = neg(right) if left == ZERO else left if right == ZERO else sub(left, right, rank=rank)
+    difference = difference_of(left, right, rank)
     found = kinds(Space(rank, (), at_infinity, assumptions), points_of(left, right), (difference,))
     if len(found) > 1:
         raise InputError(f"the assumptions allow {len(found)} kinds of positions, of which no proof is written")
@@ -163,8 +166,7 @@ def _shortest(
     up to nothing.
     """
     brackets = [tuple(row for row in m if len(row) > 1) for m in terms]
-    often = Counter(i for m in brackets for row in m for i in row)
-    orders = [tuple(sorted(range(points), key=lambda i: (i >= ideal, -often[i], i)))]
+    orders = [by_frequency(brackets, ideal, range(points))]
     if len({row for m in brackets for row in m}) <= _ROWS:
         easy = easy_places(brackets, points, ideal)
         orders += [easy, (*easy[:ideal][::-1], *easy[ideal:][::-1])]
@@ -173,7 +175,7 @@ def _shortest(
         reached: LimitReached | None = None
         for order in dict.fromkeys(orders):
             try:
-                proof = relations(_moved(terms, order), ideal, most)
+                proof = relations(reordered(terms, order), ideal, most)
             except LimitReached as limited:
                 reached = limited
                 continue
@@ -184,18 +186,3 @@ def _shortest(
             return min(found, key=lambda one: one[0])[1:]
     assert reached is not None
     raise reached
-
-
-def _moved(terms: Mapping[Monomial, Coefficient], order: tuple[int, ...]) -> Terms:
-    """The terms with the points numbered by their places in an order; rows of one entry are scalars."""
-    place = {x: n for n, x in enumerate(order)}
-    moved: Terms = {}
-    for m, c in terms.items():
-        rows = []
-        for row in m:
-            sign, new = sorted_row(place.get(i, i) for i in row) if len(row) > 1 else (1, row)
-            c = c * sign
-            rows.append(new)
-        key = tuple(sorted(rows))
-        moved[key] = moved.get(key, 0) + c
-    return moved

@@ -35,6 +35,7 @@ class Written:
             stack += e.children
 
     def of(self, e: Expr) -> Any:
+        """An expression: the name of a point or definition, or a list."""
         if isinstance(e, Dotted):
             e = written_out(e)
         if isinstance(e, Point):
@@ -55,5 +56,6 @@ class Written:
 
 
 def number(value: Coefficient) -> int | str:
+    """A number, as a text like "1/2" where it is not whole."""
     exact = Fraction(value)
     return exact.numerator if exact.denominator == 1 else str(exact)

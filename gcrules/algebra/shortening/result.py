@@ -21,8 +21,8 @@ class Shortening(Shown):
 
     `given` is the number of terms of the input as it was expanded, `monomials` that of the bracket monomials of its
     multidegree among which was searched (0 where the answer did not take it), `symmetries` the number of permutations
-    of the points known to take the input to plus or minus itself. `notes` say what stopped a search;
-    `input` is what was shortened.
+    of the points known to take the input to plus or minus itself. `notes` say what stopped a search; `input` is what
+    was shortened.
     """
 
     polynomial: BracketPolynomial

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from functools import wraps
+from operator import methodcaller
 from typing import Any
 
 import click
@@ -12,6 +13,7 @@ from gcrules.apps.cli.files import OutputFile, working
 from gcrules.core.dataclass import dataclass
 from gcrules.core.deferred import deferred
 from gcrules.core.english import counted
+from gcrules.core.errors import InputError
 from gcrules.core.files import write_file
 
 __all__ = ["ProofOptions", "proof_options"]
@@ -20,44 +22,82 @@ _Command = Callable[..., Any]
 
 proof_file = deferred("gcrules.mechanisms.proofs:proof_file")
 
-_FORMATS = {
-    "certificate": (".json", "Write the theorems with their proofs, which a program checks without gcrules."),
-    "coq": (".v", "Write them as a script of Coq, which proves them without axioms."),
-    "lean": (".lean", "Write them as text of Lean 4, which is not checked here."),
+
+@dataclass(frozen=True)
+class _Format:
+    """`suffix` of the file, `words` of the help; the `text` of a proof file, with one line for `each` theorem that
+    begins so.
+    """
+
+    suffix: str
+    words: str
+    text: Callable[[Any], str]
+    each: str
+
+
+_FORMATS: dict[str, _Format] = {
+    "certificate": _Format(
+        ".json",
+        "Write the theorems with their proofs, which tools/check_proof.py checks without gcrules.",
+        methodcaller("json_text"),
+        '{"name":',
+    ),
+    "coq": _Format(
+        ".v",
+        "Write them as a script of Coq, which proves them without axioms.",
+        methodcaller("coq"),
+        "Print Assumptions ",
+    ),
+    "lean": _Format(
+        ".lean",
+        "Write the polynomials that they expand to as text of Lean 4, which is not checked here.",
+        methodcaller("lean"),
+        "theorem ",
+    ),
 }
-_EACH = {"certificate": '{"name":', "coq": "Print Assumptions ", "lean": "theorem "}
-"""How a line begins, of which a file has one for each theorem."""
 
 
 @dataclass(frozen=True)
 class ProofOptions:
-    """The files that were asked for, each None or its name."""
+    """The files that were asked for, by their formats."""
 
-    certificate: str | None = None
-    coq: str | None = None
-    lean: str | None = None
+    files: Mapping[str, str]
 
-    def write(self, answer: Any, verdict: str = "proved") -> None:
+    def write(self, answer: Any, verdict: str = "proved", what: str = "the answer") -> None:
         """Write the proofs of an answer; one that is not proved has none, which is said. Raises InputError for an
         answer of which there is no proof to write.
         """
-        wanted = {form: path for form in _FORMATS if (path := getattr(self, form))}
         if verdict != "proved":
-            for path in wanted.values():
-                click.echo(f"note: {path} is not written, since the answer is {verdict}", err=True)
+            for path in self.files.values():
+                click.echo(f"note: {path} is not written, since {what} is {verdict}", err=True)
             return
-        if not wanted:
+        if not self.files:
             return
         with working("writing the proofs"):
             proofs = proof_file(answer)
-            texts = {"certificate": proofs.json_text, "coq": proofs.coq, "lean": proofs.lean}
-            for form, path in wanted.items():
-                text = texts[form]()
-                write_file(path, text)
-                number = text.count("\n" + _EACH[form])
-                click.echo(f"{path}: {counted(number, 'theorem')}, digest {proofs.digest[:12]}", err=True)
+            texts, missing = self._texts(proofs)
+            for name, text in texts.items():
+                write_file(self.files[name], text)
+        for name, text in texts.items():
+            number = counted(text.count(f"\n{_FORMATS[name].each}"), "theorem")
+            of = f", digest {proofs.digest[:12]}" if name == "certificate" else f" of {len(proofs.theorems)}"
+            click.echo(f"{self.files[name]}: {number}{of}", err=True)
+        for path, why in missing.items():
+            click.echo(f"note: {path} is not written: {why}", err=True)
         for one in proofs.left_out:
-            click.echo(f"note: no proof is written of {one}", err=True)
+            click.echo(f"note: without a proof in the file: {one}", err=True)
+
+    def _texts(self, proofs: Any) -> tuple[dict[str, str], dict[str, str]]:
+        """The texts of the files, and why files cannot be written. Raises InputError where none can."""
+        texts, missing = {}, {}
+        for name, path in self.files.items():
+            try:
+                texts[name] = _FORMATS[name].text(proofs)
+            except InputError as fault:
+                missing[path] = fault.message
+                if len(missing) == len(self.files):
+                    raise
+        return texts, missing
 
 
 def proof_options(command: _Command) -> _Command:
@@ -65,9 +105,12 @@ def proof_options(command: _Command) -> _Command:
 
     @wraps(command)
     def with_proofs(**options: Any) -> Any:
-        return command(proofs=ProofOptions(**{form: options.pop(form) for form in _FORMATS}), **options)
+        asked = {name: options.pop(name) for name in _FORMATS}
+        return command(proofs=ProofOptions({name: path for name, path in asked.items() if path}), **options)
 
-    for form, (suffix, words) in reversed(_FORMATS.items()):
-        option = click.option(f"--{form}", form, type=OutputFile(), metavar=f"FILE{suffix}", help=words)
+    for name, one in reversed(_FORMATS.items()):
+        option = click.option(
+            f"--{name}", name, type=OutputFile(one.suffix, noun="proof"), metavar=f"FILE{one.suffix}", help=one.words
+        )
         with_proofs = option(with_proofs)
     return with_proofs

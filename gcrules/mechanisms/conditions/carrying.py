@@ -14,7 +14,7 @@ from gcrules.mechanisms.description.carriers import Attachment, attachments, in_
 from gcrules.mechanisms.description.limb_file import BASE, PLATFORM
 from gcrules.mechanisms.description.relations import AXES, Values
 from gcrules.mechanisms.robot import Robot
-from gcrules.screws import RESIDUES, Limb
+from gcrules.screws import JOINTS, RESIDUES, Limb
 from gcrules.screws.fields import Row
 
 __all__ = ["carried_apart", "check_carriers"]
@@ -23,8 +23,6 @@ Twist = Mapping[int, Row]
 """The twist of a link: what each coordinate of all limbs adds to it, for each unit of its rate."""
 
 _AT_REST: Row = (0, 0, 0, 0, 0, 0)
-_BARS = ("Pa", "4S")
-"""Kinds whose inner links do not move by the twists of the joint, one after the other."""
 
 
 def check_carriers(robot: Robot, limbs: Sequence[Limb], member: Values, nodes: Sequence[Node]) -> None:
@@ -80,11 +78,12 @@ def _links(robot: Robot, limbs: Sequence[Limb]) -> tuple[dict[tuple[int, int], T
                 ratio = RESIDUES.number(limb.ratios.get(number, 1), "a ratio")
                 for own, row in zip(limb.coordinates[number], at.joints[number].twists(RESIDUES), strict=True):
                     here = _added(here, width + own, row, ratio)
-                    link += joint.kind not in _BARS
-                    if joint.kind not in _BARS:
+                    if not JOINTS[joint.kind].has_bars:
+                        link += 1
                         links[place, link] = here
-                link += riding(joint.kind).motions if joint.kind in _BARS else 0
-                links[place, link] = here
+                if JOINTS[joint.kind].has_bars:
+                    link += riding(joint.kind).motions
+                    links[place, link] = here
                 number += 1
             link += 1
             if part.end in reached:

@@ -10,8 +10,6 @@ from gcrules.screws import JOINTS
 
 __all__ = ["Driven", "driven_freedoms"]
 
-_SWINGS = ("Pa", "4S")  # bars, whose amounts are the angles by which they swing
-
 
 @dataclass(frozen=True)
 class Driven:
@@ -33,6 +31,7 @@ def driven_freedoms(limbs: Sequence[LimbSpec]) -> tuple[Driven, ...]:
     for number, limb in enumerate(limbs):
         for place, joint in enumerate(limb.joints):
             for n in joint.actuated:
-                angle = joint.kind in _SWINGS or "slide" not in JOINTS[joint.kind].freedoms[n]
+                kind = JOINTS[joint.kind]
+                angle = kind.has_bars or "slide" not in kind.freedoms[n]  # of bars the angle by which they swing
                 found.append(Driven(f"q{len(found) + 1}", number, place, n, angle, joint.name))
     return tuple(found)

@@ -30,6 +30,7 @@ from gcrules.mechanisms.models.reading import parse_model, read_model
 from gcrules.mechanisms.models.robot_text import Drawn, robot_text
 from gcrules.mechanisms.models.snapping import TOLERANCE, moved_between, size_of, snapped
 from gcrules.mechanisms.robot import Robot
+from gcrules.screws import JOINTS
 
 __all__ = ["import_file", "import_model", "import_text", "robot_of_file", "robot_of_text"]
 
@@ -245,7 +246,7 @@ class _Import:
 
     def _account(self, robot: Robot, text: str, drawn: Sequence[Drawn], most: float, words: str) -> Imported:
         used = {m.joint for m in self.motions}
-        bars = [p for d in drawn for p in d.parts if p.kind in ("4S", "Pa") and len(p.joints) > 2]
+        bars = [p for d in drawn for p in d.parts if JOINTS[p.kind].has_bars and len(p.joints) > 2]
         if bars:
             kinds, count = " and ".join(sorted({p.kind for p in bars})), len(bars[0].slots[0].values)
             self.notes.append(

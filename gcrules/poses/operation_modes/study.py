@@ -24,7 +24,7 @@ from gcrules.core.errors import InputError
 from gcrules.core.linear_algebra import cross
 from gcrules.mechanisms.description.limb_file import JointSpec, LimbSpec
 from gcrules.mechanisms.description.relations import combined
-from gcrules.screws import RATIONALS
+from gcrules.screws import JOINTS, RATIONALS
 from gcrules.screws.study import DualQuaternion, product
 
 __all__ = ["Motion", "coupled", "motions", "pose", "velocities"]
@@ -113,7 +113,7 @@ def coupled(moves: Sequence[Motion]) -> Iterator[tuple[Motion, ...]]:
 
 
 def _motions(joint: JointSpec, values: Mapping[str, Any]) -> Iterator[tuple[int, int, DualQuaternion]]:
-    if joint.kind in ("Pa", "4S"):
+    if JOINTS[joint.kind].has_bars:
         yield from (_parallelogram if joint.kind == "Pa" else _rods)(joint, values)
         return
     for n, (a, b, c, u, v, w) in enumerate(joint.at(values, RATIONALS).twists(RATIONALS)):

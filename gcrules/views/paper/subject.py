@@ -17,9 +17,9 @@ from gcrules.conditions.pose_value import Coordinates
 from gcrules.core.dataclass import dataclass
 from gcrules.core.deferred import deferred
 from gcrules.core.english import listed
-from gcrules.core.errors import InputError, LimitReached
+from gcrules.core.errors import InputError
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
-from gcrules.mechanisms.proofs import proof_file
+from gcrules.mechanisms.proofs import proof_file_or_none
 from gcrules.mechanisms.robot import Robot
 from gcrules.rules.condition import Condition
 from gcrules.rules.statement import Statement
@@ -93,10 +93,7 @@ class Subject:
     @cached_property
     def proofs(self) -> ProofFile | None:
         """The proofs that others check; None where there are none to write."""
-        try:
-            return proof_file(self.analysis)
-        except (InputError, LimitReached):
-            return None
+        return proof_file_or_none(self.analysis)
 
     @property
     def _described(self) -> Coordinates | Robot | None:

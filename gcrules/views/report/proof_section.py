@@ -7,10 +7,9 @@ from html import escape
 
 from gcrules.conditions.analysis import Analysis
 from gcrules.core.english import counted
-from gcrules.core.errors import InputError, LimitReached
 from gcrules.core.files import file_name
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
-from gcrules.mechanisms.proofs import proof_file
+from gcrules.mechanisms.proofs import proof_file_or_none
 
 __all__ = ["proof_html"]
 
@@ -20,9 +19,8 @@ _MOST = 200_000
 
 def proof_html(a: Analysis | RobotAnalysis) -> str:
     """Empty where nothing is proved of which a file can be written."""
-    try:
-        file = proof_file(a)
-    except (InputError, LimitReached):
+    file = proof_file_or_none(a)
+    if file is None:
         return ""
     data = file.json_text().encode()
     if len(data) > _MOST:

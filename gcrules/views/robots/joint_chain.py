@@ -53,8 +53,8 @@ class Rod:
 @dataclass
 class DrawnLimb:
     """A limb in space, or one of its chains: its joints, its strokes, and its first and last place; from which body it
-    leads to which; `normals` are those of its parallelograms and arcs,
-    `around` is the point through which all its axes pass, `spheres` are the radii on which its links move about it.
+    leads to which; `normals` are those of its parallelograms and arcs, `around` is the point through which all its axes
+    pass, `spheres` are the radii on which its links move about it.
     """
 
     limb: LimbSpec

@@ -47,7 +47,6 @@ def entry_rows(entries: Iterable[Entry], width: float) -> list[list[Entry]]:
 _FLAT = Frame(View.at(-62, 22), 1.0, (0.0, 0.0), 0.8)
 _SMALL = Frame(View.at(-62, 22), 1.0, (0.0, 0.0), 0.58)
 _X, _Z = (1.0, 0.0, 0.0), (0.0, 0.0, 1.0)
-_MADE_OF_BARS = ("Pa", "4S")  # which are drawn as bars between pins
 
 
 def _sample(kind: str) -> DrawnJoint:
@@ -69,7 +68,7 @@ def robot_legend(
         entries.append(([Stroke((-12, 0), (12, 0), role, 1.5 if limb in cables else 4.4)], (Run(limb),)))
     if pose is None:
         rigid = [limb for limb in s.a.robot.limbs if not limb.cable]
-        kinds = dict.fromkeys(j.kind for limb in rigid for j in limb.joints if j.kind not in _MADE_OF_BARS)
+        kinds = dict.fromkeys(j.kind for limb in rigid for j in limb.joints if not JOINTS[j.kind].has_bars)
         for kind in kinds:
             sample = sign(_sample(kind), _SMALL if kind in ("C", "H", "E") else _FLAT, "muted")
             entries.append((sample, (Run(JOINTS[kind].name),)))

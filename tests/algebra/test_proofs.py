@@ -1,0 +1,70 @@
+"""Theorems with their proofs, as `algebra/proofs/` writes them; `project/test_check_proof.py` has them checked."""
+
+from __future__ import annotations
+
+import json
+
+import pytest
+
+from gcrules.algebra.expand import expand
+from gcrules.algebra.language.statements import parse_assumption
+from gcrules.algebra.language.syntax import Context, parse, parse_equation
+from gcrules.algebra.proofs.proof_file import LeftOut, ProofFile
+from gcrules.algebra.proofs.relations import relations
+from gcrules.algebra.proofs.theorem import Theorem, theorem
+from gcrules.algebra.proofs.written import Written
+from gcrules.core.errors import InputError, LimitReached
+
+EXCHANGE = "[abc][ade] - [abd][ace] == -[abe][acd]"
+
+
+def proved(equation: str, rank: int = 4, given: str = "") -> Theorem:
+    assumptions = parse_assumption(given, Context(rank=rank)).given if given else ()
+    return theorem("claim", *parse_equation(equation, rank=rank), rank=rank, given=assumptions)
+
+
+def test_what_is_not_zero_has_no_relations() -> None:
+    assert relations(expand(parse("[abc][ade] - [abd][ace]", rank=3)).terms) is None
+    assert relations({}) == ()
+
+
+def test_a_proof_that_is_too_long_is_refused() -> None:
+    terms = expand(parse("[abc][def] - [dbc][aef] - [adc][bef] - [abd][cef]", rank=3)).terms
+    with pytest.raises(LimitReached, match="the proof takes more than 0 exchanges"):
+        relations(terms, limit=0)
+
+
+@pytest.mark.parametrize(
+    ("equation", "rank", "given", "says"),
+    [
+        ("[abc] == [acb]", 3, "", "the sides are not equal"),
+        ("[[ab,ac,ad,ae,bc,bd,be,cd,ce,de]] == 0", 5, "", "no superbrackets of rank 5 or more"),
+        ("[abc][abd][abe] == 0", 3, "[abc][abd] == 0", "the assumptions allow 2 kinds of positions"),
+        ("[abc] == 0", 3, "a == b", "that b is on a does not follow from one assumption"),
+    ],
+)
+def test_what_cannot_be_written_is_refused(equation: str, rank: int, given: str, says: str) -> None:
+    with pytest.raises(InputError, match=says):
+        proved(equation, rank, given)
+
+
+def test_points_under_assumptions_say_why_they_are_where_they_are() -> None:
+    found = proved("[acd] == 0", 3, "[abc] == 0, [abd] == 0")
+    assert {p.name for p in found.placed}.isdisjoint(found.order)
+    assert all(flat.because for p in found.placed for flat in p.flats)
+    assert [str(e) for e in found.nonzero] == ["ab"]
+
+
+def test_parts_that_occur_again_are_written_once() -> None:
+    meet = parse(r"ab /\ cde")
+    written = Written([meet, parse(r"(ab /\ cde) f")])
+    assert written.of(parse(r"(ab /\ cde) f")) == ["join", "#1", "f"]
+    assert written.of(meet) == "#1"
+    assert written.definitions == [["#1", ["meet", ["join", "a", "b"], ["join", "c", "d", "e"]]]]
+
+
+def test_the_digest_is_that_of_the_theorems() -> None:
+    one = proved(EXCHANGE, 3)
+    file, other = ProofFile("a", (one,)), ProofFile("b", (one,), (LeftOut("more", "it was not asked for"),))
+    assert file.digest == other.digest != ProofFile("a", (one, one)).digest
+    assert json.loads(other.json_text()) == other.to_json()
