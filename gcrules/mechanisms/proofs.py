@@ -12,7 +12,7 @@ from collections.abc import Callable, Iterable, Iterator
 from typing import Any
 
 from gcrules.algebra.evaluate import vanishes
-from gcrules.algebra.expr import Expr, Number, mul
+from gcrules.algebra.expr import Expr, mul
 from gcrules.algebra.factoring.result import Factorization
 from gcrules.algebra.proofs.proof_file import LeftOut, ProofFile
 from gcrules.algebra.proofs.theorem import Theorem, theorem
@@ -179,12 +179,7 @@ def _of_robot(found: RobotAnalysis) -> _Claims:
 
 def _of_catalog(found: Catalog) -> _Claims:
     return "the catalog of classes", (
-        _Claim(
-            f"{entry.id}: {c.kind}" + (f" ({i})" if i else ""),
-            mul(c.cofactor, entry.structure.superbracket),
-            mul(Number(c.coefficient), c.expression),
-            entry.structure.rank,
-        )
+        _Claim(f"{entry.id}: {c.kind}" + (f" ({i})" if i else ""), *entry.sides(c), entry.structure.rank)
         for entry in found.entries
         for i, c in enumerate((entry.condition, *entry.readings))
     )
