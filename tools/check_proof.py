@@ -1,9 +1,8 @@
 #!/usr/bin/env python3
 r"""Check the theorems of a proof file of gcrules: python tools/check_proof.py FILE.json
 
-It needs Python alone and shares no code with gcrules. Of each theorem it prints the claim as it reads it, expands both
-sides by the definitions, subtracts the relations that the file gives with their multipliers, and says yes only where
-nothing is left. What it relies on, and nothing else:
+It needs Python alone and shares no code with gcrules. It prints each claim as it reads it, expands both sides by the
+definitions, subtracts multiples of the file's relations, and says yes only where nothing is left. All it relies on:
 
 * a bracket of rank d is the determinant of the homogeneous coordinates of d points: it changes its sign where two of
   them change places, vanishes where two are the same, and where all are at infinity (last coordinate 0);

@@ -12,7 +12,7 @@ from collections.abc import Callable, Iterable, Iterator
 from typing import Any
 
 from gcrules.algebra.evaluate import vanishes
-from gcrules.algebra.expr import Expr, Number, mul
+from gcrules.algebra.expr import Expr, mul
 from gcrules.algebra.factoring.result import Factorization
 from gcrules.algebra.proofs.proof_file import LeftOut, ProofFile
 from gcrules.algebra.proofs.theorem import Theorem, theorem
@@ -196,7 +196,7 @@ def _of_catalog(found: Catalog) -> _Claims:
 def _of_entry(entry: Entry) -> Iterator[_Claim | LeftOut]:
     for i, c in enumerate((entry.condition, *entry.readings)):
         name = f"{entry.id}, reading {i}: {c.kind}" if i else f"{entry.id}, condition: {c.kind}"
-        left, right = mul(c.cofactor, entry.structure.superbracket), mul(Number(c.coefficient), c.expression)
+        left, right = entry.sides(c)
         if left == right:
             yield LeftOut(name, _BY_DEFINITION)
         else:

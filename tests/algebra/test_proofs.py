@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import json
+from typing import Any
 
 import pytest
+from places import ROOT
 
 from gcrules.algebra.expand import expand
 from gcrules.algebra.language.statements import parse_assumption
@@ -68,3 +70,26 @@ def test_the_digest_is_that_of_the_theorems() -> None:
     file, other = ProofFile("a", (one,)), ProofFile("b", (one,), (LeftOut("more", "it was not asked for"),))
     assert file.digest == other.digest != ProofFile("a", (one, one)).digest
     assert json.loads(other.json_text()) == other.to_json()
+
+
+SCHEMA = json.loads((ROOT / "docs" / "assets" / "proof.schema.json").read_text(encoding="utf-8"))
+
+
+def check_fields(value: Any, schema: dict[str, Any]) -> None:
+    """Objects have the fields that the schema names, down to the last of them."""
+    schema = SCHEMA["$defs"][schema["$ref"].rpartition("/")[2]] if "$ref" in schema else schema
+    if isinstance(value, dict):
+        assert {*schema["required"]} <= value.keys() <= schema["properties"].keys()
+        for key, one in value.items():
+            check_fields(one, schema["properties"][key])
+    elif isinstance(value, list):
+        first = schema.get("prefixItems", [])
+        for n, one in enumerate(value):
+            check_fields(one, first[n] if n < len(first) else schema.get("items", {}))
+
+
+def test_files_have_the_fields_of_the_published_schema() -> None:
+    theorems = proved(EXCHANGE, 3), proved("[acd] == 0", 3, "[abc] == 0, [abd] == 0")
+    file = ProofFile("two", theorems, (LeftOut("more", "it was not asked for"),))
+    check_fields(file.to_json(), SCHEMA)
+    assert {*SCHEMA["$defs"]["theorem"]["properties"]} == {*theorems[1].to_json()}

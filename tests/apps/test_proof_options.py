@@ -68,7 +68,7 @@ def test_what_is_left_out_is_named(tmp_path: Path) -> None:
     done = invoke("shorten", "[abc][def] - [abd][cef] + [abe][cdf]", "--rank", "3", "--certificate", str(file))
     (one,) = json.loads(file.read_text(encoding="utf-8"))["left_out"]
     assert one["name"] == "that at least 1 term is needed"
-    assert f"note: no proof is written of {one['name']}: {one['reason']}" in " ".join(done.stderr.split())
+    assert f"note: without a proof in the file: {one['name']}: {one['reason']}" in " ".join(done.stderr.split())
 
 
 def test_other_values_have_no_proofs() -> None:

@@ -513,13 +513,15 @@ def test_drawings_at_fault(page: Page, change: dict[str, Any], words: str) -> No
         ("pdf", "JVBERi0"),
         ("json", "{"),
         ("yaml", "title:"),
+        ("proof", '"format": "gcrules proof"'),
+        ("coq", "(* "),
     ],
 )
 def test_saving(page: Page, source: dict[str, str], what: str, begins: str) -> None:
     if what == "pdf":
         pytest.importorskip("matplotlib")
     found = page.ask("save", source=source, pose=HOME, what=what)
-    assert found["name"].endswith("tex" if what == "latex" else what)
+    assert found["name"].endswith({"latex": ".tex", "proof": ".proof.json", "coq": ".v"}.get(what, what))
     assert re.fullmatch(r"[a-z0-9.-]+", found["name"])
     assert found["binary"] == (what == "pdf")
     assert begins in found["data"][:200]

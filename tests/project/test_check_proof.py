@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import importlib.util
 import json
 import random
 import subprocess
@@ -15,7 +14,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from places import EXAMPLES, ROOT
+from places import EXAMPLES, ROOT, tool
 
 import gcrules as gc
 from gcrules.algebra.language.statements import parse_script
@@ -24,22 +23,13 @@ from gcrules.rules.catalog.file import load
 from gcrules.rules.script import run_script
 
 CHECKER = ROOT / "tools" / "check_proof.py"
+CHECK = tool("check_proof")
 THEOREMS = sorted((EXAMPLES / "theorems").glob("*.gca"))
-
-
-@cache
-def checker() -> Any:
-    spec = importlib.util.spec_from_file_location("check_proof", CHECKER)
-    assert spec is not None
-    assert spec.loader is not None
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
 
 
 def checked(file: gc.ProofFile) -> list[str]:
     """The claims as the checker reads them, from the text of the file."""
-    return [checker().check(theorem) for theorem in json.loads(file.json_text())["theorems"]]
+    return [CHECK.check(theorem) for theorem in json.loads(file.json_text())["theorems"]]
 
 
 def test_it_is_one_short_file_of_the_standard_library() -> None:
@@ -47,6 +37,12 @@ def test_it_is_one_short_file_of_the_standard_library() -> None:
     assert len(text.splitlines()) <= 400
     imported = {line.split()[1] for line in text.splitlines() if line.startswith(("import ", "from "))}
     assert imported <= set(sys.stdlib_module_names)
+
+
+def test_it_is_told_one_file() -> None:
+    done = subprocess.run([sys.executable, CHECKER], capture_output=True, text=True, check=False)
+    assert done.returncode == 2
+    assert "python tools/check_proof.py FILE.json" in done.stderr
 
 
 def test_all_readings_of_all_classes() -> None:
@@ -116,8 +112,8 @@ def test_another_digest_is_refused(tmp_path: Path) -> None:
 def test_the_formula_of_the_superbracket_changes_its_sign_with_the_ends_of_a_line() -> None:
     def polynomial(swap: dict[int, int]) -> dict[Any, int]:
         found: dict[Any, int] = {}
-        for sign, rows in checker().superbracket_terms():
-            signs, sorted_rows = zip(*(checker().in_order([swap.get(e, e) for e in row]) for row in rows), strict=True)
+        for sign, rows in checker.superbracket_terms():
+            signs, sorted_rows = zip(*(checker.in_order([swap.get(e, e) for e in row]) for row in rows), strict=True)
             key = tuple(sorted(sorted_rows))
             found[key] = found.get(key, 0) + sign * signs[0] * signs[1] * signs[2]
         return found
@@ -165,6 +161,18 @@ SEEDS = (
 MENELAUS = "incident(d, bc), incident(e, ca), incident(f, ab), collinear(d, e, f)"
 PAPPUS = "collinear(a, b, c), collinear(a', b', c')"
 
+
+REFUSED = (
+    CHECK.NotProved,
+    OSError,
+    ValueError,
+    TypeError,
+    LookupError,
+    AttributeError,
+    ArithmeticError,
+    RecursionError,
+)
+"""What the checker refuses a file by."""
 
 STATEMENT = ("rank", "points", "ideal", "definitions", "claim", "any", "given", "nonzero")
 """What a theorem says; the rest is its proof."""
@@ -327,10 +335,8 @@ def test_none_of_many_changed_proofs_is_accepted_unless_it_is_true(part: int) ->
         true = rng.choice(seeds())
         theorem = mutated(true, rng)
         try:
-            checker().check(theorem)
-        except (checker().NotProved, OSError, ValueError, TypeError, LookupError, AttributeError, ArithmeticError):
-            continue
-        except RecursionError:
+            CHECK.check(theorem)
+        except REFUSED:
             continue
         accepted += 1
         if all(theorem.get(key) == true.get(key) for key in STATEMENT):

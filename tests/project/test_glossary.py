@@ -3,17 +3,13 @@
 from __future__ import annotations
 
 import re
-import sys
 
 import pytest
-from places import ROOT
-
-sys.path.insert(0, str(ROOT / "tools"))
-import site_glossary  # type: ignore[import-not-found, unused-ignore]
-
-sys.path.remove(str(ROOT / "tools"))
+from places import ROOT, tool
 
 from gcrules.views.glossary import GLOSSARY, anchor, markdown
+
+site_glossary = tool("site_glossary")
 
 
 def test_the_page_of_the_guide_is_that_of_the_table() -> None:

@@ -2,27 +2,15 @@
 
 from __future__ import annotations
 
-import importlib
-import sys
 from pathlib import Path
-from types import ModuleType
 from typing import Any
 
 import pytest
-from places import ROOT
+from places import ROOT, tool
 
 import gcrules
 
-
-def _load() -> ModuleType:
-    sys.path.insert(0, str(ROOT / "tools"))
-    try:
-        return importlib.import_module("release_check")
-    finally:
-        sys.path.remove(str(ROOT / "tools"))
-
-
-release_check = _load()
+release_check = tool("release_check")
 
 
 def tree(folder: Path, version: str, citation: str, changelog: str) -> Path:

@@ -7,28 +7,16 @@ import re
 import subprocess
 import sys
 from pathlib import Path
-from types import ModuleType
 from xml.etree import ElementTree
 
 import pytest
 import yaml
 from browsing import chromium
-from places import ROOT
+from places import ROOT, tool
 
 from gcrules.views.glossary import GLOSSARY, anchor, markdown
 
 PAGES = sorted(p for p in (ROOT / "docs").rglob("*.md") if "assets" not in p.parts)
-
-
-def tool(name: str) -> ModuleType:
-    """A module of tools/."""
-    import importlib
-
-    sys.path.insert(0, str(ROOT / "tools"))
-    try:
-        return importlib.import_module(name)
-    finally:
-        sys.path.remove(str(ROOT / "tools"))
 
 
 def build(site: Path, *repository: Path) -> subprocess.CompletedProcess[str]:

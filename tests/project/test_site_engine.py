@@ -16,15 +16,11 @@ from typing import Any
 
 import pytest
 from browsing import chromium
-from places import ROOT
-
-sys.path.insert(0, str(ROOT / "tools"))
-import site_runs  # type: ignore[import-not-found, unused-ignore]
-
-sys.path.remove(str(ROOT / "tools"))
+from places import ROOT, tool
 
 from gcrules.apps.browser import Desk
 
+site_runs = tool("site_runs")
 SITE = os.environ.get("GCRULES_SITE")
 SECONDS = 180_000
 built = pytest.mark.skipif(SITE is None, reason="needs a guide that was built with its engine: make site-check")

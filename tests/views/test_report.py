@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from base64 import b64decode
 from collections.abc import Callable
 from html.parser import HTMLParser
 from pathlib import Path
@@ -38,7 +39,8 @@ class Balanced(HTMLParser):
     def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
         if tag not in self.VOID:
             self.open.append(tag)
-        self.loaded += [v or "" for k, v in attrs if k in ("src", "href") or (k == "style" and "url(" in (v or ""))]
+        named = [v or "" for k, v in attrs if k in ("src", "href") or (k == "style" and "url(" in (v or ""))]
+        self.loaded += [v for v in named if not v.startswith("data:")]
         assert tag not in ("script", "link", "img", "iframe")
 
     def handle_endtag(self, tag: str) -> None:
@@ -62,6 +64,16 @@ def test_reports_of_the_examples(path: Path) -> None:
     assert a.pose is not None
     assert ("Singular:" in page) == (a.pose.verdict == "singular") == path.stem.endswith("-singular")
     assert not a.platform.units or re.search(r" m?m⁹</td>", page)
+
+
+def test_a_report_carries_the_proofs_of_its_theorems() -> None:
+    a = gc.analyze("ab af cb cd ed ef")
+    page = gc.report(a, interactive=False)
+    carried = re.search(r'download="([^"]+)" href="data:application/json;base64,([^"]+)"', page)
+    assert carried is not None
+    assert carried[1].endswith(".proof.json")
+    assert b64decode(carried[2]).decode() == gc.proof_file(a).json_text()
+    assert f"<code>{gc.proof_file(a).digest[:16]}</code>" in page
 
 
 def test_there_are_examples() -> None:

@@ -139,7 +139,8 @@ class Scripts(HTMLParser):
         self.inside = False
 
     def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
-        self.loaded += [v or "" for k, v in attrs if k in ("src", "href") and not (v or "").startswith("#")]
+        named = (v or "" for k, v in attrs if k in ("src", "href"))
+        self.loaded += [v for v in named if not v.startswith(("#", "data:"))]
         self.inside = tag == "script"
         if self.inside:
             self.scripts.append([""])

@@ -8,11 +8,13 @@ extensor on which all of them lie.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from typing import Any
 
 from gcrules.algebra import expr as ex
 from gcrules.algebra.assumptions.construction import Construction, ConstructionStep
 from gcrules.algebra.evaluate import PRIME, Evaluator, random_points
 from gcrules.algebra.expr import Expr, Join, Meet, Point, points_of
+from gcrules.algebra.proofs.written import Written
 from gcrules.core.dataclass import dataclass
 
 __all__ = ["Flat", "Multiple", "flats"]
@@ -41,6 +43,14 @@ class Flat:
         """All that are named."""
         more = (self.room,) if self.room is not None else ()
         return (self.extensor, *(m.expression for m in self.because), *more)
+
+    def to_json(self, written: Written) -> dict[str, Any]:
+        """The flat as `proof.schema.json` describes it."""
+        return {
+            "flat": written.of(self.extensor),
+            "room": None if self.room is None else written.of(self.room),
+            "because": [[m.index, m.number] for m in self.because],
+        }
 
 
 def flats(step: ConstructionStep, construction: Construction) -> tuple[Flat, ...] | None:

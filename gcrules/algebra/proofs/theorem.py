@@ -42,6 +42,21 @@ class PlacedPoint:
     fresh: tuple[str, ...]
     flats: tuple[Flat, ...]
 
+    def expressions(self) -> Iterator[Expr]:
+        """All that are named."""
+        yield self.within
+        for flat in self.flats:
+            yield from flat.expressions()
+
+    def to_json(self, written: Written) -> dict[str, Any]:
+        """The point as `proof.schema.json` describes it."""
+        return {
+            "name": self.name,
+            "on": written.of(self.within),
+            "fresh": list(self.fresh),
+            "flats": [flat.to_json(written) for flat in self.flats],
+        }
+
 
 @dataclass(frozen=True)
 class Theorem:
@@ -79,22 +94,7 @@ class Theorem:
                 "any": sorted(set(points_of(*self.given)) - {*self.order, *(p.name for p in self.placed)}),
                 "given": [of(e) for e in self.given],
                 "nonzero": [of(e) for e in self.nonzero],
-                "placed": [
-                    {
-                        "name": p.name,
-                        "on": of(p.within),
-                        "fresh": list(p.fresh),
-                        "flats": [
-                            {
-                                "flat": of(f.extensor),
-                                "room": None if f.room is None else of(f.room),
-                                "because": [[m.index, m.number] for m in f.because],
-                            }
-                            for f in p.flats
-                        ],
-                    }
-                    for p in self.placed
-                ],
+                "placed": [p.to_json(written) for p in self.placed],
             }
         claim = [of(self.left), of(self.right)]
         return {
@@ -114,9 +114,7 @@ class Theorem:
     def _expressions(self) -> Iterator[Expr]:
         yield from (self.left, self.right, *self.given, *self.nonzero)
         for p in self.placed:
-            yield p.within
-            for f in p.flats:
-                yield from f.expressions()
+            yield from p.expressions()
 
 
 def theorem(

@@ -7,7 +7,7 @@ from dataclasses import field
 from functools import cached_property
 from typing import Any
 
-from gcrules.algebra.expr import ONE, Expr, Point, join
+from gcrules.algebra.expr import ONE, Expr, Number, Point, join, mul
 from gcrules.algebra.language.legs_text import Leg, Structure
 from gcrules.algebra.language.syntax import parse
 from gcrules.algebra.language.text import SHORT_NAME
@@ -73,6 +73,11 @@ class Entry:
     @property
     def structure(self) -> Structure:
         return Structure(self.legs)
+
+    def sides(self, reading: CatalogIdentity) -> tuple[Expr, Expr]:
+        """cofactor · superbracket and coefficient · expression of one of its identities."""
+        left = mul(reading.cofactor, self.structure.superbracket)
+        return left, mul(Number(reading.coefficient), reading.expression)
 
     @property
     def title(self) -> str:

@@ -14,7 +14,7 @@ from importlib.resources import files
 from shlex import quote
 
 from gcrules.algebra.evaluate import vanishes
-from gcrules.algebra.expr import ZERO, Expr, Number, mul, sub
+from gcrules.algebra.expr import ZERO, sub
 from gcrules.algebra.prove import Proof, prove
 from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import FileError
@@ -51,7 +51,8 @@ def proof_status(entry: Entry, reading: CatalogIdentity) -> ProofStatus:
     hint = f"`gcrules catalog check --catalog {quote(entry.owner)}` says all that is wrong in it"
     if vanishes(reading.cofactor):
         raise FileError(f"{what} says nothing: its cofactor is zero", filename=reading.place or entry.place, hint=hint)
-    found = prove(_identity(entry, reading), ZERO)
+    left, right = entry.sides(reading)
+    found = prove(sub(left, right), ZERO)
     if found.verdict == "refuted":
         why = f"{what} is not an identity: it fails at {counterexample(found)}"
         raise FileError(why, filename=reading.place or entry.place, hint=hint)
@@ -110,8 +111,3 @@ def _identity_digest(entry: Entry, reading: CatalogIdentity) -> str:
 def _digest(entry: Entry, reading: CatalogIdentity) -> str:
     lines = "; ".join(f"{n}: {line}" for n, line in reading.line_texts)
     return digest_of(_identity_digest(entry, reading), reading.kind, reading.statement or "", lines)
-
-
-def _identity(entry: Entry, reading: CatalogIdentity) -> Expr:
-    left = mul(reading.cofactor, entry.structure.superbracket)
-    return sub(left, mul(Number(reading.coefficient), reading.expression))

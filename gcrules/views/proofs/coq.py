@@ -118,7 +118,7 @@ def _theorem(name: str, t: dict[str, Any]) -> str:
     both = lcm(both, *(c.denominator for c in coefficients)) if coefficients else both
     left, right = _multiple(left, both // left_factor), _multiple(right, both // right_factor)
     points = expressions.points
-    given = "".join(f"  infinite {space} {p} ->\n" for p in points[: t["ideal"]])
+    at_infinity = "".join(f"  infinite {space} {p} ->\n" for p in points[: t["ideal"]])
     lets = "".join(f"  let {n} := {expressions.statement(e)} in\n" for n, e in expressions.definitions)
     relations = _relations(name, t, both)
     listed = "; ".join(points)
@@ -135,7 +135,7 @@ def _theorem(name: str, t: dict[str, Any]) -> str:
             f"Definition {name}_right := {expressions.data(right)}.",
             *relations,
             "",
-            f"Theorem {name} : {variables}{given}{lets}  {expressions.statement(left)}",
+            f"Theorem {name} : {variables}{at_infinity}{lets}  {expressions.statement(left)}",
             f"  = {expressions.statement(right)}.",
             "Proof.",
             "  intros.",
