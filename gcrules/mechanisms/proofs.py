@@ -3,7 +3,7 @@ r"""What an answer claims, with the proofs that a checker can replay.
 >>> from gcrules.conditions.analysis import analyze
 >>> found = proof_file(analyze("ab af cb cd ed ef"))
 >>> [(t.name, t.size) for t in found.theorems]
-[('condition: four-planes', 8), ('reading 1: four-planes', 2), ('reading 2: linear-complex', 0)]
+[('condition: four-planes', 2), ('reading 1: four-planes', 2), ('reading 2: linear-complex', 0)]
 """
 
 from __future__ import annotations

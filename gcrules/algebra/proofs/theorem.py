@@ -8,25 +8,29 @@ r"""A theorem with its proof, as anyone can check it: a claim, and exchange rela
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
 
 from gcrules.algebra.assumptions.assumed import kinds
 from gcrules.algebra.assumptions.construction import Construction
+from gcrules.algebra.bracket import Coefficient, Monomial
 from gcrules.algebra.expand import MAX_TERMS
 from gcrules.algebra.expr import Expr, Superbracket, common_rank, points_of, subexpressions
 from gcrules.algebra.proofs.coverage import Flat, flats
-from gcrules.algebra.proofs.relations import Relation, relations
+from gcrules.algebra.proofs.relations import MAX_RELATIONS, Relation, relations
 from gcrules.algebra.proofs.written import Written, number
 from gcrules.algebra.prove import difference_of
 from gcrules.algebra.space import Assumption, Space
-from gcrules.algebra.straightening.straighten import by_frequency
+from gcrules.algebra.straightening.order import easy_places
+from gcrules.algebra.straightening.straighten import by_frequency, renumbered
 from gcrules.core.dataclass import dataclass
-from gcrules.core.errors import InputError
+from gcrules.core.errors import InputError, LimitReached
 
 __all__ = ["PlacedPoint", "Theorem", "theorem"]
 
 _SUPERBRACKETS = 4  # the highest rank in which the checker expands them
+_ROWS = 1_000  # different brackets among which an easy order of the points is quickly found
+_SHORT = 5_000  # exchanges of a proof in the first order; only longer ones are sought at length
 
 
 @dataclass(frozen=True)
@@ -139,11 +143,7 @@ def theorem(
     if len(found) > 1:
         raise InputError(f"the assumptions allow {len(found)} kinds of positions, of which no proof is written")
     c = found[0].construction
-    terms = c.closed_terms(difference, limit, as_defined=True)
-    places, moved = by_frequency(terms, c.at_infinity, range(len(c.order)))
-    proof = relations(moved, c.at_infinity)
-    if proof is None:
-        raise InputError("the sides are not equal")
+    places, proof = _shortest(c.closed_terms(difference, limit, as_defined=True), len(c.order), c.at_infinity)
     order = tuple(c.order[i] for i in places)
     return Theorem(name, rank, left, right, order, c.at_infinity, proof, c.equations, c.nonzero, tuple(_placed(c)))
 
@@ -154,3 +154,33 @@ def _placed(c: Construction) -> Iterator[PlacedPoint]:
         if found is None:
             raise InputError(f"that {step.name} is on {step.within} does not follow from one assumption")
         yield PlacedPoint(step.name, step.within, step.fresh, found)
+
+
+def _shortest(
+    terms: Mapping[Monomial, Coefficient], points: int, ideal: int
+) -> tuple[tuple[int, ...], tuple[Relation, ...]]:
+    """The shortest proof that terms add up to nothing among those in some orders of the points, and its order; points
+    at infinity stay before the others, those that close extensors behind them. Raises InputError where they do not add
+    up to nothing, LimitReached where the proof is too long in every order.
+    """
+    brackets = [tuple(row for row in m if len(row) > 1) for m in terms]
+    orders = [by_frequency(brackets, ideal, range(points))]
+    if len({row for m in brackets for row in m}) <= _ROWS:
+        easy = easy_places(brackets, points, ideal)
+        orders += [easy, (*easy[:ideal][::-1], *easy[ideal:][::-1])]
+    for most in (_SHORT, MAX_RELATIONS):
+        found = []
+        reached: LimitReached | None = None
+        for order in dict.fromkeys(orders):
+            try:
+                proof = relations(renumbered(terms, order), ideal, most)
+            except LimitReached as limited:
+                reached = limited
+                continue
+            if proof is None:
+                raise InputError("the sides are not equal")
+            found.append((sum(len(r.multiplier) for r in proof), order, proof))
+        if found:
+            return min(found, key=lambda one: one[0])[1:]
+    assert reached is not None
+    raise reached

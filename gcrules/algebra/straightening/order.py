@@ -12,17 +12,23 @@ terms stand side by side, there is little to straighten: products of separate br
 from __future__ import annotations
 
 from collections import Counter
+from collections.abc import Iterable
 
-from gcrules.algebra.bracket import BracketPolynomial, Row
+from gcrules.algebra.bracket import BracketPolynomial, Monomial, Row
 from gcrules.algebra.straightening.straighten import straighten_terms
 
-__all__ = ["easy_order", "same_function"]
+__all__ = ["easy_order", "easy_places", "same_function"]
 
 
 def easy_order(poly: BracketPolynomial) -> tuple[str, ...]:
     """The points, those at infinity first, bracket by bracket; those that do not occur last."""
-    rows = Counter(row for m in poly.terms for row in m)
-    often = Counter(i for m in poly.terms for row in m for i in row)
+    return tuple(poly.points[i] for i in easy_places(poly.terms, len(poly.points), poly.ideal))
+
+
+def easy_places(monomials: Iterable[Monomial], points: int, ideal: int) -> tuple[int, ...]:
+    """The same for monomials over so many points, the first `ideal` of them at infinity; by their numbers."""
+    all_rows = [row for m in monomials for row in m]
+    rows, often = Counter(all_rows), Counter(i for row in all_rows for i in row)
     placed: dict[int, None] = {}
 
     def next_best(row: Row) -> tuple[int, int, tuple[int, ...]]:
@@ -32,8 +38,8 @@ def easy_order(poly: BracketPolynomial) -> tuple[str, ...]:
         row = max(rows, key=next_best)
         placed.update((i, None) for i in sorted(row, key=lambda i: (-often[i], i)))
         rows = Counter({r: n for r, n in rows.items() if any(i not in placed for i in r)})
-    placed.update((i, None) for i in range(len(poly.points)))
-    return tuple(poly.points[i] for i in sorted(placed, key=lambda i: i >= poly.ideal))
+    placed.update((i, None) for i in range(points))
+    return tuple(sorted((i for i in placed if i < points), key=lambda i: i >= ideal))
 
 
 def same_function(one: BracketPolynomial, other: BracketPolynomial, limit: int) -> bool:

@@ -42,6 +42,7 @@ __all__ = [
     "is_zero",
     "next_syzygy",
     "offence",
+    "renumbered",
     "straighten",
     "straighten_steps",
     "straighten_terms",
@@ -122,21 +123,23 @@ def _closed(poly: ExtensorPolynomial) -> tuple[Terms, Row]:
 
 def terms_are_zero(terms: Mapping[Monomial, Any], ideal: int = 0, limit: int = MAX_TERMS) -> bool:
     """Whether raw terms straighten to nothing."""
-    order, moved = by_frequency(terms, ideal)
-    return not straighten_terms(moved, sum(i < ideal for i in order), limit)
+    order = by_frequency(terms, ideal)
+    return not straighten_terms(renumbered(terms, order), sum(i < ideal for i in order), limit)
 
 
-def by_frequency(
-    terms: Mapping[Monomial, Any], ideal: int = 0, points: Iterable[int] | None = None
-) -> tuple[tuple[int, ...], Terms]:
-    """An order of points in which straightening is short, and raw terms in it.
-
-    Those that occur often go first, so that many rows agree in their first points; the points at infinity (those before
-    `ideal`) stay before the others. Numbers that are not among the `points`, by default all that occur, stay as they
-    are, and so do rows of one entry.
+def by_frequency(monomials: Iterable[Monomial], ideal: int = 0, points: Iterable[int] | None = None) -> tuple[int, ...]:
+    """An order of points, by default of all that occur, in which straightening is short: those that occur often go
+    first, so that many rows agree in their first points; the points at infinity (those before `ideal`) stay before the
+    others.
     """
-    often = Counter(i for m in terms for row in m if len(row) > 1 for i in row)
-    order = tuple(sorted(often if points is None else points, key=lambda x: (x >= ideal, -often[x], x)))
+    often = Counter(i for m in monomials for row in m if len(row) > 1 for i in row)
+    return tuple(sorted(often if points is None else points, key=lambda x: (x >= ideal, -often[x], x)))
+
+
+def renumbered(terms: Mapping[Monomial, Any], order: Iterable[int]) -> Terms:
+    """Raw terms with the points numbered by their places in an order; numbers that are not in it stay as they are, and
+    so do rows of one entry.
+    """
     place = {x: n for n, x in enumerate(order)}
     rows = {row for m in terms for row in m}
     known = {row: sorted_row(place.get(i, i) for i in row) if len(row) > 1 else (1, row) for row in rows}
@@ -147,7 +150,7 @@ def by_frequency(
             c = c * sign
         key = tuple(sorted(row for _, row in signed))
         moved[key] = moved.get(key, 0) + c
-    return order, moved
+    return moved
 
 
 def straighten_terms(terms: Mapping[Monomial, Any], ideal: int = 0, limit: int = MAX_TERMS) -> Terms:
