@@ -10,6 +10,7 @@ from __future__ import annotations
 import argparse
 import subprocess
 import sys
+from collections import Counter
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
@@ -24,6 +25,7 @@ from gcrules.mechanisms.load import known_ids
 from gcrules.mechanisms.proofs import proof_file
 from gcrules.rules.catalog.file import load
 from gcrules.rules.script import run_script
+from gcrules.views.proofs.coq import without_script
 
 ROOT = Path(__file__).resolve().parent.parent
 CHECKER = ROOT / "tools" / "check_proof.py"
@@ -75,8 +77,10 @@ def main() -> int:
         file = together(group, files)
         written.append(asked.folder / f"{group}.json")
         written[-1].write_text(file.json_text(), encoding="utf-8")
-        for one in file.left_out:
-            print(f"{group}: not written: {one}")
+        for why, number in Counter(one.reason for one in file.left_out).items():
+            print(f"{group}: {number} not written: {why}")
+        for why, number in Counter(without_script(file).values()).items():
+            print(f"{group}: {number} of {len(file.theorems)} not for Coq: {why}")
         try:
             script = file.coq()
         except InputError as fault:

@@ -9,8 +9,9 @@ definitions, subtracts multiples of the file's relations, and says yes only wher
 * the join of points is their exterior product, a bracket that of full step;
 * the meet of A = a1 ... ak and B of step h is the sum over all splits of A into d - h points P and the others Q, in
   their order: sign [P B] Q (the Grassmann-Cayley algebra of Doubilet, Rota and Stein);
-* the superbracket of six lines is the determinant of their coordinates 12, 13, 14, 23, 24, 34: its formula in brackets
-  is compared with it at all 46,656 choices of six basis lines; that of three lines in the plane is their meet;
+* the superbracket of six lines is the determinant of their coordinates 12, 13, 14, 23, 24, 34: its formula in brackets,
+  which changes its sign with the ends of a line, is compared with it at all 46,656 choices of six basis lines; in the
+  plane it is the meet of three lines;
 * the exchange relation: [S][T] is the sum of all products in which the first k points of S change places with k of T;
 * an extensor of step k is zero exactly if its brackets with any d - k further points are zero.
 
@@ -39,7 +40,6 @@ from functools import cache
 from itertools import combinations, product
 from math import comb
 
-# The superbracket in the ends a b | c d | e f | g h | i j | k l of the lines (McMillan and White).
 TERMS = (
     "-abcd efgi hjkl|+abcd efhi gjkl|+abcd efgj hikl|-abcd efhj gikl|+abce dfgh ijkl|-abde cfgh ijkl|"
     "-abcf degh ijkl|+abdf cegh ijkl|-abce dghi fjkl|+abde cghi fjkl|+abcf dghi ejkl|+abce dghj fikl|"
@@ -48,7 +48,7 @@ TERMS = (
 )
 NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]*'*(:[0-9]+)?|#[0-9]+")
 OPERATIONS = ["join", "meet", "sum", "product", "power", "bracket", "superbracket"]
-SIGN = dict(zip(OPERATIONS, [" v ", " ^ ", " + ", " * ", "**", " ", " "]))
+SIGN = dict(zip(OPERATIONS, [" \\/ ", " /\\ ", " + ", " * ", "**", " ", " "]))
 
 
 class NotProved(Exception):
@@ -98,7 +98,7 @@ def times(a, b):
 
 @cache
 def superbracket_terms():
-    """The formula, once it has been compared with the determinant at all choices of basis lines."""
+    """In the lines' ends a b | c d | ... | k l (McMillan and White), once compared with the determinant."""
     terms = [
         (-1 if term[0] == "-" else 1, [["abcdefghijkl".index(x) for x in row] for row in term[1:].split()])
         for term in TERMS.split("|")
@@ -379,22 +379,21 @@ def main(path):
     try:
         with open(path, encoding="utf-8") as file:
             data = json.load(file)
-        expect(data["format"] == "gcrules proof" and data["version"] == 1, "not a proof file of this version")
-        expect(data["theorems"], "no theorems")
+        expect((data["format"], data["version"]) == ("gcrules proof", 1) and data["theorems"], "of no known version")
         for theorem in data["theorems"]:
-            print(f"proved  {theorem['name']!r}:\n  {check(theorem)}")
+            print(f"proved, called {theorem['name']!r} in the file:\n  {check(theorem)}")
+        text = json.dumps(data["theorems"], separators=(",", ":"), ensure_ascii=False)
+        digest = hashlib.sha256(text.encode()).hexdigest()
+        print(f"theorems proved: {len(data['theorems'])}, digest {digest}")
+        expect(data.get("digest", digest) == digest, "it names another digest")
     except NotProved as fault:
-        print(f"NOT PROVED  {theorem['name']!r}: {fault}")
+        print(f"NOT PROVED, called {theorem['name']!r} in the file:\n  {fault}")
         return 1
     except (OSError, ValueError, TypeError, LookupError, AttributeError, ArithmeticError, RecursionError) as fault:
         print(f"{path}: no proof file: {type(fault).__name__}: {fault}", file=sys.stderr)
         return 2
-    text = json.dumps(data["theorems"], separators=(",", ":"), ensure_ascii=False)
-    print(f"theorems proved: {len(data['theorems'])}, digest {hashlib.sha256(text.encode()).hexdigest()}")
     return 0
 
 
 if __name__ == "__main__":
-    if len(sys.argv) != 2:
-        print(__doc__, file=sys.stderr)
-    sys.exit(main(sys.argv[1]) if len(sys.argv) == 2 else 2)
+    sys.exit(main(sys.argv[1]) if len(sys.argv) == 2 else (print(__doc__, file=sys.stderr), 2)[1])

@@ -3,7 +3,7 @@ r"""What an answer claims, with the proofs that a checker can replay.
 >>> from gcrules.conditions.analysis import analyze
 >>> found = proof_file(analyze("ab af cb cd ed ef"))
 >>> [(t.name, t.size) for t in found.theorems]
-[('condition: four-planes', 2), ('reading 1: four-planes', 2), ('reading 2: linear-complex', 0)]
+[('condition: four-planes', 2), ('reading 1: four-planes', 2)]
 """
 
 from __future__ import annotations
@@ -28,12 +28,15 @@ from gcrules.core.english import counted
 from gcrules.core.errors import InputError, LimitReached
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.rules.catalog.catalog import Catalog
+from gcrules.rules.catalog.entries import Entry
 from gcrules.rules.condition import Condition
 from gcrules.rules.script import ClaimResult, RuleResult, ScriptResult
 
 __all__ = ["proof_file", "proof_file_or_none"]
 
 _RANDOM = "it was tested at random points only"
+_BY_DEFINITION = "it holds by definition of the superbracket"
+_WITH_FULL = "they are written where --full (in Python every=True) asks for them"
 
 
 @dataclass(frozen=True)
@@ -122,10 +125,13 @@ def _factored(found: Factorization) -> Iterator[_Claim | LeftOut]:
     if not found.proved:
         yield LeftOut("factorization", _RANDOM)
         return
-    yield _Claim("factorization", found.input, found.whole(), found.rank, found.ideal)
+    name = "factorization" if found.exists else "expansion"
+    yield _Claim(name, found.input, found.whole(), found.rank, found.ideal)
     if not found.exists:
-        searched = f"it is the result of a search, {found.family.searched()}; {found.certificate.detail}"
-        yield LeftOut("no expression of the family", searched)
+        searched = f"a search says so, {found.family.searched()}; {found.certificate.detail}"
+        yield LeftOut("that no expression of the family equals it", searched)
+    if found.more:
+        yield LeftOut(counted(found.more, "further expression"), _WITH_FULL)
     for i, form in enumerate((*found.alternatives, *found.rational), 1):
         yield _Claim(f"form {i}", mul(form.cofactor, found.input), form.product(), found.rank, found.ideal)
 
@@ -134,8 +140,8 @@ def _of_shortening(found: Shortening) -> _Claims:
     p = found.polynomial
     assert found.input is not None
     equal = _Claim("shortest form", found.input, p.to_expr(), p.rank, p.points[: p.ideal])
-    needed = f"at least {counted(found.lower, 'term')} {'is' if found.lower == 1 else 'are'} needed"
-    bound = [LeftOut(needed, f"it is not an identity; {found.bound.detail}")] if found.lower else []
+    needed = f"that at least {counted(found.lower, 'term')} {'is' if found.lower == 1 else 'are'} needed"
+    bound = [LeftOut(needed, f"this is not an identity; {found.bound.detail}")] if found.lower else []
     return f"shortest form of {found.input}", [equal, *bound]
 
 
@@ -157,7 +163,8 @@ def _of_analysis(found: Analysis) -> _Claims:
 
 
 def _of_transversals(found: Transversals) -> _Claims:
-    return found.structure.text(), _readings(found.structure, [r.condition for r in found.readings])
+    more = [LeftOut(counted(found.more, "further reading"), _WITH_FULL)] if found.more else []
+    return found.structure.text(), (*_readings(found.structure, [r.condition for r in found.readings]), *more)
 
 
 def _readings(structure: Structure, conditions: Iterable[Condition]) -> Iterator[_Claim | LeftOut]:
@@ -167,22 +174,33 @@ def _readings(structure: Structure, conditions: Iterable[Condition]) -> Iterator
             yield LeftOut(name, _RANDOM)
             continue
         left = mul(c.cofactor, structure.superbracket)
-        yield _Claim(name, left, c.right_side, structure.rank, structure.ideal, structure.given)
+        if left == c.right_side:
+            yield LeftOut(name, _BY_DEFINITION)
+        else:
+            yield _Claim(name, left, c.right_side, structure.rank, structure.ideal, structure.given)
 
 
 def _of_robot(found: RobotAnalysis) -> _Claims:
     if found.lines is None:
         raise InputError(f"{found.robot.id}: its limbs apply wrenches that are not lines of its points")
     conditions = [c for c in (found.condition, found.lines.condition, *found.lines.readings) if c is not None]
-    return found.robot.title, _readings(found.lines.structure, conditions)
+    members = f"compared at {counted(found.members, 'exact random member')} of the robot's family"
+    lines = LeftOut("that these lines stand for the joints", members)
+    return found.robot.title, (*_readings(found.lines.structure, conditions), lines)
 
 
 def _of_catalog(found: Catalog) -> _Claims:
-    return "the catalog of classes", (
-        _Claim(f"{entry.id}: {c.kind}" + (f" ({i})" if i else ""), *entry.sides(c), entry.structure.rank)
-        for entry in found.entries
-        for i, c in enumerate((entry.condition, *entry.readings))
-    )
+    return "the catalog of classes", (one for entry in found.entries for one in _of_entry(entry))
+
+
+def _of_entry(entry: Entry) -> Iterator[_Claim | LeftOut]:
+    for i, c in enumerate((entry.condition, *entry.readings)):
+        name = f"{entry.id}, reading {i}: {c.kind}" if i else f"{entry.id}, condition: {c.kind}"
+        left, right = entry.sides(c)
+        if left == right:
+            yield LeftOut(name, _BY_DEFINITION)
+        else:
+            yield _Claim(name, left, right, entry.structure.rank)
 
 
 _KINDS: dict[type, Callable[[Any], _Claims]] = {

@@ -298,8 +298,8 @@ def test_files_are_taken_away(desk: Desk, taken: Callable[[str], Path]) -> None:
     assert taken("latex").read_text(encoding="utf-8").count("\\documentclass") == 1
     assert json.loads(taken("json").read_text(encoding="utf-8"))["condition"]["kind"] == "four-planes"
     assert len(load_platform(taken("yaml")).legs) == 6
-    assert len(json.loads(taken("proof").read_text(encoding="utf-8"))["theorems"]) == 3
-    assert taken("coq").read_text(encoding="utf-8").count("\nPrint Assumptions ") == 3
+    assert len(json.loads(taken("proof").read_text(encoding="utf-8"))["theorems"]) == 2
+    assert taken("coq").read_text(encoding="utf-8").count("\nPrint Assumptions ") == 2
     for thing in ("svg", "view-svg"):
         assert taken(thing).read_text(encoding="utf-8").lstrip().startswith("<svg")
     assert taken("view-png").read_bytes().startswith(b"\x89PNG")

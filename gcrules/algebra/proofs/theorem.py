@@ -22,7 +22,7 @@ from gcrules.algebra.proofs.written import Written, number
 from gcrules.algebra.prove import difference_of
 from gcrules.algebra.space import Assumption, Space
 from gcrules.algebra.straightening.order import easy_places
-from gcrules.algebra.straightening.straighten import by_frequency, renumbered
+from gcrules.algebra.straightening.straighten import by_frequency, reordered
 from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import InputError, LimitReached
 
@@ -173,7 +173,7 @@ def _shortest(
         reached: LimitReached | None = None
         for order in dict.fromkeys(orders):
             try:
-                proof = relations(renumbered(terms, order), ideal, most)
+                proof = relations(reordered(terms, order), ideal, most)
             except LimitReached as limited:
                 reached = limited
                 continue

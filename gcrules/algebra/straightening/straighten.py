@@ -42,7 +42,7 @@ __all__ = [
     "is_zero",
     "next_syzygy",
     "offence",
-    "renumbered",
+    "reordered",
     "straighten",
     "straighten_steps",
     "straighten_terms",
@@ -124,21 +124,21 @@ def _closed(poly: ExtensorPolynomial) -> tuple[Terms, Row]:
 def terms_are_zero(terms: Mapping[Monomial, Any], ideal: int = 0, limit: int = MAX_TERMS) -> bool:
     """Whether raw terms straighten to nothing."""
     order = by_frequency(terms, ideal)
-    return not straighten_terms(renumbered(terms, order), sum(i < ideal for i in order), limit)
+    return not straighten_terms(reordered(terms, order), sum(i < ideal for i in order), limit)
 
 
-def by_frequency(monomials: Iterable[Monomial], ideal: int = 0, points: Iterable[int] | None = None) -> tuple[int, ...]:
-    """An order of points, by default of all that occur, in which straightening is short: those that occur often go
-    first, so that many rows agree in their first points; the points at infinity (those before `ideal`) stay before the
-    others.
+def by_frequency(terms: Iterable[Monomial], ideal: int = 0, points: Iterable[int] | None = None) -> tuple[int, ...]:
+    """An order of points (by default all that occur) in which straightening is short: those that occur often go first,
+    so that many rows agree in their first points; points at infinity (those before `ideal`) stay before the others.
+    Rows of one entry do not count.
     """
-    often = Counter(i for m in monomials for row in m if len(row) > 1 for i in row)
+    often = Counter(i for m in terms for row in m if len(row) > 1 for i in row)
     return tuple(sorted(often if points is None else points, key=lambda x: (x >= ideal, -often[x], x)))
 
 
-def renumbered(terms: Mapping[Monomial, Any], order: Iterable[int]) -> Terms:
-    """Raw terms with the points numbered by their places in an order; numbers that are not in it stay as they are, and
-    so do rows of one entry.
+def reordered(terms: Mapping[Monomial, Any], order: Iterable[int]) -> Terms:
+    """Raw terms in which points have the numbers of their places in an order. Numbers that are not in it stay as they
+    are, and so do rows of one entry.
     """
     place = {x: n for n, x in enumerate(order)}
     rows = {row for m in terms for row in m}

@@ -87,15 +87,16 @@ def _shown(status: Status) -> Iterator[None]:
 class OutputFile(click.types.StringParamType):
     """The name of a file that a command writes; "-" is standard output.
 
-    `suffixes` are the endings that it may have, all where there are none. With `alone` it may be printed instead of the
-    answer.
+    `suffixes` are the endings that files of this `noun` may have, all where there are none. With `alone` it may be
+    printed instead of the answer.
     """
 
     name = "file"
 
-    def __init__(self, *suffixes: str, alone: bool = False) -> None:
+    def __init__(self, *suffixes: str, alone: bool = False, noun: str = "figure") -> None:
         self.suffixes = suffixes
         self.alone = alone
+        self.noun = noun
 
     def convert(self, value: str, param: click.Parameter | None, ctx: click.Context | None) -> str:
         """Raises FileError where no such file can be written, InputError for another suffix."""
@@ -104,7 +105,9 @@ class OutputFile(click.types.StringParamType):
         if self.suffixes and suffix not in self.suffixes and os.path.basename(value).lower() not in self.suffixes:
             found = f"the suffix {suffix!r}" if suffix else "a name without suffix"
             endings = " or ".join(self.suffixes)
-            raise InputError(f"{value}: {found} is not a figure format", hint=f"figures are written as {endings}")
+            raise InputError(
+                f"{value}: {found} is not a {self.noun} format", hint=f"{self.noun}s are written as {endings}"
+            )
         check_target(value)
         return value
 

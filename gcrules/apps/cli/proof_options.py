@@ -13,6 +13,7 @@ from gcrules.apps.cli.files import OutputFile, working
 from gcrules.core.dataclass import dataclass
 from gcrules.core.deferred import deferred
 from gcrules.core.english import counted
+from gcrules.core.errors import InputError
 from gcrules.core.files import write_file
 
 __all__ = ["ProofOptions", "proof_options"]
@@ -37,7 +38,7 @@ class _Format:
 _FORMATS: dict[str, _Format] = {
     "certificate": _Format(
         ".json",
-        "Write the theorems with their proofs, which a program checks without gcrules.",
+        "Write the theorems with their proofs, which tools/check_proof.py checks without gcrules.",
         methodcaller("json_text"),
         '{"name":',
     ),
@@ -49,7 +50,7 @@ _FORMATS: dict[str, _Format] = {
     ),
     "lean": _Format(
         ".lean",
-        "Write them as text of Lean 4, which is not checked here.",
+        "Write the polynomials that they expand to as text of Lean 4, which is not checked here.",
         methodcaller("lean"),
         "theorem ",
     ),
@@ -62,25 +63,41 @@ class ProofOptions:
 
     files: Mapping[str, str]
 
-    def write(self, answer: Any, verdict: str = "proved") -> None:
+    def write(self, answer: Any, verdict: str = "proved", what: str = "the answer") -> None:
         """Write the proofs of an answer; one that is not proved has none, which is said. Raises InputError for an
         answer of which there is no proof to write.
         """
         if verdict != "proved":
             for path in self.files.values():
-                click.echo(f"note: {path} is not written, since the answer is {verdict}", err=True)
+                click.echo(f"note: {path} is not written, since {what} is {verdict}", err=True)
             return
         if not self.files:
             return
         with working("writing the proofs"):
             proofs = proof_file(answer)
-            for name, path in self.files.items():
-                text = _FORMATS[name].text(proofs)
-                write_file(path, text)
-                number = text.count(f"\n{_FORMATS[name].each}")
-                click.echo(f"{path}: {counted(number, 'theorem')}, digest {proofs.digest[:12]}", err=True)
+            texts, missing = self._texts(proofs)
+            for name, text in texts.items():
+                write_file(self.files[name], text)
+        for name, text in texts.items():
+            number = counted(text.count(f"\n{_FORMATS[name].each}"), "theorem")
+            of = f", digest {proofs.digest[:12]}" if name == "certificate" else f" of {len(proofs.theorems)}"
+            click.echo(f"{self.files[name]}: {number}{of}", err=True)
+        for path, why in missing.items():
+            click.echo(f"note: {path} is not written: {why}", err=True)
         for one in proofs.left_out:
-            click.echo(f"note: no proof is written of {one}", err=True)
+            click.echo(f"note: without a proof in the file: {one}", err=True)
+
+    def _texts(self, proofs: Any) -> tuple[dict[str, str], dict[str, str]]:
+        """The texts of the files, and why files cannot be written. Raises InputError where none can."""
+        texts, missing = {}, {}
+        for name, path in self.files.items():
+            try:
+                texts[name] = _FORMATS[name].text(proofs)
+            except InputError as fault:
+                missing[path] = fault.message
+                if len(missing) == len(self.files):
+                    raise
+        return texts, missing
 
 
 def proof_options(command: _Command) -> _Command:
@@ -92,6 +109,8 @@ def proof_options(command: _Command) -> _Command:
         return command(proofs=ProofOptions({name: path for name, path in asked.items() if path}), **options)
 
     for name, one in reversed(_FORMATS.items()):
-        option = click.option(f"--{name}", name, type=OutputFile(), metavar=f"FILE{one.suffix}", help=one.words)
+        option = click.option(
+            f"--{name}", name, type=OutputFile(one.suffix, noun="proof"), metavar=f"FILE{one.suffix}", help=one.words
+        )
         with_proofs = option(with_proofs)
     return with_proofs

@@ -95,7 +95,7 @@ def run(
     else:
         parts = (f"{s.filename}\n{indent(text, '  ')}" for s, text in zip(scripts, shown, strict=True))
         out.show(_Scripts(scripts, answers, whole), "\n\n".join([*parts, "\n".join(totals(whole))]))
-    proofs.write(whole, whole.verdict)
+    proofs.write(whole, whole.verdict, "a claim or a rule")
     ctx.exit(EXIT_CODES[whole.verdict])
 
 

@@ -27,7 +27,7 @@ from gcrules.algebra.proofs.proof_file import ProofFile
 from gcrules.algebra.proofs.theorem import Theorem
 from gcrules.core.errors import InputError
 
-__all__ = ["script"]
+__all__ = ["script", "without_script"]
 
 _SPACES = {3: "plane", 4: "space"}
 _TOGETHER = 100  # relations in one definition
@@ -46,8 +46,8 @@ def script(file: ProofFile) -> str:
     """A script that states and proves the theorems of a file; a comment names those that it cannot state. Raises
     InputError where there is no other.
     """
-    left_out = {t.name: why for t in file.theorems if (why := _left_out(t))}
-    data = [t.to_json() for t in file.theorems if not _left_out(t)]
+    left_out = without_script(file)
+    data = [t.to_json() for t in file.theorems if not _why_not(t)]
     if not data:
         why = "; ".join(f"{name}: {reason}" for name, reason in left_out.items())
         raise InputError(f"no theorem can be written for Coq: {why}")
@@ -69,8 +69,12 @@ def script(file: ProofFile) -> str:
     )
 
 
-def _left_out(t: Theorem) -> str:
-    """Why a theorem has no script."""
+def without_script(file: ProofFile) -> dict[str, str]:
+    """The names of the theorems that no script has, with the reasons."""
+    return {t.name: why for t in file.theorems if (why := _why_not(t))}
+
+
+def _why_not(t: Theorem) -> str:
     if t.rank not in _SPACES:
         return f"it is in rank {t.rank}, and scripts are written in ranks 3 and 4"
     return "it holds under assumptions" if t.given else ""
