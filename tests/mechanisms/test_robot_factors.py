@@ -356,7 +356,11 @@ ONCE = {
         "S1 is defined in terms of itself: S1 needs r1, r1 needs S1",
     ),
     "zero": ("r%: free", "r%: x - x", "the direction r1 is zero"),
-    "one point": ("S%: in plane A% perpendicular to r%", "S%: A% + 0 x", "A1 and S1 are one point"),
+    "one point": (
+        "S%: in plane A% perpendicular to r%",
+        "S%: A% + 0 x",
+        "A1 and S1 are in one place, whatever the coordinates are",
+    ),
 }
 
 

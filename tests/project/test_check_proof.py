@@ -112,8 +112,8 @@ def test_another_digest_is_refused(tmp_path: Path) -> None:
 def test_the_formula_of_the_superbracket_changes_its_sign_with_the_ends_of_a_line() -> None:
     def polynomial(swap: dict[int, int]) -> dict[Any, int]:
         found: dict[Any, int] = {}
-        for sign, rows in checker.superbracket_terms():
-            signs, sorted_rows = zip(*(checker.in_order([swap.get(e, e) for e in row]) for row in rows), strict=True)
+        for sign, rows in CHECK.superbracket_terms():
+            signs, sorted_rows = zip(*(CHECK.in_order([swap.get(e, e) for e in row]) for row in rows), strict=True)
             key = tuple(sorted(sorted_rows))
             found[key] = found.get(key, 0) + sign * signs[0] * signs[1] * signs[2]
         return found

@@ -161,7 +161,7 @@ def _shortest(
 ) -> tuple[tuple[int, ...], tuple[Relation, ...]]:
     """The shortest proof that terms add up to nothing among those in some orders of the points, and its order; points
     at infinity stay before the others, those that close extensors behind them. Raises InputError where they do not add
-    up to nothing.
+    up to nothing, LimitReached where the proof is too long in every order.
     """
     brackets = [tuple(row for row in m if len(row) > 1) for m in terms]
     orders = [by_frequency(brackets, ideal, range(points))]
