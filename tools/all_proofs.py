@@ -22,7 +22,7 @@ from gcrules.algebra.language.statements import parse_script
 from gcrules.algebra.proofs.proof_file import ProofFile
 from gcrules.core.errors import InputError
 from gcrules.mechanisms.load import known_ids
-from gcrules.mechanisms.proofs import proof_file
+from gcrules.mechanisms.proofs import proof_file, proof_file_or_none
 from gcrules.rules.catalog.file import load
 from gcrules.rules.script import run_script
 from gcrules.views.proofs.coq import without_script
@@ -35,7 +35,11 @@ def proofs() -> Iterator[tuple[str, ProofFile]]:
     """Each group with its file."""
     yield "catalog", proof_file(load())
     for name in known_ids("robot"):
-        yield "robots", proof_file(gc.analyze(name))
+        file = proof_file_or_none(gc.analyze(name))
+        if file is None:
+            print(f"robots: {name} has no identity but the definition of the superbracket")
+        else:
+            yield "robots", file
     for path in sorted((ROOT / "examples" / "theorems").glob("*.gca")):
         found = run_script(parse_script(path.read_text(encoding="utf-8"), path.name))
         yield "theorems", replace(proof_file(found), title=path.stem)
