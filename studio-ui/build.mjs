@@ -22,6 +22,7 @@ const common = {
   sourcemap: watch ? "inline" : false,
   target: "es2022",
   charset: "utf8",
+  preserveSymlinks: true, // libraries are told by their folder, also where node_modules is a link
   legalComments: "eof", // the viewer is copied into reports, its notices with it
   metafile: true,
   logLevel: "warning",
@@ -59,6 +60,7 @@ function listed(folder, below = folder) {
 /** The licences of the packages that these files come from. */
 function licences(files) {
   const names = files.map((file) => /^node_modules\/((?:@[^/]+\/)?[^/]+)\//.exec(file)?.[1]).filter(Boolean);
+  if (names.length === 0) throw new Error("no library was found whose licence belongs to the bundle");
   return [...new Set(names)].sort().map((name) => {
     const folder = join(here, "node_modules", name);
     const { version, license } = JSON.parse(readFileSync(join(folder, "package.json"), "utf8"));
