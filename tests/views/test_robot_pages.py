@@ -409,16 +409,19 @@ def test_robots_that_cannot_be_drawn_have_a_page(text: str) -> None:
 
 EVERY_JOINT = """
 title: every kind of joint
-points: {A: free, B: free, C: free, D: free, E: free, F: free}
-directions: {u: free, v: free, w: free, n: perpendicular to u}
+points: {A: free, B: free, C: free, D: free, E: free, F: free, G: free, H: free, I: free, J: free, K: free}
+directions: {u: free, v1: free, w1: free, v2: free, w2: free, v3: free, w3: free, m: free, n: free, u4: free,
+             p: free, q: perpendicular to p, v4: free, w4: free, r: free, s: free}
 limbs:
-  - joints: C*1(A, u) R(B, v) E(C, w)
-  - joints: P*(u) P*(v) P(w) S(B)
-  - joints: H*(D, u, 1/2) R(C, v) C*2(B, w) U(A, u, v)
-  - joints: R(E, w) Pa(u, n) P*(v) R(F, w) U(D, u, v)
+  - joints: C*1(A, u) R(B, v1) E(C, w1)
+  - joints: P*(u) P*(v2) P(w2) S(D)
+  - joints: H*(E, u, 1/2) R(F, v3) C*2(G, w3) U(H, m, n)
+  - joints: R(I, u4) Pa(p, q) P*(v4) R(J, w4) U(K, r, s)
 mobility: 6
-home: {A: [0, 0, 0], B: [3, 0, 1], C: [0, 3, 2], D: [1, 1, 4], E: [4, 4, 0], F: [5, 1, 3],
-       u: [1, 0, 0], v: [0, 1, 1], w: [0, 0, 1], n: [0, 1, 0]}
+home: {A: [0, 0, 0], B: [3, 0, 1], C: [0, 3, 2], D: [3, 1, 1], E: [1, 1, 4], F: [0, 4, 2], G: [3, 2, 1], H: [1, 0, 0],
+       I: [4, 4, 0], J: [5, 1, 3], K: [1, 2, 4], u: [1, 0, 0], v1: [0, 1, 1], w1: [0, 0, 1], v2: [0, 1, 1],
+       w2: [0, 0, 1], v3: [0, 1, 1], w3: [0, 0, 1], m: [1, 0, 0], n: [0, 1, 1], u4: [0, 0, 1], p: [1, 0, 0],
+       q: [0, 1, 0], v4: [0, 1, 1], w4: [0, 0, 1], r: [1, 0, 0], s: [0, 1, 1]}
 """
 
 
