@@ -146,7 +146,7 @@ mobility: 1
         ("R*:a(A, u) R*:b(B, u)", "b = a", "are both driven, though they move as one"),
         ("R*:a(A, u) U:b(B, u, v)", "b = a", "U:b(B, u, v) has several freedoms"),
         ("R*:a(A, u) R:a(B, u)", "a = a", "5:24: two joints of the limb are named a"),
-        ("R*:a(A, u) R:b(B, v)", "b = a", "their axes are not of equal length in all members"),
+        ("R*:a(A, u) R:b(B, v)", "b = a", "their axes are not always of equal length"),
         ("[base to m: 'R*:a(A, u)', m to platform: 'R:b(B, u)']", "b = a", "joints of different chains"),
     ],
 )

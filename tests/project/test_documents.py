@@ -39,6 +39,10 @@ NOT_RUN = {
         "docs/proofs.md",
         "proved, called 'condition: four-planes' in the file:",
     ): ("tests/project/test_check_proof.py reads what it prints"),
+    (
+        "docs/proofs.md",
+        "shortest.json: 1 theorem, digest 4a2d73849921",
+    ): "tests/apps/test_proof_options.py reads such notes",
     ("docs/proofs.md", "proved, called 'claim' in the file:"): (
         "tests/project/test_check_proof.py reads what it prints"
     ),
