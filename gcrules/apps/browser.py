@@ -6,6 +6,7 @@ The page keeps one interpreter; its working folder holds the examples under the 
 
 from __future__ import annotations
 
+import code
 import contextlib
 import io
 import json
@@ -29,6 +30,24 @@ _LARGEST = 10_000_000  # bytes of a file that the page offers
 _BROUGHT = ("examples", "plugins")
 
 
+class _Prompt(code.InteractiveInterpreter):
+    """The prompt of Python, which tells whether what it was given raised, and of a fault no more than what it is."""
+
+    raised = False
+
+    def showtraceback(self) -> None:
+        self.raised = True
+        fault = sys.exc_info()[1]
+        if isinstance(fault, ModuleNotFoundError) and not (fault.name or "").startswith("gcrules."):
+            print(absent(fault).render(), file=sys.stderr)
+        else:
+            traceback.print_exception(fault, limit=0)
+
+    def showsyntaxerror(self, filename: str | None = None, **more: Any) -> None:
+        self.raised = True
+        super().showsyntaxerror(filename, **more)
+
+
 class Desk:
     """A working folder, with the examples and plugins in it, and what has been written there so far."""
 
@@ -41,7 +60,7 @@ class Desk:
                 shutil.copytree(brought, name, dirs_exist_ok=True)
         self._seen: dict[str, int] = {}
         self._done: list[str] = []
-        self._names: dict[str, Any] = {}
+        self._prompt = _Prompt()
         self.new_files()
 
     def answer(self, line: str) -> int:
@@ -74,7 +93,7 @@ class Desk:
         """
         *before, last = json.loads(text)
         if self._done[: len(before)] != before or len(self._done) > len(before):
-            self._done, self._names = [], {"__name__": "__main__"}
+            self._done, self._prompt = [], _Prompt({"__name__": "__main__"})
         for example in before[len(self._done) :]:
             with contextlib.redirect_stdout(io.StringIO()), contextlib.redirect_stderr(io.StringIO()):
                 self._run(example)
@@ -87,16 +106,9 @@ class Desk:
             further = list(takewhile(lambda line: line.startswith("..."), lines[1:]))
             source = "\n".join([lines[0], *(line[4:] for line in further)]) + "\n"
             print(f">>> {lines[0]}", *further, sep="\n")
-            try:
-                exec(compile(source, "<example>", "single"), self._names)
-            except ModuleNotFoundError as fault:
-                if (fault.name or "").startswith("gcrules."):
-                    traceback.print_exc(limit=0)
-                else:
-                    print(absent(fault).render(), file=sys.stderr)
-                return False
-            except Exception:
-                traceback.print_exc(limit=0)
+            self._prompt.raised = False
+            self._prompt.runsource(source, "<example>")
+            if self._prompt.raised:
                 return False
         return True
 
