@@ -7,28 +7,26 @@ extensor on which all of them lie.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator
+from fractions import Fraction
 from typing import Any
 
 from gcrules.algebra import expr as ex
 from gcrules.algebra.assumptions.construction import Construction, ConstructionStep
-from gcrules.algebra.evaluate import PRIME, Evaluator, random_points
+from gcrules.algebra.bracket import Coefficient, Terms
 from gcrules.algebra.expr import Expr, Join, Meet, Point, points_of
-from gcrules.algebra.proofs.written import Written
+from gcrules.algebra.proofs.written import Written, number
 from gcrules.core.dataclass import dataclass
 
 __all__ = ["Flat", "Multiple", "flats"]
 
-_LARGEST = 24  # whole number by which an expression may be a multiple of an equation
-
 
 @dataclass(frozen=True)
 class Multiple:
-    """`expression` = `number` · the equation with this `index`, so that it vanishes."""
+    """Something is `number` · the equation with this `index`, so that it vanishes."""
 
-    expression: Expr
     index: int
-    number: int
+    number: Coefficient
 
 
 @dataclass(frozen=True)
@@ -41,15 +39,14 @@ class Flat:
 
     def expressions(self) -> tuple[Expr, ...]:
         """All that are named."""
-        more = (self.room,) if self.room is not None else ()
-        return (self.extensor, *(m.expression for m in self.because), *more)
+        return (self.extensor,) if self.room is None else (self.extensor, self.room)
 
     def to_json(self, written: Written) -> dict[str, Any]:
         """The flat as `proof.schema.json` describes it."""
         return {
             "flat": written.of(self.extensor),
             "room": None if self.room is None else written.of(self.room),
-            "because": [[m.index, m.number] for m in self.because],
+            "because": [[m.index, number(m.number)] for m in self.because],
         }
 
 
@@ -123,25 +120,29 @@ def _inside(joined: Expr, room: Expr, c: Construction) -> tuple[Multiple, ...] |
 
 
 def _multiple(e: Expr, c: Construction) -> Multiple | None:
-    """An expression as a multiple of an equation; None where it is not one."""
+    """An expression as a multiple of an equation, term by term as the checker expands both; None where it is none."""
     names = set(points_of(e))
     for index, equation in enumerate(c.equations):
         if set(points_of(equation)) == names and equation.step % c.rank == e.step % c.rank:
-            number = _ratio(e, equation, sorted(names), c.rank)
-            if number is not None:
-                return Multiple(e, index, number)
+            factor = _ratio(*(_free(c, names).closed_terms(x, as_defined=True) for x in (e, equation)))
+            if factor:
+                return Multiple(index, factor)
     return None
 
 
-def _ratio(e: Expr, other: Expr, names: Sequence[str], rank: int) -> int | None:
-    """The small whole number by which an expression is a multiple of another one, at random points."""
-    at = Evaluator(random_points(names, rank=rank, seed=("ratio", str(e))), rank, PRIME)
-    one, two = at.value(e), at.value(other)
-    first = next((i for i, x in enumerate(two) if x), None)
-    if first is None:
-        return None
-    number: int = one[first] * pow(two[first], -1, PRIME) % PRIME
-    number = number if number < PRIME // 2 else number - PRIME
-    if not number or abs(number) > _LARGEST or any((x - number * y) % PRIME for x, y in zip(one, two, strict=True)):
-        return None
-    return number
+def _free(c: Construction, names: Collection[str]) -> Construction:
+    """The points by themselves, without what is assumed of them; of those that are placed none is known to be at
+    infinity.
+    """
+    ideal = tuple(n for n in c.order[: c.at_infinity] if n in names)
+    return Construction(c.rank, tuple(sorted(names)), ideal)
+
+
+def _ratio(terms: Terms, other: Terms) -> Coefficient:
+    """The number by which terms are a multiple of other ones; 0 where they are not."""
+    live, known = ({m: k for m, k in some.items() if k} for some in (terms, other))
+    if not live or live.keys() != known.keys():
+        return 0
+    first = next(iter(live))
+    factor = Fraction(live[first]) / known[first]
+    return factor if all(k == factor * known[m] for m, k in live.items()) else 0
