@@ -17,7 +17,8 @@ def proof_file(answer: Any) -> ProofFile:
 
     An answer is what `prove`, `factor`, `shorten`, `transversals` or `analyze` give. The file has `theorems`,
     `left_out` (what the answer says and the file does not prove, with the reason) and a `digest`; `json_text()` is what
-    `tools/check_proof.py` checks, `coq()` a script that Coq checks, `lean()` the same as text of Lean 4, which is not
-    checked. Raises InputError for any other kind of answer, and where nothing is left to prove.
+    `tools/check_proof.py` checks, `coq()` a script that Coq checks, `lean()` the polynomials that the theorems expand
+    to as text of Lean 4, which is not checked. Raises InputError for any other kind of answer, and where nothing is
+    left to prove.
     """
     return _proof_file(answer)

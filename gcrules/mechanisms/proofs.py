@@ -156,6 +156,8 @@ def _of_result(result: object) -> Iterator[_Claim | LeftOut]:
         for one in result.check.rule.instances:
             name = f"line {result.line}: {result.label} in rank {one.rank}"
             yield _Claim(name, one.left, one.right, one.rank, given=one.given)
+    elif isinstance(result, ClaimResult | RuleResult):
+        yield LeftOut(f"line {result.line}: {result.label}", f"it is {result.verdict}")
 
 
 def _of_analysis(found: Analysis) -> _Claims:

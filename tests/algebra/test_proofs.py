@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 from typing import Any
 
 import pytest
 from places import ROOT
 
+import gcrules as gc
 from gcrules.algebra.expand import expand
 from gcrules.algebra.language.statements import parse_assumption
 from gcrules.algebra.language.syntax import Context, parse, parse_equation
@@ -15,7 +17,7 @@ from gcrules.algebra.proofs.proof_file import LeftOut, ProofFile
 from gcrules.algebra.proofs.relations import relations
 from gcrules.algebra.proofs.theorem import Theorem, theorem
 from gcrules.algebra.proofs.written import Written
-from gcrules.core.errors import InputError, LimitReached
+from gcrules.core.errors import EngineFault, InputError, LimitReached
 
 EXCHANGE = "[abc][ade] - [abd][ace] == -[abe][acd]"
 
@@ -39,7 +41,6 @@ def test_a_proof_that_is_too_long_is_refused() -> None:
 @pytest.mark.parametrize(
     ("equation", "rank", "given", "says"),
     [
-        ("[abc] == [acb]", 3, "", "the sides are not equal"),
         ("[[ab,ac,ad,ae,bc,bd,be,cd,ce,de]] == 0", 5, "", "no superbrackets of rank 5 or more"),
         ("[abc][abd][abe] == 0", 3, "[abc][abd] == 0", "the assumptions allow 2 kinds of positions"),
         ("[abc] == 0", 3, "a == b", "that b is on a does not follow from one assumption"),
@@ -48,6 +49,15 @@ def test_a_proof_that_is_too_long_is_refused() -> None:
 def test_what_cannot_be_written_is_refused(equation: str, rank: int, given: str, says: str) -> None:
     with pytest.raises(InputError, match=says):
         proved(equation, rank, given)
+
+
+def test_sides_that_are_not_equal_are_a_fault_and_not_left_out() -> None:
+    """Whoever asks for a proof has said that they are."""
+    with pytest.raises(EngineFault, match="the sides are not equal"):
+        proved("[abc] == [acb]", 3)
+    claimed = replace(gc.prove("[abc] == [bca]", rank=3), right=parse("[acb]", rank=3))
+    with pytest.raises(EngineFault, match="the sides are not equal"):
+        gc.proof_file(claimed)
 
 
 def test_points_under_assumptions_say_why_they_are_where_they_are() -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from functools import cached_property
 from hashlib import sha256
 from typing import Any
 
@@ -36,13 +37,26 @@ class ProofFile(Shown):
     theorems: tuple[Theorem, ...]
     left_out: tuple[LeftOut, ...] = ()
 
-    @property
+    @cached_property
+    def _lines(self) -> tuple[str, ...]:
+        """The theorems with their proofs, each as one line of JSON."""
+        return tuple(json.dumps(t.to_json(), separators=(",", ":"), ensure_ascii=False) for t in self.theorems)
+
+    @cached_property
     def digest(self) -> str:
         """The SHA-256 digest of the theorems with their proofs, which reports and papers name."""
-        return sha256(_compact([t.to_json() for t in self.theorems]).encode()).hexdigest()
+        return sha256(f"[{','.join(self._lines)}]".encode()).hexdigest()
 
     def to_json(self) -> dict[str, Any]:
         """The file as `proof.schema.json` describes it."""
+        return {**self._head(), "theorems": [t.to_json() for t in self.theorems]}
+
+    def json_text(self) -> str:
+        """The file: one theorem to a line."""
+        theorems = ",\n".join(self._lines)
+        return f'{json.dumps(self._head(), indent=1)[:-2]},\n "theorems": [\n{theorems}\n ]\n}}\n'
+
+    def _head(self) -> dict[str, Any]:
         return {
             "format": FORMAT,
             "version": VERSION,
@@ -50,23 +64,12 @@ class ProofFile(Shown):
             "gcrules": __version__,
             "digest": self.digest,
             "left_out": [{"name": one.name, "reason": one.reason} for one in self.left_out],
-            "theorems": [t.to_json() for t in self.theorems],
         }
-
-    def json_text(self) -> str:
-        """The file: one theorem to a line."""
-        head = {key: value for key, value in self.to_json().items() if key != "theorems"}
-        theorems = ",\n".join(_compact(t.to_json()) for t in self.theorems)
-        return f'{json.dumps(head, indent=1)[:-2]},\n "theorems": [\n{theorems}\n ]\n}}\n'
 
     def coq(self) -> str:
         """A script of Coq that proves the same theorems without axioms."""
         return str(self._show("coq"))
 
     def lean(self) -> str:
-        """The same as text of Lean 4, which is not checked here."""
+        """The polynomials that the theorems expand to, as text of Lean 4, which is not checked here."""
         return str(self._show("lean"))
-
-
-def _compact(value: Any) -> str:
-    return json.dumps(value, separators=(",", ":"), ensure_ascii=False)

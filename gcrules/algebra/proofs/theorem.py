@@ -24,13 +24,13 @@ from gcrules.algebra.space import Assumption, Space
 from gcrules.algebra.straightening.order import easy_places
 from gcrules.algebra.straightening.straighten import by_frequency, reordered
 from gcrules.core.dataclass import dataclass
-from gcrules.core.errors import InputError, LimitReached
+from gcrules.core.errors import EngineFault, InputError, LimitReached
 
 __all__ = ["PlacedPoint", "Theorem", "theorem"]
 
 _SUPERBRACKETS = 4  # the highest rank in which the checker expands them
 _ROWS = 1_000  # different brackets among which an easy order of the points is quickly found
-_SHORT = 5_000  # exchanges of a proof in the first order; only longer ones are sought at length
+_SHORT = 5_000  # exchanges within which every order is tried before longer proofs are sought
 
 
 @dataclass(frozen=True)
@@ -129,8 +129,8 @@ def theorem(
 ) -> Theorem:
     """The proof that two expressions are equal, under assumptions where there are any.
 
-    Raises InputError where they are not equal, or where it cannot be written down yet, LimitReached where the proof is
-    too long.
+    Raises EngineFault where they are not equal, InputError where the proof cannot be written down yet, LimitReached
+    where it is too long.
     """
     assumptions, at_infinity = tuple(given), tuple(ideal)
     if any(
@@ -160,7 +160,7 @@ def _shortest(
     terms: Mapping[Monomial, Coefficient], points: int, ideal: int
 ) -> tuple[tuple[int, ...], tuple[Relation, ...]]:
     """The shortest proof that terms add up to nothing among those in some orders of the points, and its order; points
-    at infinity stay before the others, those that close extensors behind them. Raises InputError where they do not add
+    at infinity stay before the others, those that close extensors behind them. Raises EngineFault where they do not add
     up to nothing, LimitReached where the proof is too long in every order.
     """
     brackets = [tuple(row for row in m if len(row) > 1) for m in terms]
@@ -178,7 +178,7 @@ def _shortest(
                 reached = limited
                 continue
             if proof is None:
-                raise InputError("the sides are not equal")
+                raise EngineFault("there is no proof of equality: the sides are not equal")
             found.append((sum(len(r.multiplier) for r in proof), order, proof))
         if found:
             return min(found, key=lambda one: one[0])[1:]
