@@ -1,13 +1,14 @@
-"""The fixtures ``ratio`` and ``peer``: a function timed beside its naive form and its peers in the same run."""
+"""The fixtures ``ratio`` and ``peer``: a function timed beside its naive form and peers in one run; ``browser``."""
 
 from __future__ import annotations
 
 import importlib
 import math
 import os
+import shutil
 import sys
 import time
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -18,6 +19,15 @@ sys.path.insert(0, str(Path(__file__).resolve().parent))
 from measurement import Measurement, show
 
 STRICT = os.environ.get("GCRULES_BENCH_STRICT") == "1"
+BROWSERS = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable")
+SOFTWARE = (
+    "--no-sandbox",
+    "--use-gl=angle",
+    "--use-angle=swiftshader",
+    "--enable-unsafe-swiftshader",
+    "--no-first-run",
+    "--disable-dev-shm-usage",
+)
 SHORTEST_SAMPLE = 0.002  # seconds; shorter calls are timed in a loop
 
 
@@ -44,6 +54,19 @@ def sample(function: Callable[[], Any], calls: int) -> float:
     for _ in range(calls):
         function()
     return time.perf_counter() - start
+
+
+@pytest.fixture(scope="module")
+def browser() -> Iterator[Any]:
+    """Chromium, headless, without a graphics card."""
+    playwright = pytest.importorskip("playwright.sync_api")
+    path = next(filter(None, map(shutil.which, (os.environ.get("GCRULES_BROWSER") or "", *BROWSERS))), None)
+    if path is None:
+        pytest.skip("needs chromium")
+    with playwright.sync_playwright() as running:
+        found = running.chromium.launch(executable_path=path, args=SOFTWARE)
+        yield found
+        found.close()
 
 
 @pytest.fixture

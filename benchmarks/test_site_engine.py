@@ -8,7 +8,6 @@ timed. Chromium is running already.
 from __future__ import annotations
 
 import os
-import shutil
 import subprocess
 import sys
 import threading
@@ -23,7 +22,6 @@ import pytest
 
 ROOT = Path(__file__).resolve().parent.parent
 SITE = Path(os.environ.get("GCRULES_SITE", ROOT / "build" / "site"))
-BROWSERS = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable")
 ANSWERED = "() => document.querySelector('.gc-answer').dataset.state === 'done'"
 PYTHON = (
     "async (folder) => (await (await import(`${folder}pyodide.mjs`)).loadPyodide({ indexURL: folder })).runPython('1')"
@@ -45,18 +43,6 @@ def address() -> Iterator[str]:
     yield f"http://127.0.0.1:{server.server_port}/"
     server.shutdown()
     server.server_close()
-
-
-@pytest.fixture(scope="module")
-def browser() -> Iterator[Any]:
-    playwright = pytest.importorskip("playwright.sync_api")
-    path = next(filter(None, map(shutil.which, (os.environ.get("GCRULES_BROWSER") or "", *BROWSERS))), None)
-    if path is None:
-        pytest.skip("needs chromium")
-    with playwright.sync_playwright() as running:
-        found = running.chromium.launch(executable_path=path, args=["--no-sandbox", "--disable-dev-shm-usage"])
-        yield found
-        found.close()
 
 
 def answered(page: Any, button: str) -> float:

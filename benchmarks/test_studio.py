@@ -12,7 +12,6 @@ import gzip
 import json
 import os
 import re
-import shutil
 import statistics
 import subprocess
 import sys
@@ -38,14 +37,6 @@ ROBOTS = ["gallardo-4dof", "delta", "6-rus"]
 REQUESTS = 200
 MOVES = 120
 OF_JOINTS = ["delta", "orthoglide", "3-rps", "3-rrr", "tricept", "capaman", "3-upu"]
-BROWSERS = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable")
-SOFTWARE = (
-    "--no-sandbox",
-    "--use-gl=angle",
-    "--use-angle=swiftshader",
-    "--enable-unsafe-swiftshader",
-    "--no-first-run",
-)
 
 
 @dataclass(frozen=True)
@@ -167,19 +158,6 @@ def test_open(timed: Callable[..., Any], studio: Studio, name: str) -> None:
 
 
 # --- in a browser --------------------------------------------------------------------------------------------------
-
-
-@pytest.fixture(scope="module")
-def browser() -> Iterator[Any]:
-    """Chromium, headless, without a graphics card."""
-    playwright = pytest.importorskip("playwright.sync_api")
-    path = next(filter(None, map(shutil.which, (os.environ.get("GCRULES_BROWSER") or "", *BROWSERS))), None)
-    if path is None:
-        pytest.skip("needs chromium")
-    with playwright.sync_playwright() as running_playwright:
-        found = running_playwright.chromium.launch(executable_path=path, args=[*SOFTWARE, "--disable-dev-shm-usage"])
-        yield found
-        found.close()
 
 
 @contextmanager

@@ -11,13 +11,15 @@ from places import ROOT
 
 import gcrules as gc
 from gcrules.algebra.expand import expand
-from gcrules.algebra.language.statements import parse_assumption
+from gcrules.algebra.language.statements import parse_assumption, parse_script
 from gcrules.algebra.language.syntax import Context, parse, parse_equation
 from gcrules.algebra.proofs.proof_file import LeftOut, ProofFile
 from gcrules.algebra.proofs.relations import relations
 from gcrules.algebra.proofs.theorem import Theorem, theorem
 from gcrules.algebra.proofs.written import Written
 from gcrules.core.errors import EngineFault, InputError, LimitReached
+from gcrules.mechanisms.proofs import proof_file
+from gcrules.rules.script import run_script
 
 EXCHANGE = "[abc][ade] - [abd][ace] == -[abe][acd]"
 
@@ -103,3 +105,11 @@ def test_files_have_the_fields_of_the_published_schema() -> None:
     file = ProofFile("two", theorems, (LeftOut("more", "it was not asked for"),))
     check_fields(file.to_json(), SCHEMA)
     assert {*SCHEMA["$defs"]["theorem"]["properties"]} == {*theorems[1].to_json()}
+
+
+def test_what_a_script_says_without_a_proof_is_named() -> None:
+    script = parse_script("rank 3 claim [abc] == [bca] claim [abc] == [acb] rule wrong: [abc] => [acb]")
+    file = proof_file(run_script(script))
+    assert [t.name for t in file.theorems] == ["line 1: [abc] == [bca]"]
+    assert [one.reason for one in file.left_out] == ["it is refuted"] * 2
+    assert file.left_out[1].name == "line 1: rule wrong"
