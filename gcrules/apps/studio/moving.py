@@ -230,7 +230,7 @@ def numbers_of_limbs(limbs: Limbs, subject: Subject, pose: PoseJson, threshold: 
         "jacobian": jacobian_facts(found.jacobian, subject.unit),
         "signs": [
             {"expression": e, "sign": s.sign, "statement": "" if e == DETERMINANT else s.statement}
-            for s in signs_of_limbs(limbs, there)
+            for s in signs_of_limbs(limbs, there, found.factors)
             for e in [s.expression]
         ],
     }

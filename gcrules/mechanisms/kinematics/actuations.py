@@ -23,7 +23,7 @@ from gcrules.mechanisms.kinematics.chains import geometry_of
 from gcrules.mechanisms.kinematics.configurations import Configurations
 from gcrules.mechanisms.kinematics.linkage import Linkage
 from gcrules.mechanisms.kinematics.margin import balanced, kept_axes, limb_twists, on_platform
-from gcrules.mechanisms.kinematics.rigid_motions import Floats
+from gcrules.mechanisms.kinematics.rigid_motions import Floats, crossed
 from gcrules.mechanisms.kinematics.transmission import Transmissions, of_constraints, shaken, transmitted
 
 __all__ = ["Actuations", "actuations", "amplified", "drives"]
@@ -94,7 +94,7 @@ def _forces(limb: LimbSpec, wrenches: Floats, values: Values, centre: Floats) ->
         if joint.kind == "4S":
             g = geometry_of(joint, values)
             bars = np.broadcast_to(g["bars"] / np.linalg.norm(g["bars"], axis=-1, keepdims=True), centre.shape)
-            along = [np.concatenate([bars, np.cross(g[end] - centre, bars)], axis=1) for end in ("first", "second")]
+            along = [np.concatenate([bars, crossed(g[end] - centre, bars)], axis=1) for end in ("first", "second")]
             parts = wrenches @ np.linalg.pinv(np.stack(along, axis=1))
             yield from ((2, parts[..., n : n + 1] * bars[:, None]) for n in (0, 1))
 
@@ -144,7 +144,7 @@ def actuations(m: Linkage, here: Configurations) -> Actuations:
         rows = _about_centre(np.swapaxes(np.linalg.pinv(products), 1, 2) @ every, arm, m.size)
         rows[none] = np.nan
         turns = rates[..., :3] / m.size
-        shifts = rates[..., 3:6] - np.cross(turns, arm[:, None])
+        shifts = rates[..., 3:6] - crossed(turns, arm[:, None])
         for n, k in enumerate(own):
             driven[k] = rows[:, n]
             joints[k] = np.concatenate([shifts[:, n], turns[:, n]], axis=1)
@@ -154,4 +154,4 @@ def actuations(m: Linkage, here: Configurations) -> Actuations:
 def _about_centre(wrenches: Floats, arm: Floats, size: float) -> Floats:
     """Wrenches (m/ρ; f) at an arm (N, 3) from the centre as (f; m) about the centre."""
     f = wrenches[..., 3:6]
-    return np.concatenate([f, size * wrenches[..., :3] + np.cross(arm[:, None], f)], axis=-1)
+    return np.concatenate([f, size * wrenches[..., :3] + crossed(arm[:, None], f)], axis=-1)

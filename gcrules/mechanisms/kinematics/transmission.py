@@ -35,6 +35,7 @@ from numpy.typing import NDArray
 
 from gcrules.core.dataclass import dataclass
 from gcrules.core.frozen import HoldsArrays
+from gcrules.mechanisms.kinematics.rigid_motions import crossed
 
 __all__ = ["Transmission", "Transmissions", "of_constraints", "shaken", "transmitted"]
 
@@ -99,10 +100,10 @@ def transmitted(wrenches: Floats, twists: Floats, arms: Floats) -> Floats:
     by the largest one, (...); 0 where the wrench or the twist is nothing, or no numbers.
     """
     f, v, turn = wrenches[..., :3], twists[..., :3], twists[..., 3:]
-    own = wrenches[..., 3:] - np.cross(arms, f)
+    own = wrenches[..., 3:] - crossed(arms, f)
     power = np.abs((wrenches * twists).sum(axis=-1))
     with np.errstate(invalid="ignore", over="ignore"):
-        most = _norm(f) * _norm(v + np.cross(turn, arms)) + _norm(own) * _norm(turn)
+        most = _norm(f) * _norm(v + crossed(turn, arms)) + _norm(own) * _norm(turn)
         found = power / np.where(most > 0, most, 1.0)
     return np.asarray(np.where((most > 0) & np.isfinite(found), np.minimum(found, 1.0), 0.0))
 
@@ -125,7 +126,7 @@ def of_constraints(driven: Floats, constraints: Sequence[Floats], arms: Sequence
             continue
         columns = slice(start, start + own.shape[1])
         twists = inverse[:, :, columns]
-        ends = np.concatenate([twists[:, :3] - np.cross(arm[:, None], twists[:, 3:].swapaxes(1, 2)).swapaxes(1, 2)], 1)
+        ends = np.concatenate([twists[:, :3] - crossed(arm[:, None], twists[:, 3:].swapaxes(1, 2)).swapaxes(1, 2)], 1)
         each = np.linalg.svd(np.concatenate([ends, length * twists[:, 3:]], axis=1))[2]
         wrenches = each @ (unit[:, columns] * scale)
         found.append(transmitted(wrenches, each @ np.swapaxes(twists, 1, 2), arm[:, None]))

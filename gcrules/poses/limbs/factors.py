@@ -8,14 +8,14 @@ from typing import Any
 
 import numpy as np
 
-from gcrules.algebra.expr import ONE, Expr, Product, points_of
+from gcrules.algebra.expr import ONE, Product, points_of
 from gcrules.algebra.language.text import text
 from gcrules.core.dataclass import dataclass
 from gcrules.mechanisms.conditions.factor_causes import ASIDE, FactorCause
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.mechanisms.kinematics.rigid_motions import Floats
 from gcrules.mechanisms.lines.derived import with_derived
-from gcrules.poses.numbers.extensors import coordinates
+from gcrules.poses.numbers.extensors import coordinates, relative
 from gcrules.screws import FLOATS
 
 __all__ = ["ConditionFactor", "factor_values", "factors", "superbracket_value"]
@@ -85,7 +85,7 @@ def _numbers(analysis: RobotAnalysis, values: Mapping[str, Floats]) -> list[tupl
     used = dict.fromkeys(n for part in analysis.parts for n in points_of(part.expression))  # in one order: sums round
     at = _unit_scale(analysis, values, used)
     return [
-        (_value(part.expression, at), np.ones(1)) if part.over == ONE else _quotient(analysis, part, values)
+        (relative(part.expression, at), np.ones(1)) if part.over == ONE else _quotient(analysis, part, values)
         for part in analysis.parts
     ]
 
@@ -98,9 +98,9 @@ def _quotient(analysis: RobotAnalysis, part: FactorCause, values: Mapping[str, F
     structure = analysis.lines.structure
     at = _unit_scale(analysis, values, dict.fromkeys((*structure.names, *points_of(part.over))))
     every = part.over.factors if isinstance(part.over, Product) else (part.over,)
-    below = np.asarray(prod(_value(e, at) for e in every))
+    below = np.asarray(prod(relative(e, at) for e in every))
     if len(analysis.parts) == 1:
-        return _value(structure.superbracket, at), below
+        return relative(structure.superbracket, at), below
     above, raw = (coordinates(e, at)[:, 0] for e in (part.expression, part.over))
     known = np.abs(below) > _SMALL
     return np.where(known, above / np.where(known, raw, 1.0), nan), below
@@ -113,15 +113,7 @@ def superbracket_value(analysis: RobotAnalysis, values: Mapping[str, Floats]) ->
     if analysis.lines is None:
         return None
     structure = analysis.lines.structure
-    return float(_value(structure.superbracket, _unit_scale(analysis, values, dict.fromkeys(structure.names)))[0])
-
-
-def _value(e: Expr, at: Mapping[str, Floats]) -> Floats:
-    found = coordinates(e, at)[:, 0]
-    for child in e.children if e.children and e.children[0].step else ():
-        size = np.linalg.norm(coordinates(child, at), axis=1)
-        found = np.where(size > 0, found / np.where(size > 0, size, 1.0), 0.0)
-    return found
+    return float(relative(structure.superbracket, _unit_scale(analysis, values, dict.fromkeys(structure.names)))[0])
 
 
 def _unit_scale(analysis: RobotAnalysis, values: Mapping[str, Floats], used: Collection[str]) -> dict[str, Floats]:

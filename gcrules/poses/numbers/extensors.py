@@ -11,7 +11,7 @@ from collections.abc import Mapping
 import numpy as np
 from numpy.typing import NDArray
 
-from gcrules.algebra.evaluate import evaluate
+from gcrules.algebra.evaluate import Evaluator, evaluate
 from gcrules.algebra.expr import Expr
 from gcrules.core.deferred import deferred
 
@@ -22,6 +22,7 @@ __all__ = [
     "mutual_moment",
     "normalised",
     "plane_equation",
+    "relative",
     "size_of",
     "unit_scale",
 ]
@@ -38,6 +39,19 @@ def coordinates(e: Expr, points: Points) -> Floats:
     value = evaluate(e, points)
     rows = value if isinstance(value, tuple) else (value,)
     found: Floats = np.stack([np.asarray(c, dtype=np.float64) for c in rows], axis=-1)
+    return found
+
+
+def relative(e: Expr, points: Points) -> Floats:
+    """A scalar divided by the lengths of the coordinates of the extensors that it joins or meets, (N,): 0 where one of
+    them vanishes.
+    """
+    parts = e.children if e.children and e.children[0].step else ()
+    known = Evaluator(points, next(iter(points.values())).shape[-1])
+    found: Floats = np.asarray(known.value(e)[0], dtype=np.float64)
+    for part in parts:
+        size = np.sqrt(sum(np.square(c) for c in known.value(part)))
+        found = np.divide(found, size, out=np.zeros(np.broadcast(found, size).shape), where=size > 0)
     return found
 
 
@@ -91,9 +105,5 @@ def normalised(e: Expr, points: Points) -> Floats:
     at = unit_scale(points)
     found = np.ones(len(next(iter(points.values()))))
     for factor in factors(e):
-        value = np.abs(coordinates(factor, at)[:, 0])
-        for child in factor.children if factor.children and factor.children[0].step else ():
-            size = np.linalg.norm(coordinates(child, at), axis=1)
-            value = np.divide(value, size, out=np.zeros_like(value), where=size > 0)
-        found = np.minimum(found, value)
+        found = np.minimum(found, np.abs(relative(factor, at)))
     return found

@@ -7,7 +7,7 @@ without a singularity, or where it names something that is solved for, its sign 
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from math import isfinite
 
 import numpy as np
@@ -18,7 +18,7 @@ from gcrules.mechanisms.conditions.factor_causes import FactorCause
 from gcrules.mechanisms.description.relations import AXES
 from gcrules.mechanisms.kinematics.chains import shape_of
 from gcrules.mechanisms.limbs import Limbs
-from gcrules.poses.limbs.factors import factor_values, factors
+from gcrules.poses.limbs.factors import ConditionFactor, factor_values, factors
 from gcrules.poses.limbs.many import Solved
 from gcrules.poses.limbs.pose_report import cause_of
 from gcrules.poses.signs.closing import closing_signs
@@ -34,11 +34,13 @@ _SMALL = 1e-9  # of a factor, which is a number of unit scale: below it floats d
 _PROVED = ("actuation", "constraint", "mixed")  # kinds of factors whose zeros are singular
 
 
-def signs_of_limbs(m: Limbs, there: Solved) -> tuple[ConditionSign, ...]:
+def signs_of_limbs(
+    m: Limbs, there: Solved, values: Sequence[ConditionFactor] | None = None
+) -> tuple[ConditionSign, ...]:
     """Those of the factors that count, and of the determinant if there is one, in a single configuration; 0 for one
-    that is 0 within rounding.
+    that is 0 within rounding. `values` are those of all factors there, where they are known.
     """
-    every = factors(m.analysis, there.values)
+    every = factors(m.analysis, there.values) if values is None else values
     found = []
     turned = _turned(m, there)[:, 0]
     for n, part in enumerate(every[k] for k in _counting(m)):
