@@ -20,6 +20,7 @@ from itertools import combinations
 from typing import Any
 
 from gcrules.algebra.assumptions.assumed import kinds
+from gcrules.algebra.assumptions.building import merged
 from gcrules.algebra.assumptions.construction import Construction
 from gcrules.algebra.assumptions.nondegeneracy import fewest, words
 from gcrules.algebra.bracket import tableau_order
@@ -56,15 +57,22 @@ class KindVerdict:
     where: tuple[str, ...]
     verdict: str
     assumed: tuple[str, ...] = ()
+    together: tuple[tuple[str, str], ...] = ()
 
     def to_json(self) -> dict[str, Any]:
-        """`{where, verdict, assumed}`."""
-        return {"where": list(self.where), "verdict": self.verdict, "assumed": list(self.assumed)}
+        """`{where, verdict, assumed, together}`."""
+        return {
+            "where": list(self.where),
+            "verdict": self.verdict,
+            "assumed": list(self.assumed),
+            "together": list(map(list, self.together)),
+        }
 
     def __str__(self) -> str:
         where = " and ".join(f"{e} == 0" for e in self.where)
         condition = f", where {' and '.join(self.assumed)} {_DO[len(self.assumed) > 1]} not vanish"
-        return f"where {where}: {self.verdict}{condition if self.assumed else ''}"
+        one = f" ({'; '.join(f'{a} and {b} are one point there' for a, b in self.together)})"
+        return f"where {where}: {self.verdict}{condition if self.assumed else ''}{one if self.together else ''}"
 
 
 @dataclass(frozen=True)
@@ -75,10 +83,11 @@ class Proof(Shown):
     coordinates at which the sides, `values`, differ) or "undecided" (`reason` names the limit and what is known).
     `assumed` lists, as text of the language, what was assumed not to vanish: a claim that is proved holds wherever its
     assumptions hold and none of these is zero. Without assumptions that is everywhere; a refutation assumes nothing.
-    Where assumptions allow several kinds of positions, `kinds` holds the verdict for each; proved is what is proved for
-    all of them, refuted what is refuted for one. A claim is about all homogeneous coordinates of its points;
-    `unit_weights` says that one that is refuted holds nevertheless wherever the finite points have last coordinate 1.
-    `rank`, `ideal` and `given` are those of the claim.
+    `together` lists pairs of points that are one point at all positions that the proof reaches, although nothing says
+    so: then it does not speak of positions at which they differ. Where assumptions allow several kinds of positions,
+    `kinds` holds the verdict for each; proved is what is proved for all of them, refuted what is refuted for one.
+    A claim is about all homogeneous coordinates of its points; `unit_weights` says that one that is refuted holds
+    nevertheless wherever the finite points have last coordinate 1. `rank`, `ideal` and `given` are those of the claim.
     """
 
     left: Expr
@@ -90,6 +99,7 @@ class Proof(Shown):
     values: tuple[Any, Any] | None = None
     assumed: tuple[str, ...] = ()
     meanings: tuple[str, ...] = field(default=(), compare=False, repr=False)
+    together: tuple[tuple[str, str], ...] = ()
     kinds: tuple[KindVerdict, ...] = ()
     unit_weights: bool = False
     rank: int = field(default=4, compare=False, repr=False)
@@ -106,8 +116,8 @@ class Proof(Shown):
         return self.verdict == "proved"
 
     def to_json(self) -> dict[str, Any]:
-        """`{verdict, method, reason, counterexample {point: coordinates}, values [left, right], assumed, kinds,
-        unit_weights}`.
+        """`{verdict, method, reason, counterexample {point: coordinates}, values [left, right], assumed, together,
+        kinds, unit_weights}`.
         """
         points = {n: _plain(c) for n, c in self.counterexample.items()} if self.counterexample is not None else None
         values = [_plain(v) for v in self.values] if self.values else None
@@ -118,6 +128,7 @@ class Proof(Shown):
             "counterexample": points,
             "values": values,
             "assumed": list(self.assumed),
+            "together": list(map(list, self.together)),
             "kinds": [k.to_json() for k in self.kinds],
             "unit_weights": self.unit_weights,
         }
@@ -185,15 +196,15 @@ def _under_assumptions(left: Expr, right: Expr, difference: Expr, space: Space, 
     if len(proofs) == 1:
         return proofs[0]
     told = tuple(
-        KindVerdict(tuple(text(e, names=names) for e in kind.where), p.verdict, p.assumed)
+        KindVerdict(tuple(text(e, names=names) for e in kind.where), p.verdict, p.assumed, p.together)
         for kind, p in zip(found, proofs, strict=True)
     )
     worst = min(proofs, key=lambda p: (_VERDICTS.index(p.verdict), p.unit_weights))
     if not worst.proved:
-        return replace(worst, assumed=(), meanings=(), kinds=told)
+        return replace(worst, assumed=(), meanings=(), together=(), kinds=told)
     # Each kind says what it leaves out; what an image leaves out is of that kind, and not left out by all.
     assumed = fewest(e for kind in found if not kind.image for e in kind.construction.nonzero)
-    return replace(_assuming(proofs[0], assumed, names), kinds=told)
+    return replace(_assuming(proofs[0], assumed, names), together=(), kinds=told)
 
 
 def _assuming(proof: Proof, nonzero: Iterable[Expr], names: Sequence[str]) -> Proof:
@@ -214,10 +225,12 @@ def _at_one_kind(
         if not construction.is_zero(difference, limit=limit):
             return _refuted_under(left, right, difference, construction, limit)
     except LimitReached as limited:
-        undecided = Proof(left, right, "undecided", "random-points", _reason(limited, known))
-        return _assuming(undecided, construction.nonzero, names)
-    reason = "both sides have the same normal form at the points that satisfy the assumptions"
-    return _assuming(Proof(left, right, "proved", "normal-form", reason), construction.nonzero, names)
+        found = Proof(left, right, "undecided", "random-points", _reason(limited, known))
+    else:
+        reason = "both sides have the same normal form at the points that satisfy the assumptions"
+        found = Proof(left, right, "proved", "normal-form", reason)
+    together = sorted((str(a), str(b)) for a, b in merged(construction))
+    return replace(_assuming(found, construction.nonzero, names), together=tuple(together))
 
 
 def _reason(limited: LimitReached, known: str) -> str:

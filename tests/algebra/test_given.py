@@ -23,15 +23,17 @@ from algebra.under_assumptions import (
 )
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
+from places import EXAMPLES
 
 import gcrules as gc
 from gcrules.algebra import expr as ex
 from gcrules.algebra.assumptions.assumed import kinds, resolve
 from gcrules.algebra.expr import points_of
-from gcrules.algebra.language.statements import parse_assumption
+from gcrules.algebra.language.statements import parse_assumption, parse_script
 from gcrules.algebra.language.syntax import Context, parse, parse_equation
 from gcrules.algebra.prove import Proof, prove
 from gcrules.core.errors import InputError
+from gcrules.rules.script import run_script
 
 
 @pytest.mark.parametrize(("text", "claim", "sibling"), THEOREMS.values(), ids=THEOREMS)
@@ -204,3 +206,25 @@ def test_assumptions_that_follow_from_others(rank: int, assumption: str, claim: 
     proof = gc.prove(claim, rank=rank, given=assumption)
     assert proof.verdict == "proved"
     check(proof, parse_assumption(assumption, Context(rank)))
+
+
+def test_points_that_coincide_without_being_said_to_are_named() -> None:
+    """j on ia and on ib is i, or a, b and i are on a line: the claim is proved where i and j are one point."""
+    one = gc.prove("[aij] == 0", rank=3, ideal="i j", given="incident(j, ia), incident(j, ib)")
+    assert one.proved
+    assert one.together == (("i", "j"),)
+    assert "i and j are one point, which the assumptions do not say" in str(one)
+    assert one.to_json()["together"] == [["i", "j"]]
+    said = gc.prove("[abx] == 0", rank=3, given="x == a")
+    assert said.proved
+    assert not said.together
+
+
+@pytest.mark.parametrize("name", ["butterfly", "radical-axes", "reim"])
+def test_lines_through_points_of_a_conic_need_not_be_chosen_freely(name: str) -> None:
+    """The sixth point of a conic is constructed on a line that other assumptions determine; no points coincide."""
+    text = (EXAMPLES / "theorems" / f"{name}.gca").read_text(encoding="utf-8")
+    (claim,) = run_script(parse_script(text)).claims
+    assert claim.proof is not None
+    assert claim.proof.proved
+    assert not claim.proof.together

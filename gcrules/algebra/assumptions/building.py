@@ -84,7 +84,7 @@ def collapsed(c: Construction, named: Iterable[Expr]) -> set[tuple[Expr, ...]]:
 
 
 def merged(c: Construction) -> set[tuple[Expr, ...]]:
-    """The pairs of points that coincide, but for those of which it was said."""
+    """The pairs of points that coincide wherever the construction leads, but for those of which it was said."""
     said = {s.name for s in c.steps if s.exact or isinstance(s.within, Point)}
     return collapsed(c, [Point(n) for n in c.points if n not in said])
 

@@ -14,8 +14,9 @@ do those of the line of Pascal of a conic.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from fractions import Fraction
+from itertools import combinations, pairwise, permutations, product
 from math import comb
 from typing import TypeVar
 
@@ -123,14 +124,27 @@ def with_named_meets(given: Sequence[Assumption], rank: int) -> list[Facts] | No
     Six points on a conic are read as three such points on a line.
     """
     helpers: dict[Expr, Helper] = {}
-    found = [understood(on_pascal_line(a, rank), lambda a: _named_meets(a, rank, helpers)) for a in given]
-    return found if helpers else None
+    lines = {line for a in given for line, _ in _lines(a)}
+    found = [understood(on_pascal_line(a, rank, lines), lambda a: _named_meets(a, rank, helpers)) for a in given]
+    return [*found, *_beside(given, rank, helpers)] if helpers else None
 
 
-def on_pascal_line(a: Assumption, rank: int) -> Assumption:
-    """An assumption that six points lie on a conic as one about the points in which opposite sides meet; or itself."""
+def on_pascal_line(a: Assumption, rank: int, lines: Collection[frozenset[Expr]] = ()) -> Assumption:
+    """An assumption that six points lie on a conic as one about the points in which opposite sides meet; or itself.
+
+    Of the sides of the hexagon as many as can be are among `lines`, of which more is said.
+    """
     six = hexagon(a.args[0], rank) if a.kind == "zero" else None
-    return a if six is None else Assumption("collinear", pascal(six), a.text, a.place)
+    return a if six is None else Assumption("collinear", pascal(_through(six, lines)), a.text, a.place)
+
+
+def _through(six: Sequence[str], lines: Collection[frozenset[Expr]]) -> Sequence[str]:
+    """The hexagon with these corners that has most of the lines as sides, the first such one."""
+    known = {frozenset((a, b)) for a, b in combinations(six, 2) if frozenset((Point(a), Point(b))) in lines}
+    if not known:
+        return six
+    hexagons = ((six[0], *rest) for rest in permutations(six[1:]))
+    return max(hexagons, key=lambda h: sum(frozenset(side) in known for side in pairwise((*h, h[0]))))
 
 
 def _named_meets(assumption: Assumption, rank: int, helpers: dict[Expr, Helper]) -> Facts:
@@ -162,6 +176,27 @@ def _named_meets(assumption: Assumption, rank: int, helpers: dict[Expr, Helper])
     conditions = [on(renamed, Point(h.name), a, rank) for h in new for a in _met(h)]
     meets = tuple(h.meet for h in new if h.meet is not None)
     return all_of([facts(renamed, rank), Facts(tuple(conditions), meets, tuple(new))])
+
+
+def _beside(given: Sequence[Assumption], rank: int, helpers: Mapping[Expr, Helper]) -> Iterator[Facts]:
+    """What follows for a meet with a line cd on which more is said to lie: it is on a line with that and c, or d."""
+    for a in given:
+        for line, others in _lines(a):
+            for h in helpers.values():
+                if line in map(frozenset, (e.children for e in _met(h) if isinstance(e, Join))):
+                    for some in product([Point(h.name)], others, sorted(line, key=name_key)):
+                        yield dependent(a, some, 3, rank)
+
+
+def _lines(a: Assumption) -> Iterator[tuple[frozenset[Expr], list[Expr]]]:
+    """The lines through two points on which an assumption says that more lies, and what."""
+    if a.kind == "collinear":
+        for pair in combinations([e for e in a.args if isinstance(e, Point)], 2):
+            yield frozenset(pair), [e for e in a.args if e not in pair]
+    elif a.kind == "incident":
+        x, line = small_first(*a.args)
+        if x.step == 1 and line.step == 2 and isinstance(line, Join) and of_points(line):
+            yield frozenset(line.args), [x]
 
 
 def _met(helper: Helper) -> tuple[Expr, ...]:

@@ -22,12 +22,16 @@ def as_text(proof: Proof, *, unicode: bool = False) -> str:
 
 
 def conditions(proof: Proof) -> list[str]:
-    """The lines that say what was assumed not to vanish, and what that means, and which kinds of positions there are;
-    none if nothing was assumed and there is only one.
+    """The lines that say what was assumed not to vanish, and what that means, which points coincide, and which kinds of
+    positions there are; none if nothing was assumed and there is only one.
     """
     meanings = proof.meanings or [""] * len(proof.assumed)
     shown = [f"{e} ({m})" if m else e for e, m in zip(proof.assumed, meanings, strict=True)]
     lines = [f"  assumed not to vanish: {', '.join(shown)}"] if shown else []
+    lines += [
+        f"  at all positions that this speaks of {a} and {b} are one point, which the assumptions do not say"
+        for a, b in proof.together
+    ]
     if proof.kinds:
         lines += ["  the assumptions allow several kinds of positions", *(f"    {k}" for k in proof.kinds)]
     return lines
