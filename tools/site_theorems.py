@@ -170,6 +170,79 @@ def brianchon() -> Drawing:
     return p.draw("Brianchon's theorem: the diagonals of a hexagon around a conic meet in a point", 480, hidden=corners)
 
 
+def _perpendicular(p: Plane, name: str, foot_of: str, side: str) -> None:
+    """The foot of the perpendicular from a point on a line through two points."""
+    (x, y), (ax, ay), (bx, by) = (p.at[n] for n in (foot_of, *side.split()))
+    u, v = bx - ax, by - ay
+    t = ((x - ax) * u + (y - ay) * v) / (u * u + v * v)
+    p.at[name] = (ax + t * u, ay + t * v)
+
+
+def _middle(p: Plane, name: str, ends: str) -> None:
+    (ax, ay), (bx, by) = (p.at[n] for n in ends.split())
+    p.at[name] = ((ax + bx) / 2, (ay + by) / 2)
+
+
+def _circle(centre: XY, radius: float) -> list[XY]:
+    return [(centre[0] + radius * cos(radians(t)), centre[1] + radius * sin(radians(t))) for t in range(0, 361, 3)]
+
+
+def euler_line() -> Drawing:
+    p = Plane(a=(150, 0), b=(0, 260), c=(430, 260))
+    for foot, middle, corner, side in (("d", "p", "a", "b c"), ("e", "q", "b", "c a"), ("f", "r", "c", "a b")):
+        _perpendicular(p, foot, corner, side)
+        _middle(p, middle, side)
+        p.line(f"{corner} {foot}", role=ORANGE, dash=DASHED)
+        p.line(f"{corner} {middle}", role=BLUE, dash=DASHED)
+    p.meet("h", "a d", "b e")
+    p.meet("g", "a p", "b q")
+    p.at["o"] = tuple((3 * g - h) / 2 for g, h in zip(p.at["g"], p.at["h"], strict=True))  # type: ignore[assignment]
+    _middle(p, "n", "o h")
+    p.curve = _circle(p.at["n"], dist(p.at["n"], p.at["p"]))
+    p.area("a b c", BLUE)
+    p.line("o g h", role="mark", width=2.2)
+    p.marked = set("ogh")
+    return p.draw("The line of Euler and the circle of nine points of a triangle abc", 560, 380, hidden=["n"])
+
+
+def simson() -> Drawing:
+    def at(degrees: float) -> XY:
+        return 150 * cos(radians(degrees)), -150 * sin(radians(degrees))
+
+    p = Plane(a=at(105), b=at(205), c=at(335), d=at(42))
+    p.curve = _circle((0, 0), 150)
+    for foot, side in (("x", "b c"), ("y", "c a"), ("z", "a b")):
+        _perpendicular(p, foot, "d", side)
+        p.line(f"{side} {foot}", role=BLUE)
+        p.line(f"d {foot}", role=ORANGE, dash=DASHED)
+    p.line("x y z", role="mark", width=2.2)
+    p.marked = set("xyz")
+    return p.draw("Simson's line: the feet of the perpendiculars from a point d of the circumcircle", 480, 380)
+
+
+def butterfly() -> Drawing:
+    p = Plane(a=_conic(125), c=_conic(38))
+    p.curve = [_conic(t) for t in range(0, 361, 3)]
+    p.at["p"], p.at["q"] = _conic(168), _conic(12)
+    _middle(p, "m", "p q")
+    for name, first in (("b", "a"), ("d", "c")):
+        p.at[name] = _again(p.at[first], p.at["m"])
+        p.line(f"{first} {name}", role=BLUE, width=1.6)
+    p.meet("x", "a d", "p q")
+    p.meet("y", "b c", "p q")
+    p.line("a d", "b c", role=ORANGE, width=1.6)
+    p.line("p q", role="mark", width=2.0)
+    p.marked = set("mxy")
+    return p.draw("The butterfly theorem: m is the midpoint of pq, and of xy too", 480)
+
+
+def _again(a: XY, m: XY) -> XY:
+    """Where the line from a point of the conic of `_conic` through m meets it again."""
+    (x, y), (u, v) = ((c[0] / 190, c[1] / 100) for c in (a, (m[0] - a[0], m[1] - a[1])))
+    t = -2 * (x * u + y * v) / (u * u + v * v)
+    return 190 * (x + t * u), 100 * (y + t * v)
+
+
 THEOREMS: dict[str, Callable[[], Drawing]] = {
     "pappus": pappus,
     "desargues": desargues,
@@ -178,5 +251,8 @@ THEOREMS: dict[str, Callable[[], Drawing]] = {
     "harmonic": harmonic,
     "pascal": pascal,
     "brianchon": brianchon,
+    "butterfly": butterfly,
+    "euler-line": euler_line,
+    "simson": simson,
 }
 """Name in the pages: function that makes the drawing."""

@@ -1,0 +1,141 @@
+"""Positions of the theorems on midpoints, right angles and circles, in the plane with its line at infinity.
+
+Points i and j at infinity that are not named otherwise are the isotropic ones, in coordinates in which they are
+(1, 0, 0) and (0, 1, 0): there (u, v) is perpendicular to (u, -v), and circles are x y + p x + q y + r = 0. Complex
+x + y √-1 and x - y √-1 in place of x and y make these the coordinates of Euclid's plane.
+"""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from fractions import Fraction
+
+from rules.theorem_positions import Position, Vector, cross, det, drawn, mixed, vector
+
+__all__ = ["METRIC"]
+
+ISOTROPIC = {"i": vector(1, 0, 0), "j": vector(0, 1, 0)}
+
+
+def weighted(rng: random.Random, points: Mapping[str, Vector]) -> Position:
+    return {n: mixed((rng.randint(1, 5), p)) for n, p in points.items()}
+
+
+def at_infinity(rng: random.Random) -> Vector:
+    return vector(*drawn(rng, 2), 0)
+
+
+def finite(rng: random.Random) -> Vector:
+    return vector(*drawn(rng, 2), 1)
+
+
+def affine(names: str) -> Callable[[random.Random], Position]:
+    """Any points, and any two at infinity."""
+    return lambda rng: weighted(rng, {n: finite(rng) for n in names}) | {"i": at_infinity(rng), "j": at_infinity(rng)}
+
+
+def euclidean(names: str) -> Callable[[random.Random], Position]:
+    return lambda rng: weighted(rng, {n: finite(rng) for n in names}) | ISOTROPIC
+
+
+def midpoints(rng: random.Random) -> Position:
+    """a, a + u, a + u + v, a + v with any weights."""
+    a, u, v = vector(*drawn(rng, 2), 1), vector(*drawn(rng, 2), 0), vector(*drawn(rng, 2), 0)
+    corners = {"a": a, "b": mixed((1, a), (1, u)), "c": mixed((1, a), (1, u), (1, v)), "d": mixed((1, a), (1, v))}
+    return {n: mixed((rng.randint(1, 5), p)) for n, p in corners.items()} | {"i": u, "j": v}
+
+
+def trapezium(rng: random.Random) -> Position:
+    a, d, u = finite(rng), finite(rng), at_infinity(rng)
+    corners = {"a": a, "b": mixed((1, a), (rng.randint(1, 9), u)), "c": mixed((1, d), (rng.randint(1, 9), u)), "d": d}
+    return weighted(rng, corners) | {"i": u, "j": at_infinity(rng)}
+
+
+def circle(rng: random.Random) -> Position:
+    """Four points of a circle."""
+    one = Circle.drawn(rng)
+    points = {n: one.at(t) for n, t in zip("abcd", rng.sample(range(1, 20), 4), strict=True)}
+    return weighted(rng, points) | ISOTROPIC
+
+
+def butterfly(rng: random.Random) -> Position:
+    """In an affine frame x² + s x y + t y² + u y = 1 is a conic in which m = (0, 0) halves the chord of p = (-1, 0) and
+    q = (1, 0); a and b are on x = k y, c and d on x = l y. With a, b and c one has s, t and u, then d as a second root.
+    """
+    k, l = (Fraction(n, 7) for n in rng.sample(range(-20, 20), 2))
+    ya, yb, yc = (Fraction(n, 5) for n in rng.sample([n for n in range(-20, 20) if n], 3))
+    rows = [(slope * y * y, y * y, y, 1 - (slope * y) ** 2) for slope, y in ((k, ya), (k, yb), (l, yc))]
+    s, t, _ = (det([r[:n] + r[3:] + r[n + 1 : 3] for r in rows]) / det([r[:3] for r in rows]) for n in range(3))
+    yd = -1 / (yc * (l * l + s * l + t))
+    frame = finite(rng), at_infinity(rng), at_infinity(rng)
+    places = {"p": (-1, 0), "q": (1, 0), "a": (k * ya, ya), "b": (k * yb, yb), "c": (l * yc, yc), "d": (l * yd, yd)}
+    points = {n: mixed((1, frame[0]), (x, frame[1]), (y, frame[2])) for n, (x, y) in places.items()}
+    return weighted(rng, points) | {"i": at_infinity(rng), "j": at_infinity(rng)}
+
+
+@dataclass(frozen=True)
+class Circle:
+    """(x - p)(y - q) = r, with a point for each number t but 0."""
+
+    p: Fraction
+    q: Fraction
+    r: Fraction
+
+    @staticmethod
+    def drawn(rng: random.Random) -> Circle:
+        p, q = drawn(rng, 2)
+        return Circle(p, q, Fraction(rng.randint(1, 30)))
+
+    def at(self, t: Fraction | int) -> Vector:
+        return vector(self.p + t, self.q + self.r / t, 1)
+
+    def beside(self, a: Vector, b: Vector, share: Fraction) -> Circle:
+        """Another one through two of its points: x y - q x - p y + p q - r and a share of the equation of the line."""
+        u, v, w = cross(a, b)
+        p, q = self.p - share * v, self.q - share * u
+        return Circle(p, q, p * q - (self.p * self.q - self.r + share * w))
+
+    def again(self, a: Vector, x: Vector) -> Vector:
+        """Where the line through x and a point a of the circle meets it again; last coordinates are 1."""
+        t, u, v = a[0] - self.p, x[0] - self.p, x[1] - self.q
+        return self.at(self.r * (t - u) / (v * t - self.r))
+
+
+def radical_axes(rng: random.Random) -> Position:
+    one = Circle.drawn(rng)
+    a, b, c = (one.at(t) for t in rng.sample(range(1, 9), 3))
+    other = one.beside(a, b, Fraction(rng.randint(1, 9), 50))
+    share = Fraction(rng.randint(2, 9), 11)
+    x = mixed((share, a), (1 - share, b))
+    e = other.at(Fraction(rng.randint(1, 9), 7))
+    points = {"a": a, "b": b, "x": x, "c": c, "d": one.again(c, x), "e": e, "f": other.again(e, x)}
+    return weighted(rng, points) | ISOTROPIC
+
+
+def reim(rng: random.Random) -> Position:
+    one = Circle.drawn(rng)
+    a, b, c, d = (one.at(t) for t in rng.sample(range(1, 9), 4))
+    other = one.beside(a, b, Fraction(rng.randint(1, 9), 50))
+    points = {"a": a, "b": b, "c": c, "d": d, "e": other.again(a, c), "f": other.again(b, d)}
+    return weighted(rng, points) | ISOTROPIC
+
+
+METRIC: Mapping[str, Callable[[random.Random], Position]] = {
+    "butterfly": butterfly,
+    "circumcentre": circle,
+    "euler-line": euclidean("abc"),
+    "medians": affine("abc"),
+    "midpoints": midpoints,
+    "newton-gauss": affine("abcd"),
+    "nine-points": euclidean("abc"),
+    "orthocentre": euclidean("abc"),
+    "ortholine": euclidean("abcd"),
+    "radical-axes": radical_axes,
+    "reflected-orthocentre": euclidean("abc"),
+    "reim": reim,
+    "simson": circle,
+    "trapezium": trapezium,
+    "varignon": affine("abcd"),
+}
