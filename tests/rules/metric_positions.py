@@ -33,11 +33,13 @@ def finite(rng: random.Random) -> Vector:
 
 def affine(names: str) -> Callable[[random.Random], Position]:
     """Any points, and any two at infinity."""
-    return lambda rng: weighted(rng, {n: finite(rng) for n in names}) | {"i": at_infinity(rng), "j": at_infinity(rng)}
+    return lambda rng: (
+        weighted(rng, {n: finite(rng) for n in names.split()}) | {"i": at_infinity(rng), "j": at_infinity(rng)}
+    )
 
 
 def euclidean(names: str) -> Callable[[random.Random], Position]:
-    return lambda rng: weighted(rng, {n: finite(rng) for n in names}) | ISOTROPIC
+    return lambda rng: weighted(rng, {n: finite(rng) for n in names.split()}) | ISOTROPIC
 
 
 def midpoints(rng: random.Random) -> Position:
@@ -51,6 +53,27 @@ def trapezium(rng: random.Random) -> Position:
     a, d, u = finite(rng), finite(rng), at_infinity(rng)
     corners = {"a": a, "b": mixed((1, a), (rng.randint(1, 9), u)), "c": mixed((1, d), (rng.randint(1, 9), u)), "d": d}
     return weighted(rng, corners) | {"i": u, "j": at_infinity(rng)}
+
+
+def thomsen(rng: random.Random) -> Position:
+    found = affine("a b c")(rng)
+    share = Fraction(rng.randint(1, 9), 11)
+    return found | {"p": mixed((share / found["b"][2], found["b"]), ((1 - share) / found["c"][2], found["c"]))}
+
+
+def parallel_pappus(rng: random.Random) -> Position:
+    """b, b' and the directions i, j; the other points are where these lead on two lines."""
+    one, other = (cross(finite(rng), finite(rng)) for _ in range(2))
+    b, b_ = (cross(line, at_infinity(rng)) for line in (one, other))
+    i, j = at_infinity(rng), at_infinity(rng)
+    others = {"a": (b_, i, one), "a'": (b, i, other), "c": (b_, j, one), "c'": (b, j, other)}
+    found = {"b": b, "b'": b_} | {n: cross(cross(p, d), line) for n, (p, d, line) in others.items()}
+    return found | {"i": i, "j": j}
+
+
+def tetrahedron(rng: random.Random) -> Position:
+    corners = weighted(rng, {n: vector(*drawn(rng, 3), 1) for n in "abcd"})
+    return corners | {n: vector(*drawn(rng, 3), 0) for n in "ijk"}
 
 
 def circle(rng: random.Random) -> Position:
@@ -103,6 +126,13 @@ class Circle:
         return self.at(self.r * (t - u) / (v * t - self.r))
 
 
+def thales(rng: random.Random) -> Position:
+    c, (u, v) = finite(rng), drawn(rng, 2)
+    sides = {"a": vector(u, v, 0), "b": vector(u, -v, 0)}
+    points = {n: mixed((1, c), (rng.randint(1, 9), side)) for n, side in sides.items()}
+    return weighted(rng, points | {"c": c}) | ISOTROPIC
+
+
 def radical_axes(rng: random.Random) -> Position:
     one = Circle.drawn(rng)
     a, b, c = (one.at(t) for t in rng.sample(range(1, 9), 3))
@@ -123,19 +153,28 @@ def reim(rng: random.Random) -> Position:
 
 
 METRIC: Mapping[str, Callable[[random.Random], Position]] = {
+    "bimedians": affine("a b c d"),
+    "bisectors": euclidean("a b c"),
     "butterfly": butterfly,
     "circumcentre": circle,
-    "euler-line": euclidean("abc"),
-    "medians": affine("abc"),
+    "euler-line": euclidean("a b c"),
+    "feet": euclidean("a b c"),
+    "medians": affine("a b c"),
     "midpoints": midpoints,
-    "newton-gauss": affine("abcd"),
-    "nine-points": euclidean("abc"),
-    "orthocentre": euclidean("abc"),
-    "ortholine": euclidean("abcd"),
+    "newton-gauss": affine("a b c d"),
+    "nine-points": euclidean("a b c"),
+    "orthocentre": euclidean("a b c"),
+    "orthologic": euclidean("a b c a' b' c'"),
+    "ortholine": euclidean("a b c d"),
+    "pappus-parallel": parallel_pappus,
     "radical-axes": radical_axes,
-    "reflected-orthocentre": euclidean("abc"),
+    "reflected-orthocentre": euclidean("a b c"),
     "reim": reim,
     "simson": circle,
+    "tetrahedron-bimedians": tetrahedron,
+    "tetrahedron-medians": tetrahedron,
+    "thales": thales,
+    "thomsen": thomsen,
     "trapezium": trapezium,
-    "varignon": affine("abcd"),
+    "varignon": affine("a b c d"),
 }

@@ -230,6 +230,16 @@ def hyperboloid(rng: random.Random) -> Position:
     return {n: at((k + 1) // 2 % 4, k // 2) for k, n in enumerate("abcdefgh")}
 
 
+def skew_hexagon(rng: random.Random) -> Position:
+    at = grid(rng)
+    return {n: at((k + 1) // 2 % 3, k // 2) for k, n in enumerate("abcdef")}
+
+
+def skew_quadrangle(rng: random.Random) -> Position:
+    p = {n: drawn(rng, 4) for n in "abcd"}
+    return p | {n: between(rng, p[u], p[v]) for n, u, v in zip("pqrs", "abcd", "bcda", strict=True)}
+
+
 def pencil(rng: random.Random) -> Position:
     x, y = drawn(rng, 4), drawn(rng, 4)
     found = {"x": x, "y": y}
@@ -324,6 +334,7 @@ POSITIONS: Mapping[str, Callable[[random.Random], Position]] = {
     "ceva": ceva,
     "conic": maclaurin,
     "cox": cox,
+    "dandelin": skew_hexagon,
     "desargues": lambda rng: without(perspective(rng, 3), "q"),
     "desargues-converse": desargues_converse,
     "desargues-space": lambda rng: sides(perspective(rng, 4)),
@@ -347,6 +358,7 @@ POSITIONS: Mapping[str, Callable[[random.Random], Position]] = {
     "relations-3": any_points("a b c d e f", 3),
     "relations-4": any_points("a b c d e f g h", 4),
     "relations-5": any_points("a b c d e f g h i j", 5),
+    "skew-quadrangle": skew_quadrangle,
     "steiner": conic_points("a b c d e f"),
     "three-triangles": three_triangles,
     "triple-perspective": twice_in_perspective,
