@@ -19,9 +19,9 @@ Under assumptions (`given`: what vanishes, `nonzero`: what does not) both sides 
 hold. Points are placed one after the other: X on an extensor W, which is the join of parts P, is the sum of a scalar
 times P, or of P ^ R with a join R of fresh finite ones; so they are expanded. Every position is reached, since X lies
 on W and W is not zero:
-
-* X lies on F where F v X is a multiple of something given, or where all of F v X lies on an extensor that is not zero
-  and has no room for it; on A ^ B where it lies on both, and on A v R where it lies on A;
+* X lies on F where F v X vanishes as it stands or is a multiple of something given, or where all of F v X lies on an
+  extensor that is not zero and has no room for it; on A ^ B where it lies on both, and on A v R where it lies on A;
+  X may be auxiliary: a meet of others (`meets`), as which it is read there, and which the claim does not name;
 * a part of a join, meet or bracket that is not zero is not zero; (S v R) ^ T is not zero for some R where T is not, and
   S joined with points of T up to the step that R leaves is not;
 * where W joins free points that, as X, were not bound before, W may be zero: dependent positions of them and X are an
@@ -63,11 +63,10 @@ def expect(condition, what, fault=ValueError):
 def in_order(points):
     """The sign of a bracket's rearrangement into increasing order, and that order; 0 where a point stands twice."""
     sign = 1
-    for i, x in enumerate(points):
-        for y in points[:i]:
-            if x == y:
-                return 0, ()
-            sign = -sign if x < y else sign
+    for x, y in combinations(points, 2):
+        if x == y:
+            return 0, ()
+        sign = -sign if x > y else sign
     return sign, tuple(sorted(points))
 
 
@@ -118,12 +117,14 @@ def superbracket_terms():
 class Reader:
     """Reads expressions and expands them: a step, and {points of an extensor: polynomial}, () for a scalar."""
 
-    def __init__(self, theorem, placed=None):  # else points are read as points of their own
-        self.rank, self.ideal, self.placed = theorem["rank"], theorem["ideal"], placed or {}
+    def __init__(self, theorem, placed=None):  # else all but auxiliary points are read as points of their own
+        self.rank, self.ideal, self.placed, self.meets = theorem["rank"], theorem["ideal"], placed or {}, {}
         self.points, self.definitions = list(theorem["points"]), dict(theorem["definitions"])
-        if "given" in theorem and placed is None:
-            self.points += theorem["any"] + [p["name"] for p in theorem["placed"]]
-        names = [*self.points, *self.definitions]
+        if placed is None:
+            self.meets = dict(theorem.get("meets", ()))
+            every = [*self.points, *theorem["any"], *(p["name"] for p in theorem["placed"])]
+            self.points = [n for n in every if n not in self.meets]
+        names = [*self.points, *self.definitions, *self.meets]
         expect(type(self.rank) is int and 2 <= self.rank <= 12, "the rank is no number from 2 to 12")
         expect(all(map(NAME.fullmatch, names)) and len({*names}) == len(names), "names that are none, or not different")
         expect(type(self.ideal) is int and 0 <= self.ideal <= len(theorem["points"]), "`ideal` is no number of points")
@@ -140,7 +141,8 @@ class Reader:
     def read(self, e):
         if isinstance(e, str):
             if e not in self.known:
-                self.known[e] = self.read(self.definitions[e]) if e in self.definitions else self.placed[e](self)
+                known = {**self.definitions, **self.meets}
+                self.known[e] = self.read(known[e]) if e in known else self.placed[e](self)
             return self.known[e]
         if e[0] == "number":
             return 0, {(): {(): Fraction(e[1])}} if Fraction(e[1]) else {}
@@ -181,10 +183,7 @@ class Reader:
     def bracket(self, parts):
         step, value = self.join(parts)
         expect(step == self.rank, "a bracket that is not full")
-        total = {}
-        for row, p in value.items():
-            total = plus(total, times(p, self.row(row)))
-        return 0, {(): total} if total else {}
+        return self.sum([(0, {(): times(p, self.row(row))}) for row, p in value.items()] or [(0, {})])
 
     def meet(self, parts):
         step, value = parts[0]
@@ -218,11 +217,28 @@ class Reader:
     def closed(self, e):
         """An expression as one polynomial; an extensor of step k is closed by d - k further points."""
         step, value = self.read(e)
-        n, total = len(self.points), {}
-        further = tuple(range(n, n + self.rank - step))
+        further, total = tuple(range(len(self.points), len(self.points) + self.rank - step)), {}
         for row, p in value.items():
             total = plus(total, times(p, self.row(row + further)) if step else p)
         return total
+
+    def without(self, rest, relations):
+        """A polynomial minus multiples of exchange relations."""
+        for first, second, count, multiplier in relations:
+            expect(len(first) == len(second) == self.rank and 0 < count <= self.rank, "a relation of unlike brackets")
+            relation = times(self.row(first), self.row(second))
+            for chosen in combinations(range(self.rank), count):
+                row = [first[chosen.index(i)] if i in chosen else x for i, x in enumerate(second)]
+                other = [second[i] for i in chosen] + first[count:]
+                relation = plus(relation, times(self.row(row), self.row(other)), -1)
+            for coefficient, *rows in multiplier:
+                term = {(): Fraction(coefficient)}
+                for row in rows:
+                    expect(len(row) in (1, self.rank), "a bracket that is not full")
+                    term = times(term, {(tuple(row),): 1} if len(row) == 1 else self.row(row))
+                for m, c in times(term, relation).items():
+                    rest[m] = rest.get(m, 0) - c
+        return rest
 
     def text(self, e):
         """What an expression says."""
@@ -244,7 +260,7 @@ class Reader:
 
     def key(self, e):
         """The same for joins and for meets of the same parts in any sequence."""
-        e = self.open(e)
+        e = self.open(self.meets.get(e, e) if isinstance(e, str) else e)
         if not isinstance(e, list) or e[0] == "number":
             return str(e)
         parts = self.args(e, e[0]) if e[0] in ("join", "meet") else e[1:]
@@ -260,10 +276,12 @@ class Positions:
         self.alive = [part for e in theorem["nonzero"] if reader.read(e)[1] for part in self.parts(e)]
         self.scalars, self.places, seen, before = 0, {}, set(), {*theorem["points"]}
         placed = [(p["name"], [*p["fresh"]], reader.open(p["on"]), p["flats"]) for p in theorem["placed"]]
-        known = [*theorem["claim"], *theorem["given"], *theorem["nonzero"], *(on for _, _, on, _ in placed)]
-        used = Counter(n for e in known for n in reader.names(e))
-        finite = {*theorem["points"][reader.ideal :]}
-        expect(not any(reader.names(e).intersection(theorem["any"]) for e in theorem["nonzero"]), "not zero for all")
+        finite, meets = {*theorem["points"][reader.ideal :]} - {*reader.meets}, [*reader.meets.values()]
+        known = [*theorem["claim"], *theorem["given"], *theorem["nonzero"], *meets]
+        used = Counter(n for e in (*known, *(on for _, _, on, _ in placed)) for n in reader.names(e))
+        expect(not any(reader.names(e) & {*reader.meets} for e in known), "an auxiliary point is named")
+        expect(all(reader.read(e)[0] == 1 for e in meets), "an auxiliary point that is none")
+        expect(not any(reader.names(e) & {*theorem["any"]} for e in theorem["nonzero"] + meets), "not zero for all")
         for name, fresh, on, flats in placed:
             self.fresh, own, points = fresh, reader.names(on), reader.args(on)
             expect(own <= before and {*fresh} <= finite - seen, f"{name} is placed too early")
@@ -283,8 +301,9 @@ class Positions:
         inside = e[1:] if isinstance(e, list) and e[0] in ("join", "bracket", "meet", "product") else []
         return [["join", *inside] if e[0] == "bracket" else e, *(x for part in inside for x in self.parts(part))]
 
-    def vanishes(self, e, index, number):
-        return number != 0 and self.reader.closed(e) == {m: Fraction(number) * c for m, c in self.given[index].items()}
+    def vanishes(self, e, index=None, number=0, relations=()):
+        rest = plus(self.reader.closed(e), {} if index is None else self.given[index], -Fraction(number))
+        return not any(self.reader.without(rest, relations).values())
 
     def lies_on(self, name, flat):
         """Whether a flat joined with the point vanishes."""
@@ -344,34 +363,16 @@ class Positions:
 
 def check(theorem):
     """The claim as text. Raises NotProved where something is left."""
-    assumed = "given" in theorem
-    reader = Reader(theorem, Positions(theorem).places if assumed else None)
+    reader = Reader(theorem, Positions(theorem).places if "given" in theorem else {})
     left, right = theorem["claim"]
     text = f"{reader.text(left)} == {reader.text(right)}"
     (step, a), (other, b) = reader.read(left), reader.read(right)
     expect(step == other or not a or not b, "the sides are of unlike steps")
-    rest = plus(reader.closed(left), reader.closed(right), -1)
-    for first, second, count, multiplier in theorem["relations"]:
-        expect(len(first) == len(second) == reader.rank and 0 < count <= reader.rank, "a relation of unlike brackets")
-        relation = times(reader.row(first), reader.row(second))
-        for chosen in combinations(range(reader.rank), count):
-            row = [first[chosen.index(i)] if i in chosen else x for i, x in enumerate(second)]
-            other = [second[i] for i in chosen] + first[count:]
-            relation = plus(relation, times(reader.row(row), reader.row(other)), -1)
-        total = {}
-        for coefficient, *rows in multiplier:
-            term = {(): Fraction(coefficient)}
-            for row in rows:
-                expect(len(row) in (1, reader.rank), "a bracket that is not full")
-                term = times(term, {(tuple(row),): 1} if len(row) == 1 else reader.row(row))
-            total = plus(total, term)
-        for m, c in times(total, relation).items():
-            rest[m] = rest.get(m, 0) - c
+    rest = reader.without(plus(reader.closed(left), reader.closed(right), -1), theorem["relations"])
     expect(not any(rest.values()), f"{sum(map(bool, rest.values()))} terms are left of {text}"[:2000], NotProved)
-    where, space = [], [f"rank {reader.rank}", *(f"{p} at infinity" for p in reader.points[: reader.ideal])]
-    if assumed:
-        where = [f"{reader.text(e)} {sign} 0" for k, sign in (("given", "=="), ("nonzero", "!=")) for e in theorem[k]]
-        space += [f"for all {p}" for p in theorem["any"]]
+    where = [f"{reader.text(e)} {s} 0" for k, s in (("given", "=="), ("nonzero", "!=")) for e in theorem.get(k, ())]
+    space = [f"rank {reader.rank}", *(f"{p} at infinity" for p in reader.points[: reader.ideal])]
+    space += [f"for all {p}" for p in theorem.get("any", ())]
     return f"{text}{', where ' if where else ''}{' and '.join(where)} ({', '.join(space)})"
 
 

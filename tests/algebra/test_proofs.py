@@ -101,7 +101,8 @@ def check_fields(value: Any, schema: dict[str, Any]) -> None:
 
 
 def test_files_have_the_fields_of_the_published_schema() -> None:
-    theorems = proved(EXCHANGE, 3), proved("[acd] == 0", 3, "[abc] == 0, [abd] == 0")
+    conic = "[abc][ade][bdf][cef] == [abd][ace][bcf][def]"
+    theorems = proved(EXCHANGE, 3), proved("[abq] [cdf] == 0", 3, f"{conic}, incident(q, ab)")
     file = ProofFile("two", theorems, (LeftOut("more", "it was not asked for"),))
     check_fields(file.to_json(), SCHEMA)
     assert {*SCHEMA["$defs"]["theorem"]["properties"]} == {*theorems[1].to_json()}

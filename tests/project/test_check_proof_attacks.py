@@ -80,6 +80,9 @@ ALMOST = [
     ["product", number(f"-{2**60 + 1}/{2**60}"), bracket("c", "d", "e"), bracket("a", "b", "x")],
 ]
 NAN = float("nan")
+AB = join("a", "b")
+M_ON_AB = placed("m", AB, flat(AB, []))
+M_AND_X = placed("x", join("m", "c"), flat(join("m", "c"), []))
 
 ATTACKS: dict[str, tuple[Changes, str]] = {
     # What is printed.
@@ -247,6 +250,59 @@ ATTACKS: dict[str, tuple[Changes, str]] = {
         "too early",
     ),
     "a claim on all points": (assumed("a b", join("a", "o"), given=[ABX], placed=[X_ON_AB], any=["o"]), "KeyError"),
+    # Auxiliary points.
+    "an auxiliary point that is a line": (
+        assumed("a b c d", bracket(*"abx"), given=[], placed=[M_AND_X], meets=[["m", join("a", "b")]], rank=4),
+        "that is none",
+    ),
+    "an auxiliary point in the claim": (
+        assumed(
+            "a b c d", bracket(*"amc"), given=[], placed=[M_ON_AB], meets=[["m", meet(join("a", "b"), join("c", "d"))]]
+        ),
+        "is named",
+    ),
+    "an auxiliary point of itself": (
+        assumed("a b c d", ABX, given=[], placed=[M_AND_X], meets=[["m", meet(join("m", "b"), join("c", "d"))]]),
+        "is named",
+    ),
+    "an auxiliary point that is a point of the claim": (
+        assumed("a b x", ABX, given=[], placed=[], meets=[["x", meet(join("a", "b"), join("a", "b"))]]),
+        "is named",
+    ),
+    "an auxiliary point as a fresh one": (
+        assumed(
+            "a b c g m",
+            "x",
+            given=[join("a", "x"), bracket(*"bcx")],
+            nonzero=["a", BC],
+            placed=[placed("x", meet(join("a", "m", "g"), BC), flat("a", [0, 1]), flat(BC, [1, 1]), fresh="mg")],
+            meets=[["m", meet(join("a", "b"), join("b", "c"))]],
+        ),
+        "too early",
+    ),
+    "an auxiliary point on another line": (
+        assumed(
+            "a b c d", ABX, given=[], placed=[M_ON_AB], meets=[["m", meet(join("a", "c"), join("b", "d"))]], any=["x"]
+        ),
+        "need not lie",
+    ),
+    "an auxiliary point for all points": (
+        assumed("a b c", bracket(*"abc"), given=[bracket(*"abo")], placed=[M_ON_AB], meets=[["m", "o"]], any=["o"]),
+        "not zero for all",
+    ),
+    "what does not vanish as it stands": (
+        assumed("a b", ABX, given=[ABX], placed=[placed("x", join("a", "b"), flat(join("a", "b"), []))]),
+        "need not lie",
+    ),
+    "another assumption, with a relation": (
+        assumed(
+            "a b c",
+            ABX,
+            given=[bracket(*"acx")],
+            placed=[placed("x", join("a", "b"), flat(join("a", "b"), [0, 1, [[[0, 1, 2], [0, 1, 3], 1, [[1]]]]]))],
+        ),
+        "need not lie",
+    ),
     # Expansions and relations.
     "unlike sides": (theorem("a b c", join(*"abc"), bracket(*"abc")), "unlike steps"),
     "an unlike sum": (theorem("a b", ["sum", "a", join("a", "b")], ["sum", join("a", "b"), "a"]), "unlike steps"),

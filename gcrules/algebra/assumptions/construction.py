@@ -26,6 +26,7 @@ from gcrules.algebra.straightening.straighten import terms_are_zero
 from gcrules.core.budget import checkpoint
 from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import LimitReached
+from gcrules.core.frozen import FrozenMap
 from gcrules.core.linear_algebra import content
 from gcrules.core.seeds import DRAWN, drawn
 
@@ -117,7 +118,8 @@ class Construction:
 
     `nonzero` are the extensors that must not vanish for the construction to reach every position; `equations` vanish
     where the assumptions hold; `points` are all points of the user in tableau order. Free points and steps whose names
-    hold a colon are not the user's. `extensors` are the lines and planes that the assumptions speak of.
+    hold a colon are not the user's; `meets` tells which meets of the user's points some of them are. `extensors` are
+    the lines and planes that the assumptions speak of.
     """
 
     rank: int
@@ -128,6 +130,7 @@ class Construction:
     equations: tuple[Expr, ...] = ()
     points: tuple[str, ...] = ()
     extensors: tuple[Expr, ...] = ()
+    meets: Mapping[str, Expr] = FrozenMap()
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -155,6 +158,7 @@ class Construction:
             of(self.equations),
             points,
             of(self.extensors),
+            FrozenMap(zip(map(name, self.meets), of(self.meets.values()), strict=True)),
         )
 
     def random_points(self, seed: object = 0) -> dict[str, tuple[int, ...]]:

@@ -13,6 +13,7 @@ from gcrules.algebra.evaluate import PRIME, Evaluator, random_points
 from gcrules.algebra.expr import Expr, Point, join, points_of
 from gcrules.algebra.space import Assumption, Space
 from gcrules.core.dataclass import dataclass
+from gcrules.core.frozen import FrozenMap
 from gcrules.core.seeds import DRAWN, drawn
 
 __all__ = ["Aim", "Failure", "Placement", "parallel"]
@@ -148,8 +149,12 @@ class Placement:
             if self.zero(e):
                 raise Failure(len(self.steps), cause, f"{e} would be zero", _NAME_IT)
         extensors = (*aim.extensors, *(e for e in aim.meets if not self.zero(e)))
+        steps, meets = (
+            tuple(self.steps),
+            FrozenMap((h.name, h.meet) for h in self.helpers.values() if h.meet is not None),
+        )
         return Construction(
-            space.rank, free, space.ideal, tuple(self.steps), fewest(nonzero), aim.wanted, space.points, extensors
+            space.rank, free, space.ideal, steps, fewest(nonzero), aim.wanted, space.points, extensors, meets
         )
 
 

@@ -2,31 +2,49 @@ r"""Why a construction reaches every position that satisfies the assumptions, in
 
 A point X that is constructed on an extensor W lies there at every such position, since it lies on flats F of which W is
 made by meets and joins. F ∨ X = 0 is an equation of the assumptions, or it has more points than there is room for on an
-extensor on which all of them lie.
+extensor on which all of them lie. An auxiliary point is a meet of others, so that F ∨ X may vanish as it stands.
 """
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterator, Mapping
 from fractions import Fraction
 from typing import Any
 
 from gcrules.algebra import expr as ex
 from gcrules.algebra.assumptions.construction import Construction, ConstructionStep
 from gcrules.algebra.bracket import Coefficient, Terms
-from gcrules.algebra.expr import Expr, Join, Meet, Point, points_of
+from gcrules.algebra.evaluate import Evaluator
+from gcrules.algebra.expr import Bracket, Expr, Join, Meet, Point, Product, points_of
+from gcrules.algebra.parts import substitute
+from gcrules.algebra.proofs.relations import Relation, relations
 from gcrules.algebra.proofs.written import Written, number
 from gcrules.core.dataclass import dataclass
 
 __all__ = ["Flat", "Multiple", "flats"]
 
+_MOST = 1_000  # exchanges
+_SIZE = 1_000  # of coordinates at which expressions are compared
+
 
 @dataclass(frozen=True)
 class Multiple:
-    """Something is `number` · the equation with this `index`, so that it vanishes."""
+    """Something is `number` · the equation with this `index` and the sum of `relations`, whose rows are numbers of the
+    points of `order`, so that it vanishes; or it does as it stands, without an index.
+    """
 
-    index: int
-    number: Coefficient
+    index: int | None = None
+    number: Coefficient = 0
+    relations: tuple[Relation, ...] = ()
+    order: tuple[str, ...] = ()
+
+    def to_json(self, place: Mapping[str, int]) -> list[Any]:
+        """The multiple as `proof.schema.json` describes it, with the numbers of points by name."""
+        if self.index is None:
+            return []
+        found = [self.index, number(self.number)]
+        numbers = [place[n] for n in self.order]
+        return [*found, [r.to_json(numbers) for r in self.relations]] if self.relations else found
 
 
 @dataclass(frozen=True)
@@ -41,12 +59,12 @@ class Flat:
         """All that are named."""
         return (self.extensor,) if self.room is None else (self.extensor, self.room)
 
-    def to_json(self, written: Written) -> dict[str, Any]:
-        """The flat as `proof.schema.json` describes it."""
+    def to_json(self, written: Written, place: Mapping[str, int]) -> dict[str, Any]:
+        """The flat as `proof.schema.json` describes it, with the numbers of points by name."""
         return {
             "flat": written.of(self.extensor),
             "room": None if self.room is None else written.of(self.room),
-            "because": [[m.index, number(m.number)] for m in self.because],
+            "because": [m.to_json(place) for m in self.because],
         }
 
 
@@ -97,10 +115,14 @@ def _flat(name: str, extensor: Expr, c: Construction) -> Flat | None:
 
 
 def _rooms(c: Construction) -> Iterator[Expr]:
-    """Extensors of joined points that must not vanish."""
-    for e in c.nonzero:
+    """Extensors of joined points that must not vanish, as they are or as parts."""
+    waiting = list(c.nonzero)
+    while waiting:
+        e = waiting.pop(0)
         if isinstance(e, Join) and all(isinstance(a, Point) for a in e.args):
             yield e
+        elif isinstance(e, Join | Meet | Bracket | Product):
+            waiting += e.children
 
 
 def _inside(joined: Expr, room: Expr, c: Construction) -> tuple[Multiple, ...] | None:
@@ -120,14 +142,36 @@ def _inside(joined: Expr, room: Expr, c: Construction) -> tuple[Multiple, ...] |
 
 
 def _multiple(e: Expr, c: Construction) -> Multiple | None:
-    """An expression as a multiple of an equation, term by term as the checker expands both; None where it is none."""
+    """An expression as a multiple of an equation, or of 0, term by term as the checker expands both; None where it is
+    none.
+    """
+    e = substitute(e, c.meets, c.rank)
     names = set(points_of(e))
+    free = _free(c, names)
+    terms = free.closed_terms(e, as_defined=True)
+    if not any(terms.values()):
+        return Multiple()
     for index, equation in enumerate(c.equations):
         if set(points_of(equation)) == names and equation.step % c.rank == e.step % c.rank:
-            factor = _ratio(*(_free(c, names).closed_terms(x, as_defined=True) for x in (e, equation)))
+            other = free.closed_terms(equation, as_defined=True)
+            factor = _ratio(terms, other)
             if factor:
                 return Multiple(index, factor)
+            factor = _quotient(e, equation, free)
+            rest = {m: terms.get(m, 0) - factor * other.get(m, 0) for m in {**terms, **other}}
+            found = relations(rest, free.at_infinity, _MOST) if factor else None
+            if found is not None:
+                return Multiple(index, factor, found, free.order)
     return None
+
+
+def _quotient(e: Expr, equation: Expr, free: Construction) -> Coefficient:
+    """What an expression is at random points, by what an equation is; 0 for extensors."""
+    points = free.rational_points(seed=1, size=_SIZE)
+    if e.step % free.rank or points is None:
+        return 0
+    value, other = (Evaluator(points, free.rank).value(x)[0] for x in (e, equation))
+    return Fraction(value) / other if other else 0
 
 
 def _free(c: Construction, names: Collection[str]) -> Construction:

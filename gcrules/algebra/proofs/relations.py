@@ -14,11 +14,13 @@ so what it reduces to nothing is Σ multiplier · relation, which anyone can mul
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from heapq import heapify, heappop, heappush
 from math import comb
+from typing import Any
 
 from gcrules.algebra.bracket import Coefficient, Monomial, Row, Terms, by_parameters
+from gcrules.algebra.proofs.written import number
 from gcrules.algebra.straightening.straighten import Last, offence
 from gcrules.algebra.straightening.syzygies import exchange
 from gcrules.core.budget import Count, checkpoint
@@ -40,6 +42,19 @@ class Relation:
     second: Row
     number: int
     multiplier: Mapping[Monomial, Coefficient]
+
+    def to_json(self, numbers: Sequence[int] = ()) -> list[Any]:
+        """The relation as `proof.schema.json` describes it, with other numbers for the points of its rows if given."""
+
+        def row(points: Row) -> list[int]:
+            return [numbers[i] for i in points] if numbers and len(points) > 1 else list(points)
+
+        return [
+            row(self.first),
+            row(self.second),
+            self.number,
+            [[number(c), *map(row, m)] for m, c in self.multiplier.items()],
+        ]
 
 
 def relations(

@@ -18,13 +18,14 @@ from gcrules.algebra.expand import MAX_TERMS
 from gcrules.algebra.expr import Expr, Superbracket, common_rank, points_of, subexpressions
 from gcrules.algebra.proofs.coverage import Flat, flats
 from gcrules.algebra.proofs.relations import MAX_RELATIONS, Relation, relations
-from gcrules.algebra.proofs.written import Written, number
+from gcrules.algebra.proofs.written import Written
 from gcrules.algebra.prove import difference_of
 from gcrules.algebra.space import Assumption, Space
 from gcrules.algebra.straightening.order import easy_places
 from gcrules.algebra.straightening.straighten import by_frequency, reordered
 from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import EngineFault, InputError, LimitReached
+from gcrules.core.frozen import FrozenMap
 
 __all__ = ["PlacedPoint", "Theorem", "theorem"]
 
@@ -48,13 +49,13 @@ class PlacedPoint:
         for flat in self.flats:
             yield from flat.expressions()
 
-    def to_json(self, written: Written) -> dict[str, Any]:
-        """The point as `proof.schema.json` describes it."""
+    def to_json(self, written: Written, place: Mapping[str, int]) -> dict[str, Any]:
+        """The point as `proof.schema.json` describes it, with the numbers of points by name."""
         return {
             "name": self.name,
             "on": written.of(self.within),
             "fresh": list(self.fresh),
-            "flats": [flat.to_json(written) for flat in self.flats],
+            "flats": [flat.to_json(written, place) for flat in self.flats],
         }
 
 
@@ -64,8 +65,9 @@ class Theorem:
     `nonzero` do not.
 
     `placed` are the points that `given` binds, in terms of those of `order`, of which the first `ideal` are at
-    infinity. Written out in these, the difference of both sides, closed by further points where it is no scalar, is the
-    sum of `relations`, whose rows are numbers of points in this order.
+    infinity. Some of both may be auxiliary: `meets` of the others that the claim does not name. Written out in these,
+    the difference of both sides, closed by further points where it is no scalar, is the sum of `relations`, whose rows
+    are numbers of points in this order.
     """
 
     name: str
@@ -78,6 +80,7 @@ class Theorem:
     given: tuple[Expr, ...] = ()
     nonzero: tuple[Expr, ...] = ()
     placed: tuple[PlacedPoint, ...] = ()
+    meets: Mapping[str, Expr] = FrozenMap()
 
     @property
     def size(self) -> int:
@@ -90,11 +93,15 @@ class Theorem:
         of = written.of
         more: dict[str, Any] = {}
         if self.given:
+            anywhere = sorted(set(points_of(*self.given)) - {*self.order, *(p.name for p in self.placed)})
+            points = (*self.order, *anywhere, *(p.name for p in self.placed))
+            place = {n: i for i, n in enumerate(n for n in points if n not in self.meets)}
             more = {
-                "any": sorted(set(points_of(*self.given)) - {*self.order, *(p.name for p in self.placed)}),
+                "any": anywhere,
                 "given": [of(e) for e in self.given],
                 "nonzero": [of(e) for e in self.nonzero],
-                "placed": [p.to_json(written) for p in self.placed],
+                **({"meets": [[n, of(e)] for n, e in self.meets.items()]} if self.meets else {}),
+                "placed": [p.to_json(written, place) for p in self.placed],
             }
         claim = [of(self.left), of(self.right)]
         return {
@@ -105,14 +112,11 @@ class Theorem:
             "definitions": written.definitions,
             "claim": claim,
             **more,
-            "relations": [
-                [list(r.first), list(r.second), r.number, [[number(c), *map(list, m)] for m, c in r.multiplier.items()]]
-                for r in self.relations
-            ],
+            "relations": [r.to_json() for r in self.relations],
         }
 
     def _expressions(self) -> Iterator[Expr]:
-        yield from (self.left, self.right, *self.given, *self.nonzero)
+        yield from (self.left, self.right, *self.given, *self.nonzero, *self.meets.values())
         for p in self.placed:
             yield from p.expressions()
 
@@ -145,10 +149,14 @@ def theorem(
     c = found[0].construction
     places, proof = _shortest(c.closed_terms(difference, limit, as_defined=True), len(c.order), c.at_infinity)
     order = tuple(c.order[i] for i in places)
-    return Theorem(name, rank, left, right, order, c.at_infinity, proof, c.equations, c.nonzero, tuple(_placed(c)))
+    return Theorem(
+        name, rank, left, right, order, c.at_infinity, proof, c.equations, c.nonzero, tuple(_placed(c)), c.meets
+    )
 
 
 def _placed(c: Construction) -> Iterator[PlacedPoint]:
+    if c.meets and not c.nonzero:
+        raise InputError("that all six points of a conic are reached is an argument of density, which is not written")
     for step in c.steps:
         found = None if step.exact else flats(step, c)
         if found is None:
