@@ -178,7 +178,7 @@ def _of_limbs(robot: Robot) -> str:
     """Links, rods and bodies as in the robot's drawing."""
     if robot.home is None:
         return ""
-    drawn = skeleton(robot, {n: [float(c) for c in v] for n, v in robot.values_at().items()})
+    drawn = skeleton(robot, {n: [float(c) for c in v] for n, v in robot.values_at(robot.drawing).items()})
     places = [p for stroke in drawn["strokes"] for p in stroke["ends"]]
     names: dict[tuple[float, ...], str] = {}
     for p in (*places, *drawn["platform"], *drawn["base"]):
