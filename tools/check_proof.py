@@ -13,7 +13,7 @@ definitions, subtracts multiples of the file's relations, and says yes only wher
   which changes its sign with the ends of a line, is compared with it at all 46,656 choices of six basis lines; in the
   plane it is the meet of three lines;
 * the exchange relation: [S][T] is the sum of all products in which the first k points of S change places with k of T;
-* an extensor of step k is zero exactly if its brackets with any d - k further points are zero.
+* an extensor of step k is zero exactly when its brackets with any d - k further points are zero.
 
 Under assumptions (`given`: what vanishes, `nonzero`: what does not) both sides are claimed to be equal wherever these
 hold. Points are placed one after the other: X on an extensor W, which is the join of parts P, is the sum of a scalar

@@ -47,8 +47,9 @@ class Robot:
     `family` holds the points and directions with the relations that make them, `limbs` the joints; `lines` are
     given in place of limbs where wrenches are known already, with the points `derived` for those that are meets of
     planes. `mobility` is that expected of the platform (checked), `home` one configuration (empty for names that
-    the relations determine), `limits` what its actuators reach from there, as written, `units` that of lengths
-    ("" if the file names none), `condition` a published one in the language. `text` is that of the file.
+    the relations determine), `limits` what its actuators reach from there, as written, `drawing` a configuration that
+    shows more clearly how the robot is made, `units` that of lengths ("" if the file names none), `condition` a
+    published one in the language. `text` is that of the file.
     """
 
     id: str
@@ -68,11 +69,13 @@ class Robot:
     derived: tuple[Derived, ...] = ()
     limits: str = ""
     units: str = ""
+    drawing: Mapping[str, Vector] | None = None
     text: str = field(default="", compare=False)
 
     def __post_init__(self) -> None:
-        if self.home is not None:
-            object.__setattr__(self, "home", FrozenMap(self.home))
+        for name in ("home", "drawing"):
+            if (places := getattr(self, name)) is not None:
+                object.__setattr__(self, name, FrozenMap(places))
 
     @classmethod
     def from_model(

@@ -95,7 +95,7 @@ def helical_of(field: Field, p: Vector, d: Vector, pitch: Any) -> Row:
 def product(a: Any, b: Any, field: Field | None = None) -> Any:
     """The reciprocal product f·v + m·ω: the power of a wrench on a twist, zero for reciprocal screws.
 
-    It is symmetric. For two lines it is zero exactly if they meet (or are parallel): the product of a∨b and c∨d is
+    It is symmetric. For two lines it is zero exactly when they meet (or are parallel): the product of a∨b and c∨d is
     −[abcd]. Arrays (..., 6) of floats give an array of products.
     """
     field = field or field_of(a, b)

@@ -13,8 +13,8 @@ __all__ = ["figure"]
 
 
 def figure(a: Analysis | RobotAnalysis) -> Drawing:
-    """Robots of joints are drawn at home, beside the lines that stand for their wrenches; those that are given by lines
-    as a graph. Raises InputError for a robot without a home.
+    """Robots of joints are drawn beside the lines that stand for their wrenches, in the configuration of their file for
+    drawings, or else at home; those that are given by lines as a graph. Raises InputError for a robot without a home.
     """
     if isinstance(a, Analysis):
         return robot_figure(a) if a.platform else graph_figure(a)
@@ -22,4 +22,4 @@ def figure(a: Analysis | RobotAnalysis) -> Drawing:
         return graph_figure(a.lines)
     if a.robot.home is None:
         raise InputError(f"{a.robot.id} has no home configuration to be drawn in", hint="its file gives one as `home`")
-    return draw_robot(a, a.robot.values_at())
+    return draw_robot(a)

@@ -14,7 +14,7 @@ GLOSSARY = (
     {
         "term": "actuator",
         "forms": "actuators|actuated",
-        "meaning": "A joint that is driven. Its amount counts from home.",
+        "meaning": "A joint that is driven. Its amount, an angle or a length, counts from home.",
         "guide": "Robots in motion",
         "page": "robot-numbers.md",
     },
@@ -144,6 +144,13 @@ GLOSSARY = (
         "page": "course/join.md",
     },
     {
+        "term": "Krawczyk's operator",
+        "forms": "",
+        "meaning": "Newton's method with bounds for all errors: it proves that a box holds exactly one solution.",
+        "guide": "How it is solved",
+        "page": "robot-numbers.md#how-it-is-solved",
+    },
+    {
         "term": "left-over points",
         "forms": "left-over point",
         "meaning": (
@@ -213,6 +220,13 @@ GLOSSARY = (
         "meaning": "One of the sets of poses that the limbs leave to the platform while no actuator is locked.",
         "guide": "Operation modes",
         "page": "operation-modes.md",
+    },
+    {
+        "term": "over-constrained",
+        "forms": "overconstraint|overconstraints|overconstrained",
+        "meaning": "Some constraints of the limbs depend on others, as when two limbs forbid the same motion.",
+        "guide": "Mobility",
+        "page": "screws.md#mobility",
     },
     {
         "term": "Plücker coordinates",
@@ -366,7 +380,7 @@ def anchor(term: str) -> str:
     'plucker-coordinates'
     """
     plain = unicodedata.normalize("NFKD", term.lower()).encode("ascii", "ignore").decode()
-    return plain.replace(" ", "-")
+    return plain.replace("'", "").replace(" ", "-")
 
 
 def markdown() -> str:

@@ -243,7 +243,7 @@ def test_a_leg_may_lose_its_length_on_the_way(robots: dict[str, Analysis]) -> No
 @settings(max_examples=25, deadline=None)
 @given(name=st.sampled_from(PLATFORMS), a=free_poses, b=free_poses)
 def test_no_change_of_sign_is_missed(robots: dict[str, Analysis], name: str, a: Pose, b: Pose) -> None:
-    """The number of zeros, with multiplicity, between two exact samples is even exactly if their signs agree."""
+    """The number of zeros, with multiplicity, between two exact samples is even exactly when their signs agree."""
     moving = rig_of(robots[name], "centroid")
     size = F(str(round(moving.size, 3)))
     a, b = (Pose(tuple(c * size for c in p.translation), p.quaternion) for p in (a, b))

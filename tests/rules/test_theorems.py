@@ -84,7 +84,7 @@ def test_theorem_at_positions_built_otherwise(name: str) -> None:
 
 @pytest.mark.parametrize("name", ["brianchon", "pascal", "quadrangle", "five-lines", "conic", "desargues"])
 def test_first_claims_are_not_zero_on_both_sides_everywhere(name: str) -> None:
-    """The identities that say "exactly if": in general position neither side is zero."""
+    """The identities that say "exactly when": in general position neither side is zero."""
     script = script_of(name)
     claim = claims_of(script)[0]
     assert not claim.context.given

@@ -74,7 +74,7 @@ def test_labels_of_the_examples(name: str) -> None:
 
 @pytest.mark.parametrize("robot", [one.id for one in robots(())])
 def test_labels_of_robots_stand_on_no_joint(robot: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    """At home no label covers the sign of a joint, or another label."""
+    """No label covers the sign of a joint, or another label."""
     seen: list[tuple[Sequence[Box], list[Text]]] = []
 
     def spy(labels: Sequence[Label], *, taken: Sequence[Box] = (), **more: Any) -> list[Text]:
@@ -83,7 +83,7 @@ def test_labels_of_robots_stand_on_no_joint(robot: str, monkeypatch: pytest.Monk
 
     monkeypatch.setattr(picture, "place_labels", spy)
     a = gc.analyze(robot)
-    draw_robot(a, a.robot.values_at())
+    draw_robot(a)
     ((signs, texts),) = seen
     boxes = [("".join(run.text for run in t.runs), label_box(t)) for t in texts]
     assert [n for n, box in boxes for sign in signs if overlap(box, sign) > 0.5] == []

@@ -148,13 +148,14 @@ def shown(drawing: Drawing) -> list[str]:
 def test_drawings(analyses: dict[str, RobotAnalysis], name: str) -> None:
     """Every point of the joints and of the lines is labelled; labels are inside and do not cover each other."""
     a = analyses[name]
-    drawing = draw_robot(a, home_values(a.robot))
+    drawing = draw_robot(a)
     words = [w.replace("′", "'") for w in shown(drawing)]
     points = {n for limb in a.robot.limbs for j in limb.joints for n in j.names if a.robot.family.sorts[n] == "point"}
     assert points | {n for leg in a.structure.legs for n in leg if n in a.robot.family.sorts} <= set(words)
     assert {limb.name for limb in a.robot.limbs} <= set(words)
     rigid = [limb for limb in a.robot.limbs if not limb.cable]
-    assert {"the robot", "its equivalent structure", "force", *(["driven"] if rigid else [])} <= set(words)
+    heading = "the robot, in a configuration chosen for drawings" if a.robot.drawing else "the robot"
+    assert {heading, "its equivalent structure", "force", *(["driven"] if rigid else [])} <= set(words)
     assert {JOINTS[j.kind].name for limb in rigid for j in limb.joints if j.kind in "RPSU"} <= set(words)
     assert ("at infinity" in words) == any(set(leg) <= set(a.structure.ideal) for leg in a.structure.legs)
     boxes = [label_box(s) for s in drawing.shapes if isinstance(s, Text)]

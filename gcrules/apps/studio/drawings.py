@@ -5,7 +5,7 @@ Their colours are those of the page (classes and `currentColor`).
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from html import escape
 from math import cos, pi, radians, sin
 
@@ -86,10 +86,13 @@ def sketch(
     strokes: Iterable[Sequence[str]],
     bodies: Mapping[str, Sequence[str]],
     *,
+    seen: Callable[[Sequence[float]], XY] | None = None,
     size: float = 120.0,
 ) -> str:
-    """A robot seen obliquely from above, without words: `strokes` are legs or limbs, through points in sequence."""
-    flat = {n: _seen(p) for n, p in points.items()}
+    """A robot without words, by default seen obliquely from above: `strokes` are legs or limbs, through points in
+    sequence.
+    """
+    flat = {n: (seen or _seen)(p) for n, p in points.items()}
     xs, ys = [x for x, _ in flat.values()], [y for _, y in flat.values()]
     scale = (size - 16) / max(max(xs) - min(xs), max(ys) - min(ys), 1e-9)
     middle = ((max(xs) + min(xs)) / 2, (max(ys) + min(ys)) / 2)

@@ -22,6 +22,7 @@ from gcrules.rules.catalog.entries import Entry
 from gcrules.rules.catalog.file import load as load_catalog
 from gcrules.rules.plugin import packs
 from gcrules.views.drawing.sample import sample_coordinates
+from gcrules.views.robots.scene import sketched_from
 from gcrules.views.robots.skeleton import skeleton
 
 __all__ = ["classes_and_theorems", "gallery"]
@@ -175,17 +176,21 @@ def _of_six(robot: Robot) -> str:
 
 
 def _of_limbs(robot: Robot) -> str:
-    """Links, rods and bodies as in the robot's drawing."""
-    if robot.home is None:
+    """Links, rods and bodies as in the robot's drawing, from a viewpoint at which they hide each other least."""
+    if robot.home is None or not robot.limbs:
         return ""
-    drawn = skeleton(robot, {n: [float(c) for c in v] for n, v in robot.values_at().items()})
+    values = robot.values_at(robot.drawing)
+    drawn = skeleton(robot, {n: [float(c) for c in v] for n, v in values.items()})
+    drawn["strokes"] = [one for one in drawn["strokes"] if one["look"] != "axis"]
     places = [p for stroke in drawn["strokes"] for p in stroke["ends"]]
     names: dict[tuple[float, ...], str] = {}
     for p in (*places, *drawn["platform"], *drawn["base"]):
         names.setdefault(_rounded(p), f"p{len(names)}")
     links = [[names[_rounded(p)] for p in stroke["ends"]] for stroke in drawn["strokes"]]
     bodies = {body: [names[_rounded(p)] for p in drawn[body]] for body in ("base", "platform")}
-    return sketch({name: list(p) for p, name in names.items()}, links, bodies)
+    view = sketched_from(robot, values)
+    named = {name: list(p) for p, name in names.items()}
+    return sketch(named, links, bodies, seen=lambda p: view.flat((p[0], p[1], p[2])))
 
 
 def _rounded(place: Sequence[float]) -> tuple[float, ...]:

@@ -78,11 +78,11 @@ def _changed(text: str, edit: SheetEdit) -> str:
 
 
 def _by_row(placed: PlacedSheet, faults: Sequence[GcrulesError]) -> dict[Path, list[FaultView]]:
-    """The faults of each row; those of home are of the row of the name."""
+    """The faults of each row; those of home and of the drawing are of the row of the name."""
     rows: dict[Path, list[FaultView]] = {}
     for fault in faults:
         path = placed.row_at(fault) or ()
-        row = placed.sheet.row(str(path[1])) if len(path) == 2 and path[0] in ("home", "name") else None
+        row = placed.sheet.row(str(path[1])) if len(path) == 2 and path[0] in ("home", "drawing", "name") else None
         rows.setdefault(("name", row.name) if row else path, []).append(fault_view(fault))
     return rows
 

@@ -55,7 +55,7 @@ class Evidence:
 def bracket_divides(structure: Structure, names: tuple[str, ...]) -> bool:
     """Whether the bracket of four points divides the superbracket.
 
-    Decided by the normal form with these points first: the bracket divides exactly if it is the first row of every
+    Decided by the normal form with these points first: the bracket divides exactly when it is the first row of every
     standard tableau, as putting that row on top keeps tableaux standard. Where points lie at infinity (they come
     first, whatever one wants) it is decided at exact random points with the four in a plane.
     """

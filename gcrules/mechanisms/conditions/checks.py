@@ -17,7 +17,7 @@ from gcrules.mechanisms.description.relations import Values, combined
 from gcrules.mechanisms.robot import Consequence, Robot
 from gcrules.screws import RATIONALS, RESIDUES, Joint, Limb
 
-__all__ = ["STILL", "check_family", "check_home", "check_limbs", "home_values", "notes", "stays_in_plane"]
+__all__ = ["STILL", "check_configuration", "check_family", "check_limbs", "home_values", "notes", "stays_in_plane"]
 
 _SEEDS = (11, 12)
 
@@ -230,10 +230,13 @@ def home_values(robot: Robot) -> dict[str, Any]:
     return robot.values_at()
 
 
-def check_home(robot: Robot, node: Node) -> None:
-    """Record a fault for a relation that the home configuration violates by more than 1e-6 of its size."""
+def check_configuration(robot: Robot, node: Node, *, drawing: bool = False) -> None:
+    """Record a fault for a relation that home, or the configuration for drawings, violates by more than 1e-6 of its
+    size.
+    """
+    at = "in the drawing" if drawing else "at home"
     try:
-        values = home_values(robot)
+        values = robot.values_at(robot.drawing if drawing else None)
     except InputError as fault:
         node.fault(fault.message, fault.hint)
         return
@@ -241,10 +244,10 @@ def check_home(robot: Robot, node: Node) -> None:
     for d in robot.family.definitions:
         place = keys.get(d.name, node)
         if d.sort == "direction" and not any(values[d.name]):
-            place.fault(f"the direction {d.name} is zero at home", "let one coordinate be other than 0")
+            place.fault(f"the direction {d.name} is zero {at}", "let one coordinate be other than 0")
         elif robot.violates(d, values):
             place.fault(
-                f"at home {d.name} is not as its relation says: {d.text}",
+                f"{at} {d.name} is not as its relation says: {d.text}",
                 "change its coordinates"
                 if d.parameters
                 else "leave it out, and it is computed from the others, or change its coordinates",
@@ -252,9 +255,9 @@ def check_home(robot: Robot, node: Node) -> None:
     twice = Counter(values[d.name] for d in robot.family.definitions if d.sort == "point")
     for d in robot.family.definitions:
         if d.sort == "point" and twice[values[d.name]] > 1:
-            keys.get(d.name, node).fault(f"{d.name} is in the same place as another point at home")
+            keys.get(d.name, node).fault(f"{d.name} is in the same place as another point {at}")
     for limb in robot.limbs:
         try:
             limb.at(values, RATIONALS).twists(RATIONALS)
         except InputError as fault:
-            node.fault(f"{limb.name} at home: {fault.message}", fault.hint)
+            node.fault(f"{limb.name} {at}: {fault.message}", fault.hint)

@@ -107,7 +107,7 @@ _WHEN: Mapping[tuple[bool, bool], str] = {
         " motion changes that."
     ),
     (False, True): (
-        "{where} robot is singular exactly if {fixed}, and then in every pose: that is a matter of its design, and no"
+        "{where} robot is singular exactly when {fixed}, and then in every pose: that is a matter of its design, and no"
         " motion changes it."
     ),
 }

@@ -1,9 +1,9 @@
-"""Parts of robot files that stand for themselves: lines, platform, facts, home."""
+"""Parts of robot files that stand for themselves: lines, platform, facts, home, drawing."""
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from fractions import Fraction
 
 from gcrules.core.errors import InputError
@@ -17,7 +17,7 @@ from gcrules.mechanisms.description.units import UNIT_ONCE
 from gcrules.mechanisms.lines.derived import Derived
 from gcrules.mechanisms.robot import Consequence
 
-__all__ = ["MAX_TEXT", "read_facts", "read_home", "read_lines", "read_platform"]
+__all__ = ["MAX_TEXT", "read_drawing", "read_facts", "read_home", "read_lines", "read_platform"]
 
 MAX_TEXT = 300
 _FACT = re.compile(r"([A-Za-z][\w']*)\s+(.+)")
@@ -94,3 +94,13 @@ def read_home(node: Node, family: Family) -> dict[str, tuple[Fraction, Fraction,
             a, b, c = (n or Fraction(0) for n in numbers)
             found[key.text] = a, b, c
     return found
+
+
+def read_drawing(
+    node: Node, family: Family, home: Mapping[str, tuple[Fraction, Fraction, Fraction]] | None
+) -> dict[str, tuple[Fraction, Fraction, Fraction]]:
+    """The configuration for drawings: what it leaves out is as at home, unless the relations determine it."""
+    if home is None:
+        node.fault("a drawing changes places of home, and there is no home", "give one configuration as home")
+    free = {d.name for d in family.definitions if d.parameters}
+    return {**{n: at for n, at in (home or {}).items() if n in free}, **read_home(node, family)}

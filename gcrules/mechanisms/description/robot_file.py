@@ -17,6 +17,7 @@ platform: S1 S2 S3              # optional: the points that move with the platfo
 mobility: 3                     # expected, and checked
 facts: []                       # optional: relations that follow, checked: "u1 perpendicular to v1"
 home: {A1: [0, 0, 0]}           # optional: one configuration, checked against the relations
+drawing: {A1: [0, 0, 0]}        # optional: another one, in which the robot is drawn; what it leaves out is as at home
 units: mm                       # optional: of all lengths in the file, one of `gcrules.screws.pose.UNITS`
 limits: q1 -30..30 deg, q2 0..1 # optional: what actuators reach from home, as --limits has it; lengths as in the file
 condition: "…"                  # optional: a published condition in the language, compared
@@ -37,11 +38,12 @@ from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import FileError, GcrulesError, InputError
 from gcrules.core.hints import near
 from gcrules.core.yaml_file import Document, Node
-from gcrules.mechanisms.conditions.checks import check_family, check_home, check_limbs
+from gcrules.mechanisms.conditions.checks import check_configuration, check_family, check_limbs
 from gcrules.mechanisms.description.couplings import couplings
 from gcrules.mechanisms.description.family import Definition, Family, circles, in_order
 from gcrules.mechanisms.description.file_parts import (
     MAX_TEXT,
+    read_drawing,
     read_facts,
     read_home,
     read_lines,
@@ -59,8 +61,8 @@ __all__ = ["MAX_COPIES", "MAX_LIMBS", "Draft", "load_robot", "parse_draft", "par
 
 _REQUIRED = ("title", "points", "mobility")
 _OPTIONAL = (
-    "source", "note", "copies", "space", "directions", "limbs", "lines", "platform", "facts", "home", "units", "limits",
-    "condition",
+    "source", "note", "copies", "space", "directions", "limbs", "lines", "platform", "facts", "home", "drawing",
+    "units", "limits", "condition",
 )  # fmt: skip
 _OF_CHAINS = {True: ("couplings",), False: ()}  # keys of limbs with joints
 _NAMED = re.compile(r"[0-9A-Za-z]+(?:\*\d?)?:([A-Za-z]\w*)\s*\(")  # joints that have names
@@ -151,6 +153,7 @@ class _Reader:
         mobility = top["mobility"].integer() if "mobility" in top else None
         facts = tuple(read_facts(top["facts"], family, self.copies)) if "facts" in top else ()
         home = read_home(top["home"], family) if "home" in top else None
+        drawing = read_drawing(top["drawing"], family, home) if "drawing" in top else None
         platform = read_platform(top["platform"], family, self.copies) if "platform" in top else ()
         units = read_units(top)
         limits = self._limits(top["limits"], [limb for _, limb in limbs], units) if "limits" in top else ""
@@ -165,6 +168,7 @@ class _Reader:
             derived=derived,
             platform=platform,
             home=home,
+            drawing=drawing,
             limits=limits,
             units=units,
             condition=texts.get("condition", ""),
@@ -182,7 +186,10 @@ class _Reader:
             if limbs:
                 check_limbs(robot, [node for node, _ in limbs], top["mobility"])
             if home is not None:
-                check_home(robot, top["home"])
+                check_configuration(robot, top["home"])
+            if drawing is not None:
+                self.document.check()
+                check_configuration(robot, top["drawing"], drawing=True)
             self.document.check()
 
         return robot, checked

@@ -53,6 +53,7 @@ def renamed(sheet: Sheet, name: str, to: str) -> Sheet:
         limbs=tuple(limb.renamed(names) for limb in sheet.limbs),
         platform=renamed_text(sheet.platform, names),
         home=FrozenMap((names.get(n, n), at) for n, at in sheet.home.items()),
+        drawing=FrozenMap((names.get(n, n), at) for n, at in sheet.drawing.items()),
         others=FrozenMap(others),
     )
 

@@ -16,10 +16,10 @@ from gcrules.mechanisms.editing.sheet import ChainRow, JointRow, LimbRow, NameRo
 __all__ = ["Path", "PlacedSheet", "read_sheet"]
 
 Path = tuple[str | int, ...]
-"""A row: ("limb", 0), ("joint", 0, chain, place), ("name", "A%"), ("home", "A1"), ("mobility",) …"""
+"""A row: ("limb", 0), ("joint", 0, chain, place), ("name", "A%"), ("home", "A1"), ("drawing", "A1"), ("mobility",) …"""
 
 _OF_LIMB = {"name", "joints", "cable", "through", "couplings"}
-_READ = ("title", "copies", "space", "points", "directions", "limbs", "platform", "mobility", "home")
+_READ = ("title", "copies", "space", "points", "directions", "limbs", "platform", "mobility", "home", "drawing")
 
 
 @dataclass(frozen=True)
@@ -77,7 +77,8 @@ class _Reader:
             copies=min(int(copies), MAX_COPIES) if copies.isdecimal() and len(copies) < 9 else 0,
             platform=" ".join(_texts(self.values["platform"])) if "platform" in self.values else "",
             plane=self._text("space") == "plane",
-            home=FrozenMap(self._home()),
+            home=FrozenMap(self._configuration("home")),
+            drawing=FrozenMap(self._configuration("drawing")),
             others=FrozenMap((key.text, _value(value)) for key, value in self.top if key.text not in _READ),
         )
 
@@ -100,9 +101,9 @@ class _Reader:
             self.places["name", key.text] = _both(key, value)
             yield NameRow(key.text, sort, value.text)
 
-    def _home(self) -> Iterator[tuple[str, Place]]:
-        for key, value in self._pairs("home"):
-            self.places["home", key.text] = _both(key, value)
+    def _configuration(self, where: str) -> Iterator[tuple[str, Place]]:
+        for key, value in self._pairs(where):
+            self.places[where, key.text] = _both(key, value)
             x, y, z, *_ = (*(part.text for part in value.children), "", "", "")
             yield key.text, (x or "0", y or "0", z)
 

@@ -48,10 +48,15 @@ def home_changed(text: str, filename: str, places: Mapping[str, Sequence[str]], 
 
 
 def refitted(text: str, placed: PlacedSheet, sheet: Sheet) -> tuple[Sheet, Robot | None]:
-    """A sheet that was changed from the `placed` one of this text, with home where its relations allow it, and its
-    robot if there is one yet.
+    """A sheet that was changed from the `placed` one of this text, with home, and its configuration for drawings, where
+    the relations allow them, and its robot if there is one yet. Where names of a drawing are gone, or the number of
+    copies is another one, there is no drawing any more.
     """
+    if not sheet.drawing.keys() <= sheet.every_name or sheet.copies not in (0, placed.sheet.copies):
+        sheet = replace(sheet, drawing=FrozenMap())
     robot = parse_draft(rewritten(text, placed, sheet)).robot
     if robot is not None and sheet.home:
         sheet = replace(sheet, home=fitted(robot, sheet.home, size_of(sheet)))
+        found = fitted(robot, {**sheet.home, **sheet.drawing}, size_of(sheet)) if sheet.drawing else {}
+        sheet = replace(sheet, drawing=FrozenMap((n, at) for n, at in found.items() if n in sheet.drawing))
     return sheet, robot

@@ -143,6 +143,7 @@ class Sheet:
     platform: str = ""
     plane: bool = False
     home: Mapping[str, Place] = field(default_factory=FrozenMap)
+    drawing: Mapping[str, Place] = field(default_factory=FrozenMap)
     others: Mapping[str, str | tuple[str, ...]] = field(default_factory=FrozenMap)
 
     def numbers(self, name: str) -> tuple[str, ...]:

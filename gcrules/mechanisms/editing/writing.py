@@ -13,7 +13,7 @@ __all__ = ["rewritten", "sheet_text"]
 
 _ORDER = (
     "title", "source", "note", "units", "space", "copies", "points", "directions", "limbs", "platform", "facts",
-    "mobility", "limits", "condition", "home",
+    "mobility", "limits", "condition", "home", "drawing",
 )  # fmt: skip
 _PLAIN = re.compile(r"[A-Za-z0-9][\w %'+*/,.()=:-]*")
 _COMMENT = re.compile(r"\s+#.*$")
@@ -102,8 +102,9 @@ def _sections(sheet: Sheet) -> dict[str, list[str]]:
     if sheet.platform:
         found["platform"] = [f"platform: {_plain(sheet.platform)}"]
     found["mobility"] = [f"mobility: {sheet.mobility or 0}"]
-    if sheet.home:
-        found["home"] = ["home:", *(f"  {n}: [{', '.join(c for c in at if c)}]" for n, at in sheet.home.items())]
+    for key, places in (("home", sheet.home), ("drawing", sheet.drawing)):
+        if places:
+            found[key] = [f"{key}:", *(f"  {n}: [{', '.join(c for c in at if c)}]" for n, at in places.items())]
     return {key: found[key] for key in sorted(found, key=_place) if found[key]}
 
 

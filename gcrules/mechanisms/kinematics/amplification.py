@@ -77,7 +77,7 @@ class Drives:
 
 @dataclass(frozen=True, eq=False)
 class Amplifications(HoldsArrays):
-    """Of N configurations all numbers that an `Amplification` has of one: `speeds` and `turns` (N, actuators),
+    """All numbers that an `Amplification` has, for each of N configurations: `speeds` and `turns` (N, actuators),
     `condition_numbers` (N,). `rates` (N, actuators, freedoms) are those for unit motions in the freedoms, `twists`
     (N, actuators, 6) those (v at the centre; ω) to which the actuators lead one by one.
     """
@@ -128,7 +128,7 @@ class Amplifications(HoldsArrays):
 
 @dataclass(frozen=True)
 class Amplification:
-    """For each actuator (`angles` tells of each whether it turns) the `speeds` |v_i| of the platform's centre and the
+    """For each actuator (`angles` says of each whether it turns) the `speeds` |v_i| of the platform's centre and the
     `turns` |ω_i| (rad) for a unit of its rate (1 rad, or the unit of length), all others locked; infinite where the
     robot is singular, not a number where an actuator applies no wrench, or where there are more actuators than
     freedoms, so that none moves alone. `condition_number` is that of the twists, turns weighed with `length` against

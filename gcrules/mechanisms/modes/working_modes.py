@@ -182,7 +182,7 @@ def at_places(m: Linkage, places: Values, words: str, *, driven: bool = False) -
     home = short if _is_same_robot(robot, m, before, short) else rounded
     if driven and robot.limits:
         robot = replace(robot, limits="", note="; ".join(filter(None, [robot.note, _UNLIMITED])))
-    return replace(robot, home=home, title=f"{robot.title}, {words}")
+    return replace(robot, home=home, drawing=None, title=f"{robot.title}, {words}")
 
 
 def _added(v: Sequence[Any], shift: Sequence[Any]) -> tuple[Any, ...]:

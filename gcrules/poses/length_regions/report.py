@@ -26,7 +26,7 @@ class LengthRange:
 
 @dataclass(frozen=True)
 class LengthRegion:
-    """Lengths that are connected without a singular one between, with so many assembly `modes` each.
+    """Lengths that are connected without a singular one between, with this many assembly `modes` each.
 
     `lengths` are those of all legs at a witness, `actuators` the amounts from home that give them. Across the singular
     lengths around it lie the regions that are named as its `neighbours`.

@@ -58,7 +58,8 @@ def robot_of(given: Mapping[str, Any]) -> Source:
     home = given["home"]
     if home is None:
         return robot
-    return replace(robot, home={n: (Fraction(x), Fraction(y), Fraction(z)) for n, (x, y, z) in home.items()})
+    places = {n: (Fraction(x), Fraction(y), Fraction(z)) for n, (x, y, z) in home.items()}
+    return robot if places == robot.home else replace(robot, home=places, drawing=None)
 
 
 def _plain(value: Any) -> Any:

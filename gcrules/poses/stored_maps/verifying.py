@@ -34,7 +34,7 @@ class BadTile:
 
 @dataclass(frozen=True)
 class MapVerified(Shown):
-    """What was found in a store of so many `tiles`: how many are `done`, all of whose digests were looked at; the
+    """What was found in a store of this many `tiles`: how many are `done`, all of whose digests were looked at; the
     numbers of those that were computed `again`, and how many of them agree only `within_rounding`, as between machines;
     the `bad` ones.
     """

@@ -20,7 +20,7 @@ _RECENT = 1000
 @dataclass(frozen=True)
 class MapStatus(Shown):
     """How many `tiles` of a store are `done`; the `rate` at which the last ones came, in tiles a second, and how many
-    seconds ago the last one did (None where too few are there to tell).
+    seconds ago the last one did (None where there are too few).
     """
 
     path: str

@@ -35,8 +35,8 @@ from gcrules.views.report.telling_poses import telling_regular, telling_singular
 __all__ = ["FIGURES", "HEAD", "bibliography", "catalog_pages", "neighbours"]
 
 STATUS = {
-    "inferred": "The literature reports 31 of the 34 regular classes as solved; that this is one is inferred from its "
-    "few terms, not read.",
+    "inferred": "The literature reports 31 of the 34 regular classes as solved; that this class is one of them is"
+    " inferred from its few terms, and was not read.",
     "added": "Not among the classes that the literature reports as solved; the condition was added here.",
     "always-singular": "Singular in every pose.",
 }

@@ -20,7 +20,7 @@ def aspects_section(a: Analysis) -> list[str]:
     if found is None:
         return []
     poses = "The regular poses of a generic platform of this class lie in at least"
-    head = f"{poses} {found.number} aspects, parts that are joined without a singularity."
+    head = f"{poses} {found.number} aspects, parts within which poses are connected without a singularity."
     return ["## Aspects", "", f"{head} {_why(a, found)} {_OPEN}", ""]
 
 

@@ -16,13 +16,14 @@ from gcrules.algebra.language.text import text
 from gcrules.core.budget import report
 from gcrules.core.english import in_parts
 from gcrules.mechanisms.analyze import analyze_robot
-from gcrules.mechanisms.conditions.checks import home_values
 from gcrules.mechanisms.conditions.factor_causes import FactorCause
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
+from gcrules.mechanisms.lines.ranks import ranks
 from gcrules.mechanisms.lines.wrenches import LimbWrenches, WrenchLine
 from gcrules.mechanisms.robot import Robot
 from gcrules.poses.limbs.singular_members import SingularPose, live_parts, singular_pose
 from gcrules.rules.plugin import ROBOT_FILE, shipped_folder
+from gcrules.screws import RATIONALS
 from gcrules.views.formulas.latex import latex_lines
 from gcrules.views.pages.catalog_pages import bibliography
 from gcrules.views.pages.markdown import inline, reference
@@ -35,12 +36,14 @@ from gcrules.views.robots.robot_drawing import draw_robot, draw_singular, robot_
 __all__ = ["FIGURES", "HEAD", "robot_pages"]
 
 _WIDTH = 72
-_ALONE = "The robot at home, with those wrenches of its limbs that are lines of its points."
+_SEED = 11
+_ALONE = "The robot {where}, with those wrenches of its limbs that are lines of its points.{chosen}"
 _CAPTION = (
-    "On the left, the robot at home, with the wrenches that its limbs apply when the actuators are locked;"
+    "On the left, the robot {where}, with the wrenches that its limbs apply when the actuators are locked;"
     " on the right, the lines that stand for them. Both are seen from the same viewpoint, and what belongs to a limb"
-    " has its colour."
+    " has its colour.{chosen}"
 )
+_CHOSEN = " That configuration is not home, and its dimensions may differ from those of home. {verdict}."
 
 
 def robot_pages(robots: Sequence[Robot], only: Collection[str] = ()) -> dict[str, str]:
@@ -58,9 +61,8 @@ def robot_pages(robots: Sequence[Robot], only: Collection[str] = ()) -> dict[str
         name = names[robot.id]
         poses: list[tuple[FactorCause, SingularPose | None]] = []
         if robot.home is not None and robot.limbs:
-            home = home_values(robot)
-            pages[f"{name}-robot.svg"] = draw_robot(a, home).svg()
-            pages[f"{name}-small.svg"] = robot_thumbnail(a, home).svg()
+            pages[f"{name}-robot.svg"] = draw_robot(a).svg()
+            pages[f"{name}-small.svg"] = robot_thumbnail(a).svg()
             poses = [(part, singular_pose(a, part)) for part in live_parts(a)[:MOST_POSES]]
         for n, (_, pose) in enumerate(poses, 1):
             if pose:
@@ -81,7 +83,7 @@ def _page(
     yield from (HEAD, f"# {title}", "", *(parts if len(parts) == 1 else (f"* {part}" for part in parts)), "")
     if drawn:
         yield from (f"![{title}: joints, wrenches and equivalent structure]({name}-robot.svg)", "")
-        yield from (_CAPTION if a.structure.lines else _ALONE, "")
+        yield from (_caption(a), "")
     yield from _facts(a)
     for heading, lines in sections(a, True):
         yield from (f"## {_HEADINGS.get(heading, heading)}", "")
@@ -100,6 +102,18 @@ def _page(
     yield from _file(robot)
     yield "[All robots](index.md) · [How a robot is described](../robots.md)"
     yield ""
+
+
+def _caption(a: RobotAnalysis) -> str:
+    """What the drawing shows, and where the robot stands in it, as sure as exact ranks are."""
+    words, robot = _CAPTION if a.structure.lines else _ALONE, a.robot
+    if robot.drawing is None:
+        return words.format(where="at home", chosen="")
+    here = ranks(robot.family, robot.limbs, robot.values_at(robot.drawing), RATIONALS)
+    elsewhere = ranks(robot.family, robot.limbs, robot.family.member(_SEED))
+    full = here.wrenches == elsewhere.wrenches
+    verdict = "The wrenches have full rank in it" if full else "It is singular: the wrenches lose rank in it"
+    return words.format(where="in a configuration chosen for the drawing", chosen=_CHOSEN.format(verdict=verdict))
 
 
 _BY_THEMSELVES = "Singularities of the limbs by themselves"

@@ -55,13 +55,13 @@ def _told(a: RobotAnalysis, pose: SingularPose) -> Iterator[str]:
     before, here = pose.before, pose.ranks
     if here.constraints < before.constraints:
         yield (
-            f"The constraints, computed from the joint screws, have rank {here.constraints} in place of"
-            f" {before.constraints}, all wrenches rank {here.wrenches} in place of {before.wrenches}."
+            f"The constraints, computed from the joint screws, have rank {here.constraints} instead of"
+            f" {before.constraints}, and all wrenches rank {here.wrenches} instead of {before.wrenches}."
         )
     else:
         yield (
-            f"The wrenches, computed from the joint screws, have rank {here.wrenches} in place of {before.wrenches}"
-            + (f", the constraints keep rank {here.constraints}." if here.constraints else ".")
+            f"The wrenches, computed from the joint screws, have rank {here.wrenches} instead of {before.wrenches}"
+            + (f"; the constraints keep rank {here.constraints}." if here.constraints else ".")
         )
     yield f"So {KINDS[_kind(pose)]}: {_motion(pose)}."
     yield f"Types of singularity: {listed([f'{TYPES[t]} ({t})' for t in types_of(here, before)])}."

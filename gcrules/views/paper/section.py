@@ -213,7 +213,7 @@ def _heading(s: Subject) -> str:
 def _proof(s: Subject, a: Analysis) -> Iterator[str]:
     assert s.condition is not None
     number = _COUNTS.get(len(a.structure.legs), str(len(a.structure.legs)))
-    when = "only if" if s.robot and _chosen(s.robot) else "exactly if"
+    when = "only if" if s.robot and _chosen(s.robot) else "exactly when"
     yield (
         f"With the actuators locked the platform can move to first order {when} the {number} lines are linearly"
         " dependent, that is, if the superbracket vanishes."
@@ -254,8 +254,8 @@ def _certified(s: Subject, c: Condition) -> str:
         return f"{latex_words(detail[:1].upper() + detail[1:])}."
     if _says_nothing(s):
         return (
-            r"Lines are dependent exactly if their Pl\"{u}cker coordinates lie in one hyperplane, that is, if the lines"
-            " belong to one linear complex: exactly if a screw that is reciprocal to five of them, which there always"
+            r"Lines are dependent exactly when their Pl\"{u}cker coordinates lie in one hyperplane, that is, when they"
+            " belong to one linear complex: exactly when a screw that is reciprocal to five of them, which there always"
             " is, is reciprocal to the sixth. The mutual moment of a line and a screw of pitch $h$ is proportional to"
             r" $h\cos w - r\sin w$."
         )
@@ -269,9 +269,9 @@ def _vanishing(e: Expr) -> Iterator[str]:
     """When the kinds of factors that occur vanish."""
     found = factors(e)
     if len(found) > 1:
-        yield "The product vanishes exactly if one of its factors does."
+        yield "The product vanishes exactly when one of its factors does."
     if any(isinstance(f, Bracket) for f in found):
-        yield "A bracket vanishes exactly if its points do not span the whole space."
+        yield "A bracket vanishes exactly when its points do not span the whole space."
     if any(isinstance(f, Meet) for f in found):
         yield (
             "A meet of value $0$ says that the flats have a point in common, possibly at infinity, or that one of them"

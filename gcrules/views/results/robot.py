@@ -86,7 +86,9 @@ def sections(a: RobotAnalysis, unicode: bool) -> Iterator[tuple[str, list[str]]]
         factors = [_part(part, names, unicode) for part in a.parts]
         if a.cofactors:
             left = ", ".join(text(e, unicode=unicode, names=names) for e in a.cofactors)
-            factors.append(f"{left}: cofactor; where it vanishes so does the expression, singular or not")
+            factors.append(
+                f"{left}: cofactor: where it vanishes, so does the expression, whether or not the robot is singular"
+            )
         yield FACTORS, factors
     if (a.structure.over or a.structure.redundant) and a.lines is not None and a.structure.limbs:
         title = f"All {_NUMBERS[a.robot.family.plane]}-subsets of the limbs' lines"

@@ -36,10 +36,15 @@ __all__ = ["draw_parts", "draw_robot", "draw_singular", "motion_of", "robot_thum
 _ROW = 22.0
 _REACH = 2.0  # how far from the middle of the robot something is drawn, in its radii
 _NAMES = "MNXYZ"
+_CHOSEN = ", in a configuration chosen for drawings"
 
 
-def draw_robot(a: RobotAnalysis, values: Values) -> Drawing:
-    """The robot with its wrenches, and beside it the lines that stand for them, in one configuration."""
+def draw_robot(a: RobotAnalysis, values: Values | None = None) -> Drawing:
+    """The robot with its wrenches, and beside it the lines that stand for them, in one configuration; by default in
+    that of its file for drawings, or else at home.
+    """
+    chosen = a.robot.drawing is not None and values is None
+    values = a.robot.values_at(a.robot.drawing) if values is None else values
     s, shown = _in_configuration(a, values)
     right = structure_shapes(s, shown) if a.structure.lines else []
     return _beside(
@@ -47,7 +52,8 @@ def draw_robot(a: RobotAnalysis, values: Values) -> Drawing:
         right,
         _sky(s, None) if right else [],
         robot_legend(s, shown, None),
-        f"{a.robot.title} with its joints and wrenches, and its equivalent structure",
+        f"{a.robot.title} with its joints and wrenches, and its equivalent structure{_CHOSEN if chosen else ''}",
+        f"the robot{_CHOSEN if chosen else ''}",
     )
 
 
@@ -109,9 +115,11 @@ def _as_long(a: RobotAnalysis, values: Values) -> Values:
     return found
 
 
-def robot_thumbnail(a: RobotAnalysis, values: Values) -> Drawing:
-    """The robot alone, small and without words."""
-    s = scene(a, values)
+def robot_thumbnail(a: RobotAnalysis, values: Values | None = None) -> Drawing:
+    """The robot alone, small and without words; by default in the configuration of its file for drawings, or else at
+    home.
+    """
+    s = scene(a, a.robot.values_at(a.robot.drawing) if values is None else values)
     drawn = Drawing(WIDTH, HEIGHT, tuple(robot_shapes(s, words=False)), a.robot.title)
     return scaled(without_text(drawn), 0.42)
 
@@ -175,8 +183,9 @@ def _beside(
     sky: Sequence[Shape],
     entries: Sequence[Entry],
     title: str,
+    heading: str = "the robot",
 ) -> Drawing:
-    halves = ("the robot", "its equivalent structure") if right else ("the robot",)
+    halves = (heading, "its equivalent structure") if right else (heading,)
     width = len(halves) * WIDTH + (SKY + 8 if sky else 0)
     shapes: list[Shape] = [*left, *(mapped(one, 1.0, (WIDTH, 0.0)) for one in right), *sky]
     shapes += [Stroke((WIDTH, 30), (WIDTH, HEIGHT - 20), "muted", 0.8, opacity=0.5)] if right else []

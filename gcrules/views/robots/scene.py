@@ -9,6 +9,7 @@ from math import dist
 
 from gcrules.core.dataclass import dataclass
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
+from gcrules.mechanisms.robot import Robot
 from gcrules.poses.limbs.exact_values import Values, lines_at
 from gcrules.views.drawing.bsp import XYZ, minus
 from gcrules.views.drawing.frame import Frame, Unit, framed
@@ -18,12 +19,13 @@ from gcrules.views.drawing.viewpoint import View, choose_view
 from gcrules.views.robots.forces import REACH, forces
 from gcrules.views.robots.joint_chain import DrawnLimb, bodies, chains, plus, unit_vector, upright
 
-__all__ = ["HEIGHT", "TOP", "WIDTH", "Scene", "joint_names", "scene"]
+__all__ = ["HEIGHT", "TOP", "WIDTH", "Scene", "joint_names", "scene", "sketched_from"]
 
 WIDTH, HEIGHT = 410.0, 380.0
 
 _MARGIN = 40.0
 _ELEVATIONS = (16, 22, 29, 36)
+_SKETCHED = 22
 TOP = 24.0  # points for the heading
 
 
@@ -71,8 +73,7 @@ def scene(a: RobotAnalysis, values: Values, normals: Sequence[XYZ] = ()) -> Scen
         elif any(p):
             ideal[name] = unit_vector((float(p[0]), float(p[1]), float(p[2])))
     plate, base = bodies(made)
-    joints = {f"{i}/{k}": p.at for i, c in enumerate(made) for k, p in enumerate(c.places) if p.kind != "pin"}
-    shown = {**joints, **{n: points[n] for n in _used(a) if n in points}}
+    shown = {**_joints(made), **{n: points[n] for n in _used(a) if n in points}}
     ends = [e for c in made for one in c.strokes for e in (one.start, one.end)]
     normals = [*normals, *_normals(plate), *(n for c in made for n in c.normals)]
     view = _view(robot.family.plane, shown, made, normals, _directions(a, points))
@@ -83,6 +84,17 @@ def scene(a: RobotAnalysis, values: Values, normals: Sequence[XYZ] = ()) -> Scen
     roles = {limb.limb.name: entity_role(i) for i, limb in enumerate(a.structure.limbs)}
     frame = framed(view, everything, WIDTH, HEIGHT, _MARGIN, TOP)
     return Scene(a, tuple(made), points, ideal, roles, plate, base, frame, unit, everything)
+
+
+def sketched_from(robot: Robot, values: Values) -> View:
+    """From where the links and joints of a robot alone are seen best, at the elevation of sketches."""
+    _, made = chains(robot.family, robot.limbs, values)
+    normals = [*_normals(bodies(made)[0]), *(n for c in made for n in c.normals)]
+    return _view(robot.family.plane, _joints(made), made, normals, (), (_SKETCHED,))
+
+
+def _joints(made: Sequence[DrawnLimb]) -> dict[str, XYZ]:
+    return {f"{i}/{k}": p.at for i, c in enumerate(made) for k, p in enumerate(c.places) if p.kind != "pin"}
 
 
 def _normals(plate: Sequence[XYZ]) -> list[XYZ]:
@@ -111,6 +123,7 @@ def _view(
     made: Sequence[DrawnLimb],
     normals: Sequence[XYZ],
     directions: Sequence[XYZ],
+    elevations: Sequence[int] = _ELEVATIONS,
 ) -> View:
     if plane:
         return View.at(-90, 90)
@@ -122,7 +135,7 @@ def _view(
         normals,
         directions,
         limbs=links,
-        elevations=_ELEVATIONS,
+        elevations=elevations,
         apart=0.17,
         upright=upright(made),
     )[0]
