@@ -65,10 +65,25 @@ def test_where_nothing_can_be_written_it_is_said_and_nothing_appears(tmp_path: P
 
 def test_what_is_left_out_is_named(tmp_path: Path) -> None:
     file = tmp_path / "proof.json"
-    done = invoke("shorten", "[abc][def] - [abd][cef] + [abe][cdf]", "--rank", "3", "--certificate", str(file))
+    done = invoke("factor", "[[Aa, Ab, Bc, Bd, Ca, Dc]]", "--cofactor", "--certificate", str(file))
     (one,) = json.loads(file.read_text(encoding="utf-8"))["left_out"]
-    assert one["name"] == "that at least 1 term is needed"
+    assert one["name"].startswith("that there is no expression with the cofactor [ABCD]")
     assert f"note: without a proof in the file: {one['name']}: {one['reason']}" in " ".join(done.stderr.split())
+
+
+def test_what_is_not_there_is_stated_in_the_file(tmp_path: Path) -> None:
+    file = tmp_path / "proof.json"
+    done = invoke("shorten", "[abc][def] - [abd][cef] + [abe][cdf]", "--rank", "3", "--certificate", str(file))
+    (one,) = json.loads(file.read_text(encoding="utf-8"))["absences"]
+    assert one["claim"] == "at least 1 term is needed"
+    said = " ".join(done.stderr.split())
+    assert "states what was enumerated: that at least 1 term is needed" in said
+    assert f"python tools/recompute.py {file} computes this again without gcrules" in said
+
+
+def test_what_is_not_there_is_told_where_the_file_states_it(tmp_path: Path) -> None:
+    done = invoke("shorten", "[abcd][abef]", "--coq", str(tmp_path / "proof.v"))
+    assert "recompute" not in done.stderr
 
 
 def test_other_values_have_no_proofs() -> None:

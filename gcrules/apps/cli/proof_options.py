@@ -84,6 +84,10 @@ class ProofOptions:
             click.echo(f"{self.files[name]}: {number}{of}", err=True)
         for path, why in missing.items():
             click.echo(f"note: {path} is not written: {why}", err=True)
+        for absence in proofs.absences if "certificate" in texts else ():
+            path = self.files["certificate"]
+            click.echo(f"note: without a proof, {path} states what was enumerated: {absence.name}", err=True)
+            click.echo(f"note: python tools/recompute.py {path} computes this again without gcrules", err=True)
         for one in proofs.left_out:
             click.echo(f"note: without a proof in the file: {one}", err=True)
 
