@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """Write the proofs of the catalog, of all robots and of the theorems in the examples, and have others check them.
 
-`make proofs` runs it: tools/check_proof.py checks every file, tools/recompute.py the absences of all classes (that no
-expression of joins and meets exists, and no shorter polynomial), and Coq, where it is installed, all theorems that hold
-without assumptions. Exit code 1 where a check fails.
+`make proofs` runs it: checkers/check_proof.py checks every file, checkers/recompute.py the absences of all classes
+(that no expression of joins and meets exists, and no shorter polynomial), and Coq, where it is installed, all theorems
+that hold without assumptions. Exit code 1 where a check fails.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ from gcrules.rules.script import run_script
 from gcrules.views.proofs.coq import without_script
 
 ROOT = Path(__file__).resolve().parent.parent
-CHECKER, RECOMPUTED = (ROOT / "tools" / name for name in ("check_proof.py", "recompute.py"))
+CHECKER, RECOMPUTED = (ROOT / "checkers" / name for name in ("check_proof.py", "recompute.py"))
 
 
 def proofs() -> Iterator[tuple[str, ProofFile]]:

@@ -57,11 +57,11 @@ _Said = _Claim | Absence | LeftOut
 
 
 def proof_file(answer: Any) -> ProofFile:
-    """The theorems of an answer, each with a proof that can be replayed without gcrules (`tools/check_proof.py`).
+    """The theorems of an answer, each with a proof that can be replayed without gcrules (`checkers/check_proof.py`).
 
     An answer is a proof, a factorization, a shortest form, a script's results, an analysis of legs or of a robot, a
     transversal condition, or a catalog. What does not exist is stated in `absences`, with what was enumerated, so that
-    `tools/recompute.py` can do so again; what else has no proof is `left_out`, with the reason.
+    `checkers/recompute.py` can do so again; what else has no proof is `left_out`, with the reason.
     Raises InputError for any other kind of answer, and where nothing is left to prove.
     """
     for kind, claims in _KINDS.items():

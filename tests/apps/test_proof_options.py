@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import json
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
@@ -78,7 +80,7 @@ def test_what_is_not_there_is_stated_in_the_file(tmp_path: Path) -> None:
     assert one["claim"] == "at least 1 term is needed"
     said = " ".join(done.stderr.split())
     assert "states what was enumerated: that at least 1 term is needed" in said
-    assert f"python tools/recompute.py {file} computes this again without gcrules" in said
+    assert f"python checkers/recompute.py {file} computes this again without gcrules" in said
 
 
 def test_what_is_not_there_is_told_where_the_file_states_it(tmp_path: Path) -> None:
@@ -89,3 +91,23 @@ def test_what_is_not_there_is_told_where_the_file_states_it(tmp_path: Path) -> N
 def test_other_values_have_no_proofs() -> None:
     with pytest.raises(gc.InputError, match="no proofs can be written of a str"):
         gc.proof_file("[abcd] == 0")
+
+
+def test_the_checkers_are_written_and_check(tmp_path: Path) -> None:
+    file, folder = tmp_path / "proof.json", tmp_path / "new" / "checkers"
+    done = invoke("checkers", str(folder))
+    assert done.exit_code == 0, done.output
+    assert {path.name: path.read_bytes() for path in folder.iterdir()} == {
+        path.name: path.read_bytes() for path in (ROOT / "checkers").iterdir() if path.is_file()
+    }
+    invoke("shorten", "[abc][def] - [abd][cef] + [abe][cdf]", "--rank", "3", "--certificate", str(file))
+    for program in ("check_proof.py", "recompute.py"):
+        command = [sys.executable, str(folder / program), str(file)]
+        assert subprocess.run(command, cwd=tmp_path, capture_output=True, check=False).returncode == 0
+
+
+def test_no_checkers_are_written_into_a_file(tmp_path: Path) -> None:
+    (tmp_path / "checkers").write_text("", encoding="utf-8")
+    done = invoke("checkers", str(tmp_path / "checkers"))
+    assert done.exit_code == 2
+    assert "cannot be made" in done.output

@@ -1,4 +1,4 @@
-"""`tools/recompute.py` shares no code with gcrules: it confirms what gcrules does not find, and nothing false."""
+"""`checkers/recompute.py` shares no code with gcrules: it confirms what gcrules does not find, and nothing false."""
 
 from __future__ import annotations
 
@@ -10,16 +10,16 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from places import ROOT, tool
+from places import ROOT, checker
 
 import gcrules as gc
 from gcrules.algebra.proofs.absence import ways
 from gcrules.algebra.proofs.proof_file import LeftOut
 from gcrules.rules.catalog.file import load
 
-PROGRAM = ROOT / "tools" / "recompute.py"
-RECOMPUTE = tool("recompute")
-FILES = sorted((ROOT / "tools").glob("recompute*.py"))
+PROGRAM = ROOT / "checkers" / "recompute.py"
+RECOMPUTE = checker("recompute")
+FILES = sorted((ROOT / "checkers").glob("recompute*.py"))
 MOST = 20_000_000
 
 Data = dict[str, Any]

@@ -96,7 +96,8 @@ def no_shorter(found: Shortening, theorem: str) -> Absence | LeftOut:
     needed = f"at least {counted(found.lower, 'term')} {'is' if found.lower == 1 else 'are'} needed"
     if found.polynomial.ideal:
         return LeftOut(
-            f"that {needed}", f"{found.bound.detail}; this is no identity, and not recomputed with points at infinity"
+            f"that {needed}",
+            f"{found.bound.detail}; this is not an identity, and not recomputed with points at infinity",
         )
     stated = {"least": found.lower, "parts": [_part(bound) for bound in found.bounds]}
     return Absence(f"that {needed}", needed, "no shorter polynomial", theorem, stated)

@@ -38,7 +38,7 @@ class _Format:
 _FORMATS: dict[str, _Format] = {
     "certificate": _Format(
         ".json",
-        "Write the theorems with their proofs, which tools/check_proof.py checks without gcrules.",
+        "Write the theorems with their proofs, which check_proof.py of `gcrules checkers` checks without gcrules.",
         methodcaller("json_text"),
         '{"name":',
     ),
@@ -87,7 +87,8 @@ class ProofOptions:
         for absence in proofs.absences if "certificate" in texts else ():
             path = self.files["certificate"]
             click.echo(f"note: without a proof, {path} states what was enumerated: {absence.name}", err=True)
-            click.echo(f"note: python tools/recompute.py {path} computes this again without gcrules", err=True)
+            again = f"python checkers/recompute.py {path} computes this again without gcrules"
+            click.echo(f"note: {again}; `gcrules checkers` writes the program", err=True)
         for one in proofs.left_out:
             click.echo(f"note: without a proof in the file: {one}", err=True)
 

@@ -1,4 +1,4 @@
-"""That no polynomial with fewer terms exists, for tools/recompute.py, whose head says what it relies on."""
+"""That no polynomial with fewer terms exists, for checkers/recompute.py, whose head says what it relies on."""
 
 from collections import Counter
 from fractions import Fraction

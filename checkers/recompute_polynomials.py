@@ -1,4 +1,4 @@
-"""Polynomials in brackets by their values modulo a prime, for tools/recompute.py, whose head says what it relies on."""
+"""Polynomials in brackets by their values modulo a prime, for checkers/recompute.py, whose head says what it needs."""
 
 import random
 from collections import Counter

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-r"""Compute the absences of a proof file of gcrules again: python tools/recompute.py FILE.json [--most N]
+r"""Compute the absences of a proof file of gcrules again: python checkers/recompute.py FILE.json [--most N]
 
 An absence says that something does not exist: no expression of joins and meets, no shorter polynomial. This program
-takes the polynomial from the right side of the theorem that the absence names (tools/check_proof.py proves that it
+takes the polynomial from the right side of the theorem that the absence names (checkers/check_proof.py proves that it
 equals the left one), and enumerates slowly what the file says. It needs Python alone and shares no code with gcrules.
 Nothing of this is proved in Coq. Values are taken at positions modulo a prime p. All it relies on:
 

@@ -1,4 +1,4 @@
-"""That no expression of joins and meets exists, for tools/recompute.py, whose head says what it relies on."""
+"""That no expression of joins and meets exists, for checkers/recompute.py, whose head says what it relies on."""
 
 from collections import Counter
 from functools import cache
