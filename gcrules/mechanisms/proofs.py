@@ -9,6 +9,7 @@ r"""What an answer claims, with the proofs that a checker can replay.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
+from dataclasses import replace
 from typing import Any
 
 from gcrules.algebra.evaluate import vanishes
@@ -31,7 +32,7 @@ from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.rules.catalog.catalog import Catalog
 from gcrules.rules.catalog.entries import Entry
 from gcrules.rules.condition import Condition
-from gcrules.rules.script import ClaimResult, RuleResult, ScriptResult
+from gcrules.rules.script import ClaimResult, RuleResult, ScriptResult, ScriptResults
 
 __all__ = ["proof_file", "proof_file_or_none"]
 
@@ -162,6 +163,17 @@ def _of_script(found: ScriptResult) -> _Claims:
     return "a script", (claim for result in found.results for claim in _of_result(result))
 
 
+def _of_scripts(found: ScriptResults) -> _Claims:
+    """Claims of several files are told apart by the files' names."""
+    named = (
+        replace(claim, name=f"{file}, {claim.name}")
+        for file, answer in zip(found.files, found.answers, strict=True)
+        for result in answer.results
+        for claim in _of_result(result)
+    )
+    return f"{len(found.files)} scripts", named
+
+
 def _of_result(result: object) -> Iterator[_Claim | LeftOut]:
     if isinstance(result, ClaimResult) and result.proof is not None:
         yield _equation(f"line {result.line}: {result.label}", result.proof)
@@ -223,6 +235,7 @@ _KINDS: dict[type, Callable[[Any], _Claims]] = {
     Factorization: _of_factorization,
     Shortening: _of_shortening,
     ScriptResult: _of_script,
+    ScriptResults: _of_scripts,
     Analysis: _of_analysis,
     RobotAnalysis: _of_robot,
     Transversals: _of_transversals,

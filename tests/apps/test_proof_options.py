@@ -34,7 +34,7 @@ def test_the_proofs_of_an_answer_are_written(command: list[str], theorems: int, 
     assert len(data["theorems"]) == theorems
     assert (tmp_path / "proof.v").read_text(encoding="utf-8").count("\nPrint Assumptions ") == theorems
     assert (tmp_path / "proof.lean").read_text(encoding="utf-8").count("\ntheorem ") == theorems
-    assert f"{theorems} theorem{'s' * (theorems > 1)}, digest {data['digest'][:12]}" in done.stderr
+    assert f"{theorems} theorem{'s' * (theorems > 1)}, digest {data['digest'][:16]}" in done.stderr
 
 
 def test_claims_and_rules_of_scripts_are_theorems(tmp_path: Path) -> None:
@@ -46,6 +46,19 @@ def test_claims_and_rules_of_scripts_are_theorems(tmp_path: Path) -> None:
     names = [t["name"] for t in json.loads(file.read_text(encoding="utf-8"))["theorems"]]
     assert names[0].startswith("line 1: ")
     assert any("rule exchange in rank 5" in name for name in names)
+
+
+def test_claims_of_several_scripts_are_named_by_their_files(tmp_path: Path) -> None:
+    files = [tmp_path / name for name in ("one.gca", "two.gca")]
+    for file in files:
+        file.write_text("claim [abcd] == [bcda] * -1", encoding="utf-8")
+    proofs, script = tmp_path / "proof.json", tmp_path / "proof.v"
+    done = invoke("run", *map(str, files), "--certificate", str(proofs), "--coq", str(script))
+    assert done.exit_code == 0, done.output
+    written = json.loads(proofs.read_text(encoding="utf-8"))
+    assert written["title"] == "2 scripts"
+    assert [t["name"].partition(", line 1: ")[0] for t in written["theorems"]] == [str(file) for file in files]
+    assert script.read_text(encoding="utf-8").count("\nPrint Assumptions ") == 2
 
 
 def test_what_is_refuted_has_no_file(tmp_path: Path) -> None:

@@ -12,6 +12,7 @@ import click
 from gcrules.apps.cli.files import OutputFile, working
 from gcrules.core.dataclass import dataclass
 from gcrules.core.deferred import deferred
+from gcrules.core.digests import beginning
 from gcrules.core.english import counted
 from gcrules.core.errors import InputError
 from gcrules.core.files import write_file
@@ -80,7 +81,7 @@ class ProofOptions:
                 write_file(self.files[name], text)
         for name, text in texts.items():
             number = counted(text.count(f"\n{_FORMATS[name].each}"), "theorem")
-            of = f", digest {proofs.digest[:12]}" if name == "certificate" else f" of {len(proofs.theorems)}"
+            of = f", digest {beginning(proofs.digest)}" if name == "certificate" else f" of {len(proofs.theorems)}"
             click.echo(f"{self.files[name]}: {number}{of}", err=True)
         for path, why in missing.items():
             click.echo(f"note: {path} is not written: {why}", err=True)
