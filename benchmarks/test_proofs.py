@@ -17,7 +17,7 @@ from gcrules.algebra.proofs.theorem import theorem
 from gcrules.algebra.prove import prove
 from gcrules.rules.catalog.file import load
 
-sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "tools"))
+sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "checkers"))
 check_proof = importlib.import_module("check_proof")
 
 READINGS = {"four planes": ("3-3.3", 0), "one incidence": ("5-5.1", 1), "the screw of five legs": ("6-6", 1)}

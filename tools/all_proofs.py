@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 """Write the proofs of the catalog, of all robots and of the theorems in the examples, and have others check them.
 
-`make proofs` runs it: tools/check_proof.py checks every file, and Coq, where it is installed, all theorems that hold
-without assumptions. Exit code 1 where a check fails.
+`make proofs` runs it: checkers/check_proof.py checks every file, checkers/recompute.py the absences of all classes
+(that no expression of joins and meets exists, and no shorter polynomial), and Coq, where it is installed, all theorems
+that hold without assumptions. Exit code 1 where a check fails.
 """
 
 from __future__ import annotations
@@ -28,12 +29,19 @@ from gcrules.rules.script import run_script
 from gcrules.views.proofs.coq import without_script
 
 ROOT = Path(__file__).resolve().parent.parent
-CHECKER = ROOT / "tools" / "check_proof.py"
+CHECKER, RECOMPUTED = (ROOT / "checkers" / name for name in ("check_proof.py", "recompute.py"))
 
 
 def proofs() -> Iterator[tuple[str, ProofFile]]:
     """Each group with its file."""
     yield "catalog", proof_file(load())
+    for entry in load().entries:
+        if entry.status == "always-singular":
+            continue
+        shortest, factored = gc.shorten(entry.structure.superbracket), gc.factor(entry.structure.superbracket)
+        yield "absences", replace(proof_file(shortest), title=f"{entry.id}, shortest")
+        if not factored.exists:
+            yield "absences", replace(proof_file(factored), title=f"{entry.id}, factored")
     for name in known_ids("robot"):
         try:
             yield "robots", proof_file(gc.analyze(name))
@@ -47,13 +55,22 @@ def proofs() -> Iterator[tuple[str, ProofFile]]:
 def together(group: str, files: list[ProofFile]) -> ProofFile:
     """The theorems of a group in one file."""
     theorems = (replace(t, name=f"{file.title}: {t.name}") for file in files for t in file.theorems)
-    return ProofFile(group, tuple(theorems), tuple(one for file in files for one in file.left_out))
+    absences = (replace(one, theorem=f"{file.title}: {one.theorem}") for file in files for one in file.absences)
+    return ProofFile(group, tuple(theorems), tuple(one for file in files for one in file.left_out), tuple(absences))
 
 
 def checked(path: Path) -> bool:
     """Whether the checker proves all theorems of a file."""
     done = subprocess.run([sys.executable, CHECKER, path], capture_output=True, text=True, check=False)
     print(f"{path.name}: {(done.stdout.splitlines() or [''])[-1]}{done.stderr}".rstrip())
+    return done.returncode == 0
+
+
+def recomputed(path: Path) -> bool:
+    """Whether another program computes all absences of a file again."""
+    done = subprocess.run([sys.executable, RECOMPUTED, path], capture_output=True, text=True, check=False)
+    again = done.stdout.count("\nrecomputed, ") + done.stdout.startswith("recomputed, ")
+    print(f"{path.name}: {again} of {done.stdout.count(', called ')} absences recomputed{done.stderr}")
     return done.returncode == 0
 
 
@@ -92,6 +109,7 @@ def main() -> int:
         scripts[-1].write_text(script, encoding="utf-8")
     with ThreadPoolExecutor(2) as pool:
         fine = all(pool.map(checked, written))
+        fine &= all(pool.map(recomputed, (path for path in written if path.stem == "absences")))
         if which("coqc"):
             return 0 if all(pool.map(compiled, scripts)) and fine else 1
     print("Coq is not installed, so the scripts are not checked")

@@ -26,7 +26,7 @@ algebra uses of it is in engine/arrays.
 """
 STUDIO = (ROOT / "gcrules/apps/studio/static", ROOT / "gcrules/views/static")
 ROOT_ELEMENT = '<div id="studio"'
-LEFT_OUT = ("gcrules/apps/studio/static/", "gcrules/apps/notebook/")
+LEFT_OUT = ("gcrules/apps/studio/static/", "gcrules/apps/notebook/", "gcrules/_checkers/")
 
 
 def gather(folder: Path) -> None:

@@ -23,7 +23,7 @@ from gcrules.core.files import write_file
 from gcrules.core.linear_algebra import determinant
 from gcrules.rules.catalog.catalog import Catalog
 from gcrules.rules.catalog.entries import SHIPPED, CatalogIdentity, Entry
-from gcrules.rules.catalog.proofs import DIGESTS, counterexample, digests
+from gcrules.rules.catalog.proof_status import DIGESTS, counterexample, digests
 from gcrules.rules.condition import Condition
 from gcrules.rules.condition_rule import INCIDENCES
 from gcrules.rules.recognition_state import extensor

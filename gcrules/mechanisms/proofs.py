@@ -9,12 +9,14 @@ r"""What an answer claims, with the proofs that a checker can replay.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
+from dataclasses import replace
 from typing import Any
 
 from gcrules.algebra.evaluate import vanishes
 from gcrules.algebra.expr import Expr, mul
 from gcrules.algebra.factoring.result import Factorization
-from gcrules.algebra.proofs.proof_file import LeftOut, ProofFile
+from gcrules.algebra.proofs.absence import no_expression, no_shorter
+from gcrules.algebra.proofs.proof_file import Absence, LeftOut, ProofFile
 from gcrules.algebra.proofs.theorem import Theorem, theorem
 from gcrules.algebra.prove import Proof, difference_of
 from gcrules.algebra.shortening.result import Shortening
@@ -30,7 +32,7 @@ from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.rules.catalog.catalog import Catalog
 from gcrules.rules.catalog.entries import Entry
 from gcrules.rules.condition import Condition
-from gcrules.rules.script import ClaimResult, RuleResult, ScriptResult
+from gcrules.rules.script import ClaimResult, RuleResult, ScriptResult, ScriptResults
 
 __all__ = ["proof_file", "proof_file_or_none"]
 
@@ -51,11 +53,16 @@ class _Claim:
     given: tuple[Assumption, ...] = ()
 
 
+_Said = _Claim | Absence | LeftOut
+"""What is to be proved, what is recomputed, and what neither is done with in a file."""
+
+
 def proof_file(answer: Any) -> ProofFile:
-    """The theorems of an answer, each with a proof that can be replayed without gcrules (`tools/check_proof.py`).
+    """The theorems of an answer, each with a proof that can be replayed without gcrules (`checkers/check_proof.py`).
 
     An answer is a proof, a factorization, a shortest form, a script's results, an analysis of legs or of a robot, a
-    transversal condition, or a catalog. What it says and cannot be written with a proof is `left_out`, with the reason.
+    transversal condition, or a catalog. What does not exist is stated in `absences`, with what was enumerated, so that
+    `checkers/recompute.py` can do so again; what else has no proof is `left_out`, with the reason.
     Raises InputError for any other kind of answer, and where nothing is left to prove.
     """
     for kind, claims in _KINDS.items():
@@ -73,14 +80,18 @@ def proof_file_or_none(answer: Any) -> ProofFile | None:
         return None
 
 
-def _proved(title: str, claims: Iterable[_Claim | LeftOut]) -> ProofFile:
+def _proved(title: str, claims: Iterable[_Said]) -> ProofFile:
     theorems: list[Theorem] = []
     left_out: list[LeftOut] = []
+    absences: list[Absence] = []
     for claim in claims:
         checkpoint()
         report(claim.name)
         if isinstance(claim, LeftOut):
             left_out.append(claim)
+            continue
+        if isinstance(claim, Absence):
+            absences.append(claim)
             continue
         given = () if claim.given and _everywhere(claim) else claim.given
         try:
@@ -92,7 +103,10 @@ def _proved(title: str, claims: Iterable[_Claim | LeftOut]) -> ProofFile:
     if not theorems:
         why = "; ".join(map(str, left_out)) or "it claims nothing"
         raise InputError(f"{title}: there is no proof to write: {why}")
-    return ProofFile(title, tuple(theorems), tuple(left_out))
+    names = {t.name for t in theorems}
+    alone = (LeftOut(one.name, f"'{one.theorem}' is not proved in the file") for one in absences)
+    left_out += [out for out, one in zip(alone, absences, strict=True) if one.theorem not in names]
+    return ProofFile(title, tuple(theorems), tuple(left_out), tuple(one for one in absences if one.theorem in names))
 
 
 def _everywhere(claim: _Claim) -> bool:
@@ -102,8 +116,8 @@ def _everywhere(claim: _Claim) -> bool:
 
 # --- what each kind of answer claims ---------------------------------------------------------------------------------
 
-_Claims = tuple[str, Iterable[_Claim | LeftOut]]
-"""Whose they are, and what the answer says: what is to be proved, and what is not proved in a file."""
+_Claims = tuple[str, Iterable[_Said]]
+"""Whose they are, and what the answer says."""
 
 
 def _of_proof(proof: Proof) -> _Claims:
@@ -120,7 +134,7 @@ def _of_factorization(found: Factorization) -> _Claims:
     return f"factors of {found.input}", _factored(found)
 
 
-def _factored(found: Factorization) -> Iterator[_Claim | LeftOut]:
+def _factored(found: Factorization) -> Iterator[_Said]:
     assert found.input is not None
     if not found.proved:
         yield LeftOut("factorization", _RANDOM)
@@ -128,8 +142,9 @@ def _factored(found: Factorization) -> Iterator[_Claim | LeftOut]:
     name = "factorization" if found.exists else "expansion"
     yield _Claim(name, found.input, found.whole(), found.rank, found.ideal)
     if not found.exists:
-        searched = f"a search says so, {found.family.searched()}; {found.certificate.detail}"
-        yield LeftOut("that no expression of the family equals it", searched)
+        yield no_expression(found, name)
+    for excluded in found.excluded:
+        yield LeftOut(f"that there is {excluded}", "a search says so, which is not recomputed")
     if found.more:
         yield LeftOut(counted(found.more, "further expression"), _WITH_FULL)
     for i, form in enumerate((*found.alternatives, *found.rational), 1):
@@ -140,13 +155,23 @@ def _of_shortening(found: Shortening) -> _Claims:
     p = found.polynomial
     assert found.input is not None
     equal = _Claim("shortest form", found.input, p.to_expr(), p.rank, p.points[: p.ideal])
-    needed = f"that at least {counted(found.lower, 'term')} {'is' if found.lower == 1 else 'are'} needed"
-    bound = [LeftOut(needed, f"this is not an identity; {found.bound.detail}")] if found.lower else []
+    bound = [no_shorter(found, equal.name)] if found.lower else []
     return f"shortest form of {found.input}", [equal, *bound]
 
 
 def _of_script(found: ScriptResult) -> _Claims:
     return "a script", (claim for result in found.results for claim in _of_result(result))
+
+
+def _of_scripts(found: ScriptResults) -> _Claims:
+    """Claims of several files are told apart by the files' names."""
+    named = (
+        replace(claim, name=f"{file}, {claim.name}")
+        for file, answer in zip(found.files, found.answers, strict=True)
+        for result in answer.results
+        for claim in _of_result(result)
+    )
+    return f"{len(found.files)} scripts", named
 
 
 def _of_result(result: object) -> Iterator[_Claim | LeftOut]:
@@ -210,6 +235,7 @@ _KINDS: dict[type, Callable[[Any], _Claims]] = {
     Factorization: _of_factorization,
     Shortening: _of_shortening,
     ScriptResult: _of_script,
+    ScriptResults: _of_scripts,
     Analysis: _of_analysis,
     RobotAnalysis: _of_robot,
     Transversals: _of_transversals,

@@ -14,7 +14,7 @@ from gcrules.algebra.parts import substitute
 from gcrules.algebra.space import Space
 from gcrules.core.errors import InputError
 from gcrules.rules.catalog.file import load
-from gcrules.rules.catalog.proofs import proof_status
+from gcrules.rules.catalog.proof_status import proof_status
 
 __all__ = ["of_the_catalog", "structure_of", "structures_in"]
 

@@ -30,6 +30,7 @@ __all__ = [
     "RewriteResult",
     "RuleResult",
     "ScriptResult",
+    "ScriptResults",
     "ShowResult",
     "results",
     "run_script",
@@ -139,6 +140,24 @@ class ScriptResult(Shown):
     def to_json(self) -> dict[str, Any]:
         """`{verdict, results [{kind: claim | show | rule | rewrite, line, label, …}]}`."""
         return {"verdict": self.verdict, "results": [r.to_json() for r in self.results]}
+
+
+@dataclass(frozen=True)
+class ScriptResults:
+    """The results of several scripts, by the names of their files."""
+
+    files: tuple[str, ...]
+    answers: tuple[ScriptResult, ...]
+
+    @property
+    def whole(self) -> ScriptResult:
+        """All results as those of one script."""
+        return ScriptResult(tuple(r for a in self.answers for r in a.results))
+
+    def to_json(self) -> dict[str, Any]:
+        """`{verdict, files [{file, verdict, results}]}`."""
+        files = [{"file": name, **a.to_json()} for name, a in zip(self.files, self.answers, strict=True)]
+        return {"verdict": self.whole.verdict, "files": files}
 
 
 def run_script(script: Script, *, limit: int = MAX_TERMS) -> ScriptResult:

@@ -108,6 +108,16 @@ def test_files_have_the_fields_of_the_published_schema() -> None:
     assert {*SCHEMA["$defs"]["theorem"]["properties"]} == {*theorems[1].to_json()}
 
 
+def test_absences_have_the_fields_of_the_published_schema() -> None:
+    answers = gc.factor("[[Aa,Bb,Cc,Dd,Ee,Ff]]"), gc.factor("[[Aa,Ab,Ba,Bb,Cc,Dd]]"), gc.shorten("[abcd][efgh]")
+    for answer in (*answers, gc.shorten("[[Aa,Ab,Ba,Cc,Dd,Ee]]"), gc.shorten("[[Aa,Bb,Cc,Dd,Ee,Ff]]")):
+        file = gc.proof_file(answer)
+        (absence,) = file.to_json()["absences"]
+        check_fields(absence, SCHEMA["$defs"]["absence"])
+        assert json.loads(file.json_text()) == file.to_json()
+        assert file.digest == ProofFile("a", file.theorems).digest
+
+
 def test_what_a_script_says_without_a_proof_is_named() -> None:
     script = parse_script("rank 3 claim [abc] == [bca] claim [abc] == [acb] rule wrong: [abc] => [acb]")
     file = proof_file(run_script(script))

@@ -215,7 +215,7 @@ def test_a_search_has_its_seconds_beside_the_default_only(monkeypatch: pytest.Mo
 
 
 GROUPS = ("rules", "robot", "catalog")
-QUICK = {"studio", "completion", "cite", "robot list", "robot show", "robot new"}  # they compute nothing
+QUICK = {"studio", "completion", "checkers", "cite", "robot list", "robot show", "robot new"}  # they compute nothing
 
 
 def leaves(group: click.Group, path: tuple[str, ...] = ()) -> Iterator[tuple[str, click.Command]]:

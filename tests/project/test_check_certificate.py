@@ -40,8 +40,8 @@ JOINTS: dict[str, tuple[str, list[str], dict[str, Any]]] = {
 
 @cache
 def checker() -> Any:
-    sys.path.insert(0, str(ROOT / "tools"))
-    spec = importlib.util.spec_from_file_location("check_certificate", ROOT / "tools" / "check_certificate.py")
+    sys.path.insert(0, str(ROOT / "checkers"))
+    spec = importlib.util.spec_from_file_location("check_certificate", ROOT / "checkers" / "check_certificate.py")
     assert spec is not None
     assert spec.loader is not None
     found = importlib.util.module_from_spec(spec)
@@ -147,7 +147,7 @@ def test_certificates_are_as_the_published_schema_says() -> None:
 
 
 def test_the_checker_imports_nothing_of_gcrules() -> None:
-    files = sorted((ROOT / "tools").glob("*certificate*.py"))
+    files = sorted((ROOT / "checkers").glob("*certificate*.py"))
     assert len(files) == 5
     for file in files:
         text = file.read_text(encoding="utf-8")

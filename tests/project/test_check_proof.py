@@ -1,4 +1,4 @@
-"""`tools/check_proof.py`, which shares no code with gcrules: it proves what gcrules proves, and nothing false."""
+"""`checkers/check_proof.py`, which shares no code with gcrules: it proves what gcrules proves, and nothing false."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from places import EXAMPLES, ROOT, tool
+from places import EXAMPLES, ROOT, checker
 from rules.metric_positions import METRIC
 
 import gcrules as gc
@@ -25,8 +25,8 @@ from gcrules.mechanisms.proofs import proof_file
 from gcrules.rules.catalog.file import load
 from gcrules.rules.script import run_script
 
-CHECKER = ROOT / "tools" / "check_proof.py"
-CHECK = tool("check_proof")
+CHECKER = ROOT / "checkers" / "check_proof.py"
+CHECK = checker("check_proof")
 THEOREMS = sorted((EXAMPLES / "theorems").glob("*.gca"))
 
 
@@ -45,7 +45,7 @@ def test_it_is_one_short_file_of_the_standard_library() -> None:
 def test_it_is_told_one_file() -> None:
     done = subprocess.run([sys.executable, CHECKER], capture_output=True, text=True, check=False)
     assert done.returncode == 2
-    assert "python tools/check_proof.py FILE.json" in done.stderr
+    assert "python checkers/check_proof.py FILE.json" in done.stderr
 
 
 def test_all_readings_of_all_classes() -> None:

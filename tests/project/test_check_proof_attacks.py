@@ -11,7 +11,7 @@ from typing import Any
 import pytest
 from places import ROOT
 
-CHECKER = ROOT / "tools" / "check_proof.py"
+CHECKER = ROOT / "checkers" / "check_proof.py"
 
 Changes = dict[str, Any]
 

@@ -17,7 +17,12 @@ import yaml
 
 import gcrules
 
-SHIPPED = {"gcrules": "gcrules", "plugins": "gcrules/_plugins", "examples": "gcrules/_examples"}
+SHIPPED = {
+    "gcrules": "gcrules",
+    "checkers": "gcrules/_checkers",
+    "plugins": "gcrules/_plugins",
+    "examples": "gcrules/_examples",
+}
 LOADED_WHEN_USED = {"sympy", "scipy", "networkx", "matplotlib", "colorama", "rich"}
 
 
@@ -176,6 +181,21 @@ def test_installed_wheel_finds_its_files(root: Path, wheel: Path, tmp_path: Path
     assert Path(where).is_relative_to(target)
     assert version == gcrules.__version__
     assert {name for name in found if not name.endswith(".pyc")} == expected_files(root)
+
+
+def test_installed_wheel_writes_the_checkers(wheel: Path, tmp_path: Path) -> None:
+    """Where there is no checkout the programs come with gcrules, and need nothing of it."""
+    target = tmp_path / "installed"
+    pip(tmp_path, "install", "--no-deps", "--no-index", "--target", str(target), str(wheel))
+    environment = os.environ | {"PYTHONPATH": str(target)}
+    code = "from gcrules.apps.main import main; raise SystemExit(main())"
+    for words in (["checkers"], ["factor", "[[Aa, Ab, Bc, Cd, De, Ef]]", "--certificate", "proof.json"]):
+        command = [sys.executable, "-B", "-c", code, *words]
+        done = subprocess.run(command, cwd=tmp_path, env=environment, capture_output=True, text=True, check=False)
+        assert done.returncode == words.count("factor"), done.stderr
+    for program in ("check_proof.py", "recompute.py"):
+        command = [sys.executable, "-S", f"checkers/{program}", "proof.json"]
+        assert subprocess.run(command, cwd=tmp_path, capture_output=True, check=False).returncode == 0
 
 
 @pytest.mark.browser

@@ -26,7 +26,7 @@ from gcrules.mechanisms.analyze import analyze_robot
 from gcrules.mechanisms.description.robot_file import parse_robot
 from gcrules.mechanisms.platform_analysis import analyze_legs
 from gcrules.rules import rule_file
-from gcrules.rules.catalog import proofs as catalog_proofs
+from gcrules.rules.catalog import proof_status as catalog_proofs
 from gcrules.rules.catalog.file import load, load_file
 from gcrules.rules.plugins import load_rules
 from gcrules.rules.rule import ConditionRule
@@ -203,7 +203,7 @@ def test_an_instance_says_how_it_was_proved(legs: str) -> None:
     found = [c.certificate for c in (a.condition, *a.readings) if c.certificate.method == "catalog-instance"]
     for certificate in found:
         digest = certificate.to_json()["digest"]
-        assert f"proved by gcrules catalog check (digest {digest[:12]}); holds at 2" in certificate.detail
+        assert f"proved by gcrules catalog check (digest {digest[:16]}); holds at 2" in certificate.detail
         assert "error below 1e-33" in certificate.detail
     assert found or a.match is None or not a.match.entry.readings
 

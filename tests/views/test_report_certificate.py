@@ -79,7 +79,7 @@ def test_the_file_of_a_page_is_proved_again(tmp_path: Path) -> None:
     """By the checker, which shares no code with gcrules."""
     path = tmp_path / "carried.json.gz"
     path.write_bytes(carried(page("free")))
-    checker = ROOT / "tools" / "check_certificate.py"
+    checker = ROOT / "checkers" / "check_certificate.py"
     done = subprocess.run([sys.executable, str(checker), str(path)], capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
     assert "proved" in done.stdout

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from math import ceil, log10
 from time import monotonic
 
@@ -37,7 +38,8 @@ def each_once(pieces: Pieces, terms: int) -> Factorization:
         whole = Whole.of(pieces, terms, patient=False)
         alone = [_alone(factor_multilinear(part), part) for part in whole.parts]
         family = ExpressionFamily(MULTILINEAR, size, 0, monotonic() - start)
-        return whole.none(family, _no_factor(incomplete, pieces), alone, terms)
+        none = whole.none(family, _no_factor(incomplete, pieces), alone, terms)
+        return replace(none, atoms=tuple(extensor(a, pieces.rank) for found in incomplete for a in found.atoms))
     number, certificates = pieces.number, []
     scalars: list[Expr] = list(brackets_of(pieces.rows, pieces.points))
     for poly, found in answers:

@@ -22,6 +22,7 @@ __all__ = ["Cover", "Group", "Groups", "sub_multisets"]
 
 _Numbers = tuple[int, ...]
 _T = TypeVar("_T")
+_Row = TypeVar("_Row", Row, tuple[str, ...])
 _MOST_TERMS = 20_000  # of a group that is searched
 
 
@@ -126,7 +127,7 @@ class Groups:
         return self.known[key]
 
 
-def sub_multisets(rows: Counter[Row]) -> Iterator[tuple[Row, ...]]:
+def sub_multisets(rows: Counter[_Row]) -> Iterator[tuple[_Row, ...]]:
     """Those of some brackets, small ones first."""
     for size in range(rows.total() + 1):
         yield from _chosen(sorted(rows.items()), size)

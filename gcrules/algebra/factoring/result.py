@@ -91,8 +91,9 @@ class Factorization(Shown):
     the remainder is a product, `parts` are its factors. `alternatives` are further expressions, each with its own
     coefficient; `more` counts those that were found but not asked for. Where a cofactor was sought, `rational` holds
     the expressions found with one (cofactor · input = coefficient · Π factors · expression), `excluded` says in words
-    which cofactors were tried in vain, and `undecided` which were left at a limit. `input` is what was factored,
-    `ideal` its points at infinity.
+    which cofactors were tried in vain, and `undecided` which were left at a limit. Where each
+    point occurs once and there is no expression, `atoms` are the atomic extensors that are left. `input` is what was
+    factored, `ideal` its points at infinity.
     """
 
     rank: int
@@ -109,6 +110,7 @@ class Factorization(Shown):
     excluded: tuple[str, ...] = ()
     undecided: tuple[str, ...] = ()
     parts: tuple[FactoredPart, ...] = ()
+    atoms: tuple[Expr, ...] = field(default=(), compare=False, repr=False)
     input: Expr | None = field(default=None, compare=False, repr=False)
     ideal: tuple[str, ...] = field(default=(), compare=False, repr=False)
 

@@ -27,11 +27,12 @@ from gcrules.algebra.factoring.modular import MODULUS, Ints, inverse, minor, red
 from gcrules.algebra.factoring.residues import random_positions, values
 from gcrules.algebra.shortening.linear_program import maximized
 from gcrules.algebra.shortening.monomials import Monomials
+from gcrules.algebra.shortening.result import Merging
 from gcrules.algebra.shortening.symmetry import Orbits
 from gcrules.core.budget import Count
 from gcrules.core.dataclass import dataclass
 
-__all__ = ["BlockBound", "MergingBound", "merging_bound"]
+__all__ = ["MergingBound", "merging_bound"]
 
 _ORBITS = 1_500
 _FRONTIER = 60
@@ -43,23 +44,6 @@ _Blocks = tuple[tuple[int, ...], ...]
 
 
 @dataclass(frozen=True)
-class BlockBound:
-    """At least `least` terms are left where the points of each block of `blocks` are merged, with its weight.
-
-    Without blocks: at least one term is in an orbit that does not cancel.
-    """
-
-    weight: Fraction
-    least: int
-    blocks: tuple[tuple[str, ...], ...]
-
-    def __str__(self) -> str:
-        where = ", ".join(" = ".join(block) for block in self.blocks)
-        what = f"merging {where} leaves at least {self.least}" if where else "at least 1 outside the orbits that cancel"
-        return f"{self.weight} · ({what})"
-
-
-@dataclass(frozen=True)
 class MergingBound:
     """No sum of fewer than `lower` monomials equals the polynomial; Σ weight · least, rounded up, is `lower`.
 
@@ -68,7 +52,7 @@ class MergingBound:
     """
 
     lower: int
-    conditions: tuple[BlockBound, ...]
+    conditions: tuple[Merging, ...]
     tight: tuple[bool, ...]
 
 
@@ -113,7 +97,7 @@ def _best(poly: BracketPolynomial, rows: list[_Row], sizes: Ints) -> MergingBoun
     used = [(y / most, row) for y, row in used]
     lower = ceil(sum(y * row.least for y, row in used))
     conditions = (
-        BlockBound(y, row.least, tuple(tuple(poly.points[i] for i in block) for block in row.blocks)) for y, row in used
+        Merging(y, row.least, tuple(tuple(poly.points[i] for i in block) for block in row.blocks)) for y, row in used
     )
     return MergingBound(lower, tuple(conditions), tuple(one == most for one in load))
 

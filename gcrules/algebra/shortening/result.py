@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import field
+from fractions import Fraction
 from typing import Any
 
 from gcrules.algebra.bracket import BracketPolynomial
@@ -11,7 +12,40 @@ from gcrules.algebra.expr import Expr
 from gcrules.core.dataclass import dataclass
 from gcrules.core.shown import Shown
 
-__all__ = ["Shortening"]
+__all__ = ["Merging", "Shortening", "TermBound"]
+
+
+@dataclass(frozen=True)
+class Merging:
+    """At least `least` terms are left where the points of each block of `blocks` are merged, with its weight.
+
+    Without blocks: at least one term is in an orbit that does not cancel.
+    """
+
+    weight: Fraction
+    least: int
+    blocks: tuple[tuple[str, ...], ...]
+
+    def __str__(self) -> str:
+        where = ", ".join(" = ".join(block) for block in self.blocks)
+        what = f"merging {where} leaves at least {self.least}" if where else "at least 1 outside the orbits that cancel"
+        return f"{self.weight} · ({what})"
+
+
+@dataclass(frozen=True)
+class TermBound:
+    """That the part of one multidegree takes at least `least` terms. What proves it, by the `method` of certificates:
+    all `brackets` that divide it; its `monomials`, so many; weights of `mergings`, and `symmetries` (the sign of the
+    image, and each point with its own).
+    """
+
+    degrees: tuple[tuple[str, int], ...]
+    least: int
+    method: str
+    brackets: tuple[tuple[str, ...], ...] = ()
+    monomials: int = 0
+    mergings: tuple[Merging, ...] = ()
+    symmetries: tuple[tuple[int, tuple[tuple[str, str], ...]], ...] = ()
 
 
 @dataclass(frozen=True)
@@ -22,7 +56,7 @@ class Shortening(Shown):
     `given` is the number of terms of the input as it was expanded, `monomials` that of the bracket monomials of its
     multidegree among which was searched (0 where the answer did not take it), `symmetries` the number of permutations
     of the points known to take the input to plus or minus itself. `notes` say what stopped a search; `input` is what
-    was shortened.
+    was shortened, `bounds` are what proves `lower`, for each multidegree.
     """
 
     polynomial: BracketPolynomial
@@ -34,6 +68,7 @@ class Shortening(Shown):
     symmetries: int = 1
     notes: tuple[str, ...] = ()
     input: Expr | None = field(default=None, compare=False, repr=False)
+    bounds: tuple[TermBound, ...] = field(default=(), compare=False, repr=False)
 
     @property
     def terms(self) -> int:

@@ -22,8 +22,9 @@ from gcrules.algebra.factoring.residues import random_positions, values
 from gcrules.algebra.shortening.exact import combination, simplicity
 from gcrules.algebra.shortening.exhaustive import Unlucky, certain, combinations_of
 from gcrules.algebra.shortening.merging import merging_bound
-from gcrules.algebra.shortening.monomials import Monomials
+from gcrules.algebra.shortening.monomials import Monomials, degree_vector
 from gcrules.algebra.shortening.orders import shorter_order
+from gcrules.algebra.shortening.result import Merging, TermBound
 from gcrules.algebra.shortening.symmetry import Action, Orbits, Symmetry, orbits, symmetry
 from gcrules.algebra.shortening.walk import shorter_supports
 from gcrules.algebra.straightening.straighten import is_standard, straighten
@@ -65,6 +66,8 @@ class ShortestSearch:
     monomials: int = 0
     symmetries: int = 1
     notes: tuple[str, ...] = ()
+    mergings: tuple[Merging, ...] = ()
+    generators: tuple[tuple[int, tuple[tuple[str, str], ...]], ...] = ()
 
     @property
     def done(self) -> bool:
@@ -77,6 +80,20 @@ class ShortestSearch:
         if lower <= self.lower:
             return self
         return replace(self, lower=lower, bound=Certificate(method, detail, {"lower": lower}))
+
+    def term_bound(self, divided: Divided) -> TermBound:
+        """The lower bound, with what proves it."""
+        names = self.best.points
+        degrees = degree_vector(next(iter(self.best.terms)), len(names))
+        return TermBound(
+            tuple((name, n) for name, n in zip(names, degrees, strict=True) if n),
+            self.lower,
+            self.bound.method,
+            tuple(tuple(names[i] for i in row) for row in dict.fromkeys(divided.rows)),
+            self.monomials,
+            self.mergings,
+            self.generators,
+        )
 
 
 @dataclass(frozen=True)
@@ -204,6 +221,7 @@ class _Stages:
         work = self.limits.work(_QUICK)
         bound = merging_bound(self.normal, self.monomials, self.classes, work, len(self.found.best))
         if bound is not None:
+            self.found = replace(self.found, mergings=bound.conditions, generators=self._generators(self.symmetry))
             names = np.unique(self.classes.label)
             tight = np.array(bound.tight)[np.searchsorted(names, self.classes.label)]
             # The signed average of the polynomial's images is the polynomial: what does not cancel spans it.
@@ -214,6 +232,14 @@ class _Stages:
                 str(c) for c in bound.conditions
             )
             self.found = self.found.with_bound(bound.lower, "merging", detail)
+
+    def _generators(self, known: Symmetry) -> tuple[tuple[int, tuple[tuple[str, str], ...]], ...]:
+        """Of symmetries that generate the others the sign, and each point with its image."""
+        names = self.normal.points
+        return tuple(
+            (sign, tuple((names[i], names[k]) for i, k in enumerate(moved) if i != k))
+            for moved, sign in zip(known.generators.tolist(), known.signs.tolist(), strict=True)
+        )
 
     def orders(self) -> None:
         """normal forms in other orders"""

@@ -22,7 +22,7 @@ from gcrules.algebra.expr import Expr
 from gcrules.algebra.factoring.pieces import Pieces, factor_pieces
 from gcrules.algebra.shortening.limits import MAX_MONOMIALS, SECONDS
 from gcrules.algebra.shortening.monomials import canonical, degree_vector
-from gcrules.algebra.shortening.result import Shortening
+from gcrules.algebra.shortening.result import Shortening, TermBound
 from gcrules.algebra.shortening.search import Divided, SearchLimits, ShortestSearch, shortest_of
 from gcrules.algebra.straightening.order import same_function
 from gcrules.algebra.straightening.straighten import straighten
@@ -67,7 +67,10 @@ def shorten(
         rows, poly = tuple(sorted(pieces.rows.elements())), _multiplied(pieces, terms)
         kept = _canonical(poly * poly.with_terms({rows: 1}))
         if len(kept) == 1:
-            return Shortening(kept, len(poly), 1, _MONOMIAL, _COLLECTED, input=written)
+            degrees = degree_vector(next(iter(kept.terms)), len(kept.points))
+            used = tuple((name, n) for name, n in zip(kept.points, degrees, strict=True) if n)
+            one = TermBound(used, 1, _MONOMIAL.method)
+            return Shortening(kept, len(poly), 1, _MONOMIAL, _COLLECTED, input=written, bounds=(one,))
         normal = straighten(poly, limit=terms)
         assert isinstance(normal, BracketPolynomial)
         if not normal:
@@ -78,7 +81,8 @@ def shorten(
     with within(max(0.0, seconds - (monotonic() - start)), progress=progress):
         found = [shortest_of(part, some, limits) for part, some in zip(divided, alike, strict=True)]
     with within(_PREPARATION):
-        return replace(_together(poly, kept, found, terms), input=written)
+        bounds = tuple(one.term_bound(part) for one, part in zip(found, divided, strict=True))
+        return replace(_together(poly, kept, found, terms), input=written, bounds=bounds)
 
 
 def _multiplied(pieces: Pieces, terms: int) -> BracketPolynomial:

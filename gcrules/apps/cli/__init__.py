@@ -58,6 +58,7 @@ COMMANDS = {
     "rules": ("gcrules.apps.cli.rules:rules", "List, show and check rules."),
     "robot": ("gcrules.apps.cli.robot:robot", "List, show, check or analyse robots described by their joints."),
     "catalog": ("gcrules.apps.cli.catalog:catalog", "List, show, check or enumerate the classes of platforms."),
+    "checkers": ("gcrules.apps.cli.checkers:checkers", "Write the programs that check proofs and certificates."),
     "completion": ("gcrules.apps.cli.completion:completion", "Print the script that completes commands in a shell."),
 }
 

@@ -26,7 +26,7 @@ from gcrules.core.hints import near
 from gcrules.rules.catalog.catalog import Catalog, Match
 from gcrules.rules.catalog.entries import SHIPPED, CatalogIdentity, Entry
 from gcrules.rules.catalog.file import load
-from gcrules.rules.catalog.proofs import is_shipped
+from gcrules.rules.catalog.proof_status import is_shipped
 from gcrules.rules.condition import Condition
 from gcrules.rules.plugin import packs
 from gcrules.rules.plugins import load_rules

@@ -48,8 +48,8 @@ _CODES = {True: 0, False: 1, None: 3}
 @click.option("--resume", metavar="FILE", help="Go on from the file of an earlier certificate of the same question.")
 @output_options(file=False)
 @files_option(
-    "Write the certificate, whatever is decided: .json or .json.gz, which tools/check_certificate.py checks; or a"
-    " picture of it: .svg, .pdf, .png."
+    "Write the certificate, whatever is decided: .json or .json.gz, which check_certificate.py of `gcrules checkers`"
+    " checks; or a picture of it: .svg, .pdf, .png."
 )
 @click.pass_context
 def certify(

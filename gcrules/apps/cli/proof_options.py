@@ -12,6 +12,7 @@ import click
 from gcrules.apps.cli.files import OutputFile, working
 from gcrules.core.dataclass import dataclass
 from gcrules.core.deferred import deferred
+from gcrules.core.digests import beginning
 from gcrules.core.english import counted
 from gcrules.core.errors import InputError
 from gcrules.core.files import write_file
@@ -38,7 +39,7 @@ class _Format:
 _FORMATS: dict[str, _Format] = {
     "certificate": _Format(
         ".json",
-        "Write the theorems with their proofs, which tools/check_proof.py checks without gcrules.",
+        "Write the theorems with their proofs, which check_proof.py of `gcrules checkers` checks without gcrules.",
         methodcaller("json_text"),
         '{"name":',
     ),
@@ -80,10 +81,15 @@ class ProofOptions:
                 write_file(self.files[name], text)
         for name, text in texts.items():
             number = counted(text.count(f"\n{_FORMATS[name].each}"), "theorem")
-            of = f", digest {proofs.digest[:12]}" if name == "certificate" else f" of {len(proofs.theorems)}"
+            of = f", digest {beginning(proofs.digest)}" if name == "certificate" else f" of {len(proofs.theorems)}"
             click.echo(f"{self.files[name]}: {number}{of}", err=True)
         for path, why in missing.items():
             click.echo(f"note: {path} is not written: {why}", err=True)
+        for absence in proofs.absences if "certificate" in texts else ():
+            path = self.files["certificate"]
+            click.echo(f"note: without a proof, {path} states what was enumerated: {absence.name}", err=True)
+            again = f"python checkers/recompute.py {path} computes this again without gcrules"
+            click.echo(f"note: {again}; `gcrules checkers` writes the program", err=True)
         for one in proofs.left_out:
             click.echo(f"note: without a proof in the file: {one}", err=True)
 

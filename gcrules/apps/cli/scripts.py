@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from textwrap import indent
-from typing import Any
 
 import click
 
@@ -21,11 +20,10 @@ from gcrules.apps.cli.rule_options import Choice, rules_options
 from gcrules.apps.cli.verdicts import EXIT_CODES, coloured
 from gcrules.core.alarm import paced
 from gcrules.core.budget import report
-from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import InputError
 from gcrules.core.yaml_file import read_text
 from gcrules.rules.rewriting import rewrite as rewritten
-from gcrules.rules.script import Result, ScriptResult, results
+from gcrules.rules.script import Result, ScriptResult, ScriptResults, results
 from gcrules.views.results.script import totals
 
 __all__ = ["rewrite", "run"]
@@ -87,15 +85,16 @@ def run(
     shown = [
         "\n".join([*(coloured(r.verdict, r.text(unicode=out.unicode)) for r in a.results), *totals(a)]) for a in answers
     ]
-    whole = ScriptResult(tuple(r for a in answers for r in a.results))
+    together = ScriptResults(tuple(s.filename for s in scripts), tuple(answers))
+    whole = together.whole
     if out.brief:
         out.write("\n".join(totals(whole)))
     elif len(files) == 1:
         out.show(answers[0], shown[0])
     else:
         parts = (f"{s.filename}\n{indent(text, '  ')}" for s, text in zip(scripts, shown, strict=True))
-        out.show(_Scripts(scripts, answers, whole), "\n\n".join([*parts, "\n".join(totals(whole))]))
-    proofs.write(whole, whole.verdict, "a claim or a rule")
+        out.show(together, "\n\n".join([*parts, "\n".join(totals(whole))]))
+    proofs.write(answers[0] if len(files) == 1 else together, whole.verdict, "a claim or a rule")
     ctx.exit(EXIT_CODES[whole.verdict])
 
 
@@ -106,16 +105,3 @@ def _answered(script: Script, limit: int, seconds: float) -> ScriptResult:
             found.append(result)
             report(f"{len(found)} of {len(script.statements)}, past line {result.line}")
     return ScriptResult(tuple(found))
-
-
-@dataclass(frozen=True)
-class _Scripts:
-    """The results of several scripts."""
-
-    scripts: list[Script]
-    answers: list[ScriptResult]
-    whole: ScriptResult
-
-    def to_json(self) -> dict[str, Any]:
-        files = [{"file": s.filename, **a.to_json()} for s, a in zip(self.scripts, self.answers, strict=True)]
-        return {"verdict": self.whole.verdict, "files": files}

@@ -26,8 +26,8 @@ __all__ = [
 ]
 
 SHELL = (
-    "aspects", "catalog", "certify", "cite", "completion", "export", "free", "locus", "map", "modes", "paper", "path",
-    "plan", "pose", "regions", "repl", "report", "robot", "run", "studio",
+    "aspects", "catalog", "certify", "checkers", "cite", "completion", "export", "free", "locus", "map", "modes",
+    "paper", "path", "plan", "pose", "regions", "repl", "report", "robot", "run", "studio",
 )  # fmt: skip
 """Commands of the shell that the prompt does not have."""
 

@@ -19,7 +19,7 @@ from gcrules.core.frozen import FrozenMap
 from gcrules.core.linear_algebra import permutation_sign
 from gcrules.rules.catalog.entries import SHIPPED, CatalogIdentity, Entry
 from gcrules.rules.catalog.isomorphism import isomorphism
-from gcrules.rules.catalog.proofs import ProofStatus, is_shipped, proof_status
+from gcrules.rules.catalog.proof_status import ProofStatus, is_shipped, proof_status
 from gcrules.rules.claims import certify
 from gcrules.rules.condition import Condition
 from gcrules.rules.random_witness import SAMPLES, RandomWitness

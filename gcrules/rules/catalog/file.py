@@ -22,7 +22,7 @@ from gcrules.core.hints import near
 from gcrules.core.yaml_file import Document, Node
 from gcrules.rules.catalog.catalog import FROM_CATALOG, LABELS, Catalog
 from gcrules.rules.catalog.entries import SHIPPED, CatalogIdentity, Entry
-from gcrules.rules.catalog.proofs import is_shipped_sentence
+from gcrules.rules.catalog.proof_status import is_shipped_sentence
 from gcrules.rules.condition_rule import INCIDENCES
 from gcrules.rules.plugin import Plugin
 

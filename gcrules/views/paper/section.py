@@ -8,6 +8,7 @@ from collections.abc import Iterator, Sequence
 from gcrules.algebra.expr import ONE, Bracket, Expr, Meet, Point
 from gcrules.conditions.analysis import Analysis
 from gcrules.conditions.gained_motion import factors
+from gcrules.core.digests import beginning
 from gcrules.core.english import listed
 from gcrules.core.version import __version__
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
@@ -325,7 +326,8 @@ def _sure(s: Subject, full: bool) -> str:
     steps = f", the steps stand in Appendix~\\ref{{app:{slug(s)}}}" * full
     return (
         rf"\paragraph{{Reproducibility.}} Computed with gcrules, version {__version__}~\cite{{{OWN_KEY}}}{steps}. The"
-        rf" SHA-256 digest of the analysis with its certificate begins with \texttt{{{s.digest[:16]}}}.{_proved(s)}"
+        rf" SHA-256 digest of the analysis with its certificate begins with \texttt{{{beginning(s.digest)}}}."
+        f"{_proved(s)}"
     )
 
 
@@ -336,7 +338,7 @@ def _proved(s: Subject) -> str:
         return ""
     return (
         rf" Its identities with their proofs, which \texttt{{-{{}}-certificate}} writes and a program checks that"
-        rf" shares no code with gcrules, have a digest that begins with \texttt{{{file.digest[:16]}}}."
+        rf" shares no code with gcrules, have a digest that begins with \texttt{{{beginning(file.digest)}}}."
     )
 
 

@@ -6,6 +6,7 @@ from base64 import b64encode
 from html import escape
 
 from gcrules.conditions.analysis import Analysis
+from gcrules.core.digests import beginning
 from gcrules.core.english import counted
 from gcrules.core.files import file_name
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
@@ -32,6 +33,6 @@ def proof_html(a: Analysis | RobotAnalysis) -> str:
     without = "".join(f"<p>Not proved there: {escape(str(one))}.</p>" for one in file.left_out)
     return (
         f"<h2>Proofs that others check</h2><p>{counted(len(file.theorems), 'theorem')} in a proof file, SHA-256 digest"
-        f" <code>{file.digest[:16]}</code>…; <code>python tools/check_proof.py FILE</code> checks them without"
-        f" gcrules.</p>{without}<p>{link}</p>"
+        f" <code>{beginning(file.digest)}</code>…; <code>python checkers/check_proof.py FILE</code> checks them without"
+        f" gcrules, with the program that <code>gcrules checkers</code> writes.</p>{without}<p>{link}</p>"
     )

@@ -190,4 +190,5 @@ def check(c: Certificate) -> str:
     own = "with bounds of its own: it needs Python alone and shares no code with gcrules"
     if of_joints:
         own = f"{own}; the closed forms of the wrenches it compares with the joints at random places"
-    return f"`python tools/check_certificate.py FILE` proves anew what the file says, box by box, {own}."
+    again = f"`python checkers/check_certificate.py FILE` proves anew what the file says, box by box, {own}"
+    return f"{again}; `gcrules checkers` writes the program."

@@ -15,7 +15,7 @@ __all__ = ["as_latex", "as_text"]
 
 
 def as_text(file: ProofFile, *, unicode: bool = False) -> str:
-    """Each theorem with the number of exchanges that prove it, what is left out, and the digest."""
+    """Each theorem with the number of exchanges that prove it, what is recomputed, what is left out, and the digest."""
     return "\n".join(_lines(file, unicode))
 
 
@@ -24,6 +24,8 @@ def _lines(file: ProofFile, unicode: bool) -> Iterator[str]:
     for t in file.theorems:
         yield f"  {t.name}, by {counted(t.size, 'exchange')}"
         yield f"    {_side(t, t.left, unicode)} == {_side(t, t.right, unicode)}"
+    for absence in file.absences:
+        yield f"  stated, to be recomputed: {absence.claim}"
     for one in file.left_out:
         yield f"  not proved here: {one}"
     yield f"  digest {file.digest}"

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-r"""Check a certificate of `gcrules certify` again: python tools/check_certificate.py FILE.json[.gz] [--jobs N]
+r"""Check a certificate of `gcrules certify` again: python checkers/check_certificate.py FILE.json[.gz] [--jobs N]
 
 It needs Python alone and shares no code with gcrules. From the file it takes the geometry, the range, the limits, the
 claim, and the tree of boxes as a hint how to cut; of every box it proves anew that no pose in it is reached within the

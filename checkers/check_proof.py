@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-r"""Check the theorems of a proof file of gcrules: python tools/check_proof.py FILE.json
+r"""Check the theorems of a proof file of gcrules: python checkers/check_proof.py FILE.json
 
 It needs Python alone and shares no code with gcrules. It prints each claim as it reads it, expands both sides by the
 definitions, subtracts multiples of the file's relations, and says yes only where nothing is left. All it relies on:

@@ -17,6 +17,7 @@ from gcrules.algebra.evaluate import vanishes
 from gcrules.algebra.expr import ZERO, sub
 from gcrules.algebra.prove import Proof, prove
 from gcrules.core.dataclass import dataclass
+from gcrules.core.digests import beginning
 from gcrules.core.errors import FileError
 from gcrules.core.proof_memory import digest_of, remember, remembered
 from gcrules.rules.catalog.entries import CatalogIdentity, Entry
@@ -24,7 +25,6 @@ from gcrules.rules.catalog.entries import CatalogIdentity, Entry
 __all__ = ["DIGESTS", "ProofStatus", "counterexample", "digests", "is_shipped", "is_shipped_sentence", "proof_status"]
 
 DIGESTS = "catalog.sha256"
-_SHOWN = 12  # figures of a digest in words
 
 
 @dataclass(frozen=True)
@@ -42,7 +42,7 @@ def proof_status(entry: Entry, reading: CatalogIdentity) -> ProofStatus:
     """
     if is_shipped(entry, reading):
         digest = _digest(entry, reading)
-        return ProofStatus("shipped", f"proved by gcrules catalog check (digest {digest[:_SHOWN]})", digest)
+        return ProofStatus("shipped", f"proved by gcrules catalog check (digest {beginning(digest)})", digest)
     digest = _identity_digest(entry, reading)
     proved = ProofStatus("proved", "proved: both sides have the same normal form of standard tableaux", digest)
     if remembered(digest):
