@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Write the proofs of the catalog, of all robots and of the theorems in the examples, and have others check them.
 
-`make proofs` runs it: tools/check_proof.py checks every file, and Coq, where it is installed, all theorems that hold
-without assumptions. Exit code 1 where a check fails.
+`make proofs` runs it: tools/check_proof.py checks every file, and Coq, where it is installed, all theorems in rank 3
+and 4. Exit code 1 where a check fails.
 """
 
 from __future__ import annotations
