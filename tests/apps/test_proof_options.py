@@ -71,10 +71,9 @@ def test_what_is_refuted_has_no_file(tmp_path: Path) -> None:
 
 def test_where_nothing_can_be_written_it_is_said_and_nothing_appears(tmp_path: Path) -> None:
     file = tmp_path / "proof.v"
-    assumed = "collinear(a, b, c), collinear(a, b, d)"
-    done = invoke("prove", "[acd] == 0", "--rank", "3", "--given", assumed, "--coq", str(file))
+    done = invoke("prove", "[abcde] == [bcdea]", "--rank", "5", "--coq", str(file))
     assert done.exit_code == 2
-    assert "no theorem can be written for Coq: claim: it holds under assumptions" in " ".join(done.stderr.split())
+    assert "no theorem can be written for Coq: claim: it is in rank 5" in " ".join(done.stderr.split())
     assert not file.exists()
 
 

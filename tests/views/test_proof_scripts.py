@@ -3,14 +3,21 @@
 import re
 import subprocess
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import pytest
+from places import EXAMPLES
 
+import gcrules as gc
+from gcrules.algebra.language.statements import parse_script
 from gcrules.algebra.language.syntax import parse_equation
 from gcrules.algebra.proofs.proof_file import ProofFile
 from gcrules.algebra.proofs.theorem import Theorem, theorem
 from gcrules.core.errors import InputError
+from gcrules.mechanisms.proofs import proof_file
+from gcrules.rules.script import run_script
 from gcrules.views.proofs import coq, lean
 
 OCTAHEDRON = r"[[ab,af,cb,cd,ed,ef]] == (ace /\ abf /\ cbd /\ edf)"
@@ -31,6 +38,35 @@ def theorems() -> list[Theorem]:
         proved("with halves", r"(1/2) * [abc] * [ade] == (1/2) * [abd] * [ace] - (1/2) * [abe] * [acd]", rank=3),
         proved("at infinity", r"ij /\ kab == [ikab] * j - [jkab] * i", ideal=("i", "j")),
     ]
+
+
+def assumed(claim: str, given: str, name: str, **options: Any) -> Theorem:
+    (found,) = gc.proof_file(gc.prove(claim, given=given, **options)).theorems
+    return replace(found, name=name)
+
+
+def on_one_line() -> Theorem:
+    return assumed("[acd] == 0", "collinear(a, b, c), collinear(a, b, d)", "on one line", rank=3)
+
+
+def of_example(path: Path) -> tuple[Theorem, ...]:
+    return proof_file(run_script(parse_script(path.read_text(encoding="utf-8"), path.name))).theorems
+
+
+def example(name: str) -> list[Theorem]:
+    """The theorems of a file in examples/theorems that hold under assumptions."""
+    found = of_example(EXAMPLES / "theorems" / f"{name}.gca")
+    return [replace(t, name=f"{name} {n}") for n, t in enumerate(found) if t.given]
+
+
+def without_proofs_of_coordinates(script: str) -> str:
+    """A script that takes what its library says of coordinates for granted, so that Coq reads it in little time."""
+    start, end = script.index("(* ---- determinants *)"), script.index("(* ---- brackets by the numbers")
+    placing, field = script.index("Section Placing."), script.index("(* ---- a field *)")
+    parts = [script[start:placing], script[placing:field], script[field:end]]
+    for i in (0, 2):
+        parts[i] = re.sub(r"Proof\..*?Qed\.", "Admitted.", parts[i], flags=re.DOTALL)
+    return "".join([script[:start], *parts, script[end:]])
 
 
 def statement(script: str, name: str) -> str:
@@ -66,6 +102,35 @@ def test_other_ranks_are_refused() -> None:
         coq_script([proved("on a line", "[ab] * [cd] - [ac] * [bd] + [ad] * [bc] == 0", rank=2)], "On a line")
 
 
+def test_assumptions_are_hypotheses_of_the_theorem() -> None:
+    script = coq_script([on_one_line()], "On one line")
+    assert statement(script, "on_one_line").split("\n") == [
+        "forall a b c d : vector plane,",
+        "  (bracket (a ∨ b ∨ c)) = number plane 0 ->",
+        "  (bracket (a ∨ b ∨ d)) = number plane 0 ->",
+        "  (a ∨ b) <> number plane 0 ->",
+        "  (bracket (a ∨ c ∨ d))",
+        "  = (number plane (0)).",
+        "",
+    ]
+    assert "Axiom" not in script
+    assert "Admitted" not in script
+    assert "Hypothesis decided" not in coq_script(theorems(), "Without assumptions")
+
+
+def test_dependent_points_are_placed_in_all_ways() -> None:
+    (pappus,) = example("pappus")
+    script = coq_script([pappus], "Pappus")
+    assert script.count("refine (replay_placed plane (fun place => nth place [a; c;") == 3
+    assert script.count("refine (replay_placed ") == 9
+    assert " <> " not in statement(script, pappus.name.replace(" ", "_"))
+
+
+def test_every_theorem_of_the_examples_in_the_plane_and_in_space_has_a_script() -> None:
+    for path in sorted((EXAMPLES / "theorems").glob("*.gca")):
+        assert coq.without_script(ProofFile(path.stem, tuple(t for t in of_example(path) if t.rank in (3, 4)))) == {}
+
+
 def test_lean_has_the_relations_as_hypotheses() -> None:
     exchange = proved("exchange", "[abc] * [ade] - [abd] * [ace] + [abe] * [acd] == 0", rank=3)
     text = lean.script(ProofFile("Exchange", (exchange,)))
@@ -90,3 +155,38 @@ def test_coq_refuses_a_claim_with_another_sign(tmp_path: Path) -> None:
     assert done.returncode != 0
     assert "theorems.v" in done.stderr
     assert "Closed" not in done.stdout
+
+
+@pytest.mark.needs("coqc")
+def test_coq_replays_theorems_under_assumptions_without_axioms(tmp_path: Path) -> None:
+    names = ["pappus", "midpoints", "desargues-space", "desargues-space-converse", "pencil", "pencil-converse"]
+    found = [on_one_line(), *(t for name in names for t in example(name))]
+    done = run(coq_script(found, "Under assumptions"), tmp_path)
+    assert done.returncode == 0, done.stderr
+    assert done.stdout.count("Closed under the global context") == len(found) == 8
+
+
+@pytest.mark.needs("coqc")
+@pytest.mark.parametrize(
+    ("said", "instead"),
+    [
+        ("", ""),
+        ("(bracket (a ∨ b ∨ c)) = number plane 0 ->", "number plane 0 = number plane 0 ->"),
+        ("(bracket (a ∨ b ∨ d)) = number plane 0 ->", "(bracket (a ∨ b ∨ c)) = number plane 0 ->"),
+        ("(a ∨ b) <> number plane 0 ->", "(a ∨ c) <> number plane 0 ->"),
+        ("= (number plane (0)).", "= (number plane (1))."),
+    ],
+    ids=["as it is", "an assumption less", "another assumption", "what may vanish is another", "another claim"],
+)
+def test_coq_refuses_a_theorem_of_which_an_assumption_or_the_claim_is_another(
+    said: str, instead: str, tmp_path: Path
+) -> None:
+    script = without_proofs_of_coordinates(coq_script([on_one_line()], "On one line"))
+    assert said in script
+    done = run(script.replace(f"  {said}\n", f"  {instead}\n") if said else script, tmp_path)
+    if not said:
+        assert done.returncode == 0, done.stderr
+        return
+    assert done.returncode != 0
+    line = int(re.search(r'File "./theorems.v", line ([0-9]+)', done.stderr)[1])
+    assert line > script[: script.index("Theorem on_one_line")].count("\n"), done.stderr

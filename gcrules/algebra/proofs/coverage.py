@@ -7,7 +7,7 @@ extensor on which all of them lie. An auxiliary point is a meet of others, so th
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from fractions import Fraction
 from typing import Any
 
@@ -111,7 +111,8 @@ def _flat(name: str, extensor: Expr, c: Construction) -> Flat | None:
             because = _inside(joined, room, c)
             if because is not None:
                 return Flat(extensor, because, room)
-    return None
+    own = _with_relations(joined, c)
+    return None if own is None else Flat(extensor, (own,))
 
 
 def _rooms(c: Construction) -> Iterator[Expr]:
@@ -142,27 +143,39 @@ def _inside(joined: Expr, room: Expr, c: Construction) -> tuple[Multiple, ...] |
 
 
 def _multiple(e: Expr, c: Construction) -> Multiple | None:
-    """An expression as a multiple of an equation, or of 0, term by term as the checker expands both; None where it is
-    none.
+    """An expression as a multiple of an equation, or with auxiliary points of 0, term by term as the checker expands
+    both; None where it is none.
     """
     e = substitute(e, c.meets, c.rank)
-    names = set(points_of(e))
-    free = _free(c, names)
-    terms = free.closed_terms(e, as_defined=True)
-    if not any(terms.values()):
+    terms = _free(c, points_of(e)).closed_terms(e, as_defined=True)
+    if c.meets and not any(terms.values()):
         return Multiple()
-    for index, equation in enumerate(c.equations):
-        if set(points_of(equation)) == names and equation.step % c.rank == e.step % c.rank:
-            other = free.closed_terms(equation, as_defined=True)
-            factor = _ratio(terms, other)
-            if factor:
-                return Multiple(index, factor)
-            factor = _quotient(e, equation, free)
-            rest = {m: terms.get(m, 0) - factor * other.get(m, 0) for m in {**terms, **other}}
-            found = relations(rest, free.at_infinity, _MOST) if factor else None
-            if found is not None:
-                return Multiple(index, factor, found, free.order)
+    for index, equation in _alike(e, c):
+        factor = _ratio(terms, _free(c, points_of(e)).closed_terms(equation, as_defined=True))
+        if factor:
+            return Multiple(index, factor)
     return None
+
+
+def _with_relations(e: Expr, c: Construction) -> Multiple | None:
+    """An expression as a multiple of an equation up to exchange relations; None where it is none."""
+    e = substitute(e, c.meets, c.rank)
+    free = _free(c, points_of(e))
+    for index, equation in _alike(e, c):
+        factor = _quotient(e, equation, free)
+        terms, other = (free.closed_terms(x, as_defined=True) for x in (e, equation))
+        rest = {m: terms.get(m, 0) - factor * other.get(m, 0) for m in {**terms, **other}}
+        found = relations(rest, free.at_infinity, _MOST) if factor else None
+        if found is not None:
+            return Multiple(index, factor, found, free.order)
+    return None
+
+
+def _alike(e: Expr, c: Construction) -> Iterator[tuple[int, Expr]]:
+    """The equations of the same points and step."""
+    for index, equation in enumerate(c.equations):
+        if set(points_of(equation)) == set(points_of(e)) and equation.step % c.rank == e.step % c.rank:
+            yield index, equation
 
 
 def _quotient(e: Expr, equation: Expr, free: Construction) -> Coefficient:
@@ -174,12 +187,12 @@ def _quotient(e: Expr, equation: Expr, free: Construction) -> Coefficient:
     return Fraction(value) / other if other else 0
 
 
-def _free(c: Construction, names: Collection[str]) -> Construction:
+def _free(c: Construction, names: Iterable[str]) -> Construction:
     """The points by themselves, without what is assumed of them; of those that are placed none is known to be at
     infinity.
     """
-    ideal = tuple(n for n in c.order[: c.at_infinity] if n in names)
-    return Construction(c.rank, tuple(sorted(names)), ideal)
+    points = tuple(sorted(set(names)))
+    return Construction(c.rank, points, tuple(n for n in c.order[: c.at_infinity] if n in points))
 
 
 def _ratio(terms: Terms, other: Terms) -> Coefficient:

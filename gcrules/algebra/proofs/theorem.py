@@ -9,13 +9,15 @@ r"""A theorem with its proof, as anyone can check it: a claim, and exchange rela
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import replace
 from typing import Any
 
+from gcrules.algebra import expr as ex
 from gcrules.algebra.assumptions.assumed import kinds
-from gcrules.algebra.assumptions.construction import Construction
+from gcrules.algebra.assumptions.construction import Construction, Within, step_on
 from gcrules.algebra.bracket import Coefficient, Monomial
 from gcrules.algebra.expand import MAX_TERMS
-from gcrules.algebra.expr import Expr, Superbracket, common_rank, points_of, subexpressions
+from gcrules.algebra.expr import Expr, Point, Superbracket, common_rank, points_of, subexpressions
 from gcrules.algebra.proofs.coverage import Flat, flats
 from gcrules.algebra.proofs.relations import MAX_RELATIONS, Relation, relations
 from gcrules.algebra.proofs.written import Written
@@ -27,7 +29,7 @@ from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import EngineFault, InputError, LimitReached
 from gcrules.core.frozen import FrozenMap
 
-__all__ = ["PlacedPoint", "Theorem", "theorem"]
+__all__ = ["PlacedPoint", "Theorem", "theorem", "with_roles"]
 
 _SUPERBRACKETS = 4  # the highest rank in which the checker expands them
 _ROWS = 1_000  # different brackets among which an easy order of the points is quickly found
@@ -192,3 +194,29 @@ def _shortest(
             return min(found, key=lambda one: one[0])[1:]
     assert reached is not None
     raise reached
+
+
+def with_roles(t: Theorem, roles: Mapping[str, str]) -> Theorem:
+    """The same claim at the positions where of the points that depend on each other by a step others are placed:
+    instead of a point (a key of `roles`) one that it was placed on, among the others and it.
+
+    Such positions are reached where the extensor of the step vanishes; the claim holds at them too (see the rules at
+    the head of `checkers/check_proof.py`).
+    """
+    placed = tuple(_in_role(p, roles[p.name], t.rank) if p.name in roles else p for p in t.placed)
+    fresh = {f for p in placed for f in p.fresh}
+    places = {by: name for name, by in roles.items()}
+    free = tuple(places.get(n, n) for n in t.order if n not in fresh)
+    steps = tuple(
+        step_on(Within(p.name, p.within, (), tuple(n for n in p.fresh if n in points_of(p.within))), t.rank)
+        for p in placed
+    )
+    c = Construction(t.rank, free, free[: t.ideal], steps)
+    closed = c.closed_terms(difference_of(t.left, t.right, t.rank), as_defined=True)
+    order, proof = _shortest(closed, len(c.order), c.at_infinity)
+    return replace(t, order=tuple(c.order[i] for i in order), relations=proof, placed=placed)
+
+
+def _in_role(p: PlacedPoint, by: str, rank: int) -> PlacedPoint:
+    others = ex.join(*(Point(p.name if n == by else n) for n in points_of(p.within)), rank=rank)
+    return PlacedPoint(by, others, (), ())

@@ -76,7 +76,16 @@ Fixpoint insert_row (r : row) (m : list row) : list row :=
   | s :: m' => match compare_rows r s with Gt => s :: insert_row r m' | _ => r :: m end
   end.
 
-Definition product (m k : list row) : list row := fold_right insert_row k m.
+Fixpoint product (m : list row) : list row -> list row :=
+  match m with
+  | [] => fun k => k
+  | r :: m' =>
+    fix product_m (k : list row) : list row :=
+      match k with
+      | [] => m
+      | s :: k' => match compare_rows r s with Gt => s :: product_m k' | _ => r :: product m' k end
+      end
+  end.
 
 Fixpoint merge (a : list term) : list term -> list term :=
   match a with
@@ -687,8 +696,13 @@ Qed.
 
 Lemma product_value : forall m k, mv (product m k) = mv m * mv k.
 Proof.
-  induction m as [|r m IH]; intros; [change (mv k = 1 * mv k); ring|].
-  change (mv (insert_row r (product m k)) = br r * mv m * mv k). rewrite insert_row_value, IH. ring.
+  induction m as [|r m IH]; intros k; [change (mv k = 1 * mv k); ring|].
+  induction k as [|s k IHk]; [change (mv (r :: m) = mv (r :: m) * 1); ring|].
+  cbn [product]. destruct (compare_rows r s).
+  - change (br r * mv (product m (s :: k)) = br r * mv m * mv (s :: k)). rewrite IH. ring.
+  - change (br r * mv (product m (s :: k)) = br r * mv m * mv (s :: k)). rewrite IH. ring.
+  - change (br s * mv (product (r :: m) k) = br r * mv m * (br s * mv k)). rewrite IHk.
+    change (mv (r :: m)) with (br r * mv m). ring.
 Qed.
 
 Lemma vals_app : forall a b, vals (a ++ b) = pl (vals a) (vals b).

@@ -1,0 +1,145 @@
+"""What a theorem under assumptions says, as Coq reads it, and expressions taken apart and put together."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from typing import Any
+
+from gcrules.algebra.proofs.theorem import Theorem
+from gcrules.views.proofs.coq_expressions import SPACES, Expressions, point_names
+
+__all__ = ["CannotWrite", "Statement", "Tree", "combination", "joined", "pairs"]
+
+
+_LONGEST = 100_000  # points and operations
+
+
+class CannotWrite(Exception):
+    """Why a theorem has no script."""
+
+
+class Statement:
+    """A theorem under assumptions with the names that its points have in Coq; definitions are written out."""
+
+    def __init__(self, t: Theorem) -> None:
+        self.data = t.to_json()
+        self.rank, self.space, self.ideal = t.rank, SPACES[t.rank], t.ideal
+        self.tree = Tree(self.data)
+        self.placed: list[dict[str, Any]] = self.data["placed"]
+        fresh = [f for p in self.placed for f in p["fresh"]]
+        self.points = [n for n in self.data["points"] if n not in fresh] + [p["name"] for p in self.placed]
+        names = [*self.points, *fresh]
+        self.coq = dict(zip(names, point_names(names), strict=True))
+        self.prefix = "h_"
+        while any(n.startswith(self.prefix) for n in self.coq.values()):
+            self.prefix = f"h{self.prefix}"
+        self.units = [f"unit {i}" for i in range(2, self.rank + 1)]
+        self.coq |= {f"unit {i}": f"{self.space}_{i}" for i in range(2, self.rank + 1)}
+        if sum(self.tree.size(e) for key in ("claim", "given", "nonzero") for e in self.data[key]) > _LONGEST:
+            raise CannotWrite("it holds under assumptions, and is too long where all of it is written out")
+        self.claim, self.given, self.nonzero = (
+            [self.tree.opened(e) for e in self.data[key]] for key in ("claim", "given", "nonzero")
+        )
+        self.stated = self.among(self.points)
+        if self.data["any"]:
+            raise CannotWrite("it holds under an assumption for all points")
+        if any(self.stated.whole(e)[1] != 1 for e in (*self.given, *self.nonzero)):
+            raise CannotWrite("it holds under assumptions that have fractions")
+
+    def scalar(self, number: object) -> str:
+        """The point of which a scalar is a coordinate."""
+        name = f"scalar {number}"
+        self.coq[name] = f"{self.prefix}s_{number}"
+        return name
+
+    def named(self, points: Iterable[str]) -> str:
+        """Names of Coq, one after the other."""
+        return " ".join(self.coq[p] for p in points)
+
+    def among(self, points: Sequence[str]) -> Expressions:
+        """Expressions in which points have the numbers of their places among these."""
+        found = Expressions("", {"rank": self.rank, "points": [], "definitions": []})
+        found.points = [self.coq[p] for p in points]
+        found.place = {p: i for i, p in enumerate(points)}
+        return found
+
+    def says(self, e: Any, sign: str) -> str:
+        """That an expression vanishes (=), or that it does not (<>)."""
+        text = self.stated.statement(e)
+        typed = f"({text} : extensor {self.space})" if isinstance(e, str) else text
+        return f"{typed} {sign} number {self.space} 0"
+
+
+class Tree:
+    """Expressions of a theorem taken apart, definitions written out."""
+
+    def __init__(self, t: dict[str, Any]) -> None:
+        self.rank: int = t["rank"]
+        self.definitions = dict(t["definitions"])
+        self.sizes: dict[str, int] = {}
+
+    def opened(self, e: Any) -> Any:
+        """An expression without definitions."""
+        if isinstance(e, str):
+            return self.opened(self.definitions[e]) if e in self.definitions else e
+        if e[0] == "number":
+            return e
+        return [e[0], self.opened(e[1]), e[2]] if e[0] == "power" else [e[0], *map(self.opened, e[1:])]
+
+    def size(self, e: Any) -> int:
+        """How many points and operations an expression has without definitions."""
+        if not isinstance(e, str):
+            return 1 + sum(self.size(part) for part in e[1:] if isinstance(part, list | str)) if e[0] != "number" else 1
+        if e in self.definitions and e not in self.sizes:
+            self.sizes[e] = self.size(self.definitions[e])
+        return self.sizes.get(e, 1)
+
+    def args(self, e: Any, operation: str = "join") -> list[Any]:
+        """The parts of a join or meet, taken apart as far as they are such; of anything else itself."""
+        return [e] if isinstance(e, str) or e[0] != operation else [x for p in e[1:] for x in self.args(p, operation)]
+
+    def key(self, e: Any) -> str:
+        """The same for joins and for meets of the same parts in any sequence."""
+        if isinstance(e, str) or e[0] == "number":
+            return str(e)
+        parts = self.args(e, e[0]) if e[0] in ("join", "meet") else e[1:]
+        return f"{e[0]}({' '.join(sorted(map(self.key, parts)))})" if len(parts) > 1 else self.key(parts[0])
+
+    def step(self, e: Any) -> int:
+        """Of joins and meets."""
+        if isinstance(e, str):
+            return 1
+        steps = [self.step(p) for p in e[1:]]
+        return sum(steps) - (self.rank * (len(steps) - 1) if e[0] == "meet" else 0)
+
+    def names(self, e: Any) -> set[str]:
+        """The points that occur."""
+        if isinstance(e, str):
+            return {e}
+        return set() if e[0] == "number" else {n for p in e[1:] if not isinstance(p, int) for n in self.names(p)}
+
+    def parts(self, e: Any) -> list[Any]:
+        """An expression and the parts of it that are not zero where it is not."""
+        inside = e[1:] if isinstance(e, list) and e[0] in ("join", "bracket", "meet", "product") else []
+        return [["join", *inside] if e[0] == "bracket" else e, *(x for part in inside for x in self.parts(part))]
+
+
+def joined(parts: Iterable[Any]) -> Any:
+    """A join, or the one part itself."""
+    found = list(parts)
+    return found[0] if len(found) == 1 else ["join", *found]
+
+
+def combination(rank: int, parts: Sequence[Any], scalars: Sequence[str]) -> Any:
+    """The sum of scalars times parts, a scalar being a bracket."""
+    units = [f"unit {i}" for i in range(2, rank + 1)]
+    terms = [["product", ["bracket", s, *units], p] for s, p in zip(scalars, parts, strict=True)]
+    return terms[0] if len(terms) == 1 else ["sum", *terms]
+
+
+def pairs(names: Sequence[str]) -> str:
+    """Proofs of all of some statements, as one of their conjunction."""
+    found = "I"
+    for n in reversed(names):
+        found = f"(conj {n} {found})"
+    return found
