@@ -94,6 +94,16 @@ def test_zero_is_seen_in_any_order(p: BracketPolynomial) -> None:
 
 
 @settings(max_examples=60)
+@given(polynomials(), st.integers(0, 5))
+def test_brackets_that_divide_change_nothing(p: BracketPolynomial, first: int) -> None:
+    """Unless they are zero: those of points at infinity are."""
+    one = tuple(i % len(p.points) for i in range(first, first + p.rank))
+    row = tuple(sorted(one))
+    product = p.with_terms({tuple(sorted((*m, row, row))): c for m, c in p.terms.items()})
+    assert is_zero(product) == (is_zero(p) or row[-1] < p.ideal)
+
+
+@settings(max_examples=60)
 @given(polynomials(2), polynomials(2))
 def test_the_form_is_linear(p: BracketPolynomial, q: BracketPolynomial) -> None:
     if p.rank == q.rank and p.ideal == q.ideal:

@@ -78,6 +78,7 @@ ANSWERS: dict[str, Callable[[], Any]] = {
     "ideal": lambda: gc.prove("[ijk] == 0", rank=3, ideal="i j k"),
     "halves": lambda: gc.prove("1/2 [abc] d + 1/2 [abc] d == [dbc] a + [adc] b + [abd] c", rank=3),
     "powers": lambda: gc.prove("[abcd]**3 == [abcd] [bacd] [badc] * -1"),
+    "common brackets": lambda: gc.prove("[abf][cdg] ([abc][ade] - [abd][ace]) == -[cdg][abf][abe][acd]", rank=3),
     "kinds": lambda: gc.prove("[acd] == 0", rank=3, given="collinear(a, b, c), collinear(a, b, d)"),
 }
 

@@ -21,7 +21,7 @@ from gcrules.algebra.bracket import BracketPolynomial, Monomial, Row, Terms, sor
 from gcrules.algebra.straightening.syzygies import pattern_of
 from gcrules.core.budget import watched
 
-__all__ = ["easiest", "easy_order", "orders", "reordered"]
+__all__ = ["divided", "easiest", "easy_order", "orders", "reordered"]
 
 _ROWS = 1_000  # different brackets among which an easy order is quickly found
 _FEW = 20  # terms that are straightened before orders are compared
@@ -53,6 +53,23 @@ def easiest(terms: Mapping[Monomial, Any], ideal: int) -> Terms:
     if len(terms) <= _FEW:
         return reordered(terms, _by_frequency(terms, points, ideal))
     return min((reordered(terms, order) for order in orders(terms, points, ideal)), key=_work)
+
+
+def divided(terms: Mapping[Monomial, Any]) -> tuple[Monomial, Mapping[Monomial, Any]]:
+    """The brackets that divide all terms, and what is left of the terms without them.
+
+    >>> divided({((0, 1), (0, 1), (2, 3)): 1, ((0, 1), (0, 2), (1, 3)): -1})
+    (((0, 1),), {((0, 1), (2, 3)): 1, ((0, 2), (1, 3)): -1})
+    """
+    common: Counter[Row] | None = None
+    for m in watched(terms):
+        common = Counter(m) if common is None else common & Counter(m)
+        if not common:
+            return (), terms
+    if common is None:
+        return (), terms
+    left = {tuple(sorted((Counter(m) - common).elements())): c for m, c in watched(terms.items())}
+    return tuple(sorted(common.elements())), left
 
 
 def _by_frequency(monomials: Iterable[Monomial], points: int, ideal: int) -> Order:

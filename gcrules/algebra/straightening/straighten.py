@@ -25,7 +25,7 @@ from typing import Any
 from gcrules.algebra.bracket import BracketPolynomial, ExtensorPolynomial, Monomial, Row, Terms
 from gcrules.algebra.expand import MAX_TERMS, expand
 from gcrules.algebra.expr import Expr, sub
-from gcrules.algebra.straightening.order import easiest
+from gcrules.algebra.straightening.order import divided, easiest
 from gcrules.algebra.straightening.syzygies import offending_column, pattern_of, syzygy, two_rows
 from gcrules.algebra.straightening.work import WORK_PER_TERM, Work
 from gcrules.core.budget import checkpoint, watched
@@ -121,12 +121,18 @@ def _closed(poly: ExtensorPolynomial) -> tuple[Terms, Row]:
 
 def terms_are_zero(terms: Mapping[Monomial, Any], ideal: int = 0, limit: int = MAX_TERMS) -> bool:
     """Whether raw terms straighten to nothing."""
-    return not straighten_terms(easiest(terms, ideal), ideal, limit)
+    _, left = divided(_alive(terms, ideal))  # a product is zero only where a factor is
+    return not straighten_terms(easiest(left, ideal), ideal, limit)
+
+
+def _alive(terms: Mapping[Monomial, Any], ideal: int) -> Terms:
+    """Without terms that are zero."""
+    return {m: c for m, c in terms.items() if c and not any(row[-1] < ideal for row in m)}
 
 
 def straighten_terms(terms: Mapping[Monomial, Any], ideal: int = 0, limit: int = MAX_TERMS) -> Terms:
     """The normal form of raw terms; rows whose points all come before `ideal` are 0."""
-    pending = {m: c for m, c in terms.items() if c and not any(row[-1] < ideal for row in m)}
+    pending = _alive(terms, ideal)
     work = Work(limit)
     arrays = max(map(len, pending), default=0) <= _TALL and _possible_rows(pending) <= _MOST_ROWS
     normal = _largest_first(pending, ideal, work, _FEW if arrays else inf)
