@@ -6,6 +6,7 @@ import random
 import re
 from collections.abc import Callable, Iterator
 from fractions import Fraction
+from math import lcm
 from typing import Any
 
 import pytest
@@ -145,8 +146,8 @@ def test_scaling_takes_no_value_that_matters() -> None:
 def scaled_as_it_says(frame: Frame, rng: random.Random) -> None:
     """Where the numbers are multiplied by powers of a factor, so is the expression: by the square for the square."""
     for exponents in frame.scalings:
-        whole = [int(x * frame.rank) for x in exponents]
-        assert [Fraction(n, frame.rank) for n in whole] == list(exponents)
+        times = lcm(*(x.denominator for x in exponents))
+        whole = [int(times * x) for x in exponents]
         factor, numbers = rng.randrange(2, PRIME), [rng.randrange(1, PRIME) for _ in exponents]
         once, twice, thrice = (
             frame.value([n * pow(factor, k * e, PRIME) % PRIME for n, e in zip(numbers, whole, strict=True)], PRIME)
@@ -206,6 +207,9 @@ MODULI = [
     ("rank 2", "[ac][bd] == [ad][bc]", 1),
     ("rank 2", "[ac][bd] == -[ad][bc]", 1),
     ("rank 3 given m == a + b", "[amc] == 2 [bmc]", 0),
+    ("rank 3 let m = a + b given collinear(m, c, d)", "[abd] == [abc]", 1),
+    ("rank 3 let m = a + b given collinear(a, b, c)", "[mcd] == [acd]", 1),
+    ("rank 2 let m = a + b let n = a - b", "[mc][nd] == 2 [md][nc]", 2),
 ]
 
 

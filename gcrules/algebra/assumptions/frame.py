@@ -5,10 +5,10 @@ when it vanishes on a dense set of them, for instance where d of the free points
 meets and brackets, up to powers of the determinant. Hence, where all terms of F have the same degree in all free points
 together, these d points may be taken to be e1, …, ed: what F is elsewhere follows, and nothing is assumed.
 
-What is left are the parameters and the coordinates of the other free points. Where F is homogeneous in a point, scaling
-this point multiplies each of them by a power of the factor, its weight. If the weights of some of them are linearly
-independent, there are factors (in an algebraically closed field) that make all of these 1 wherever they are not 0: a
-dense set again. So one further point becomes e1 + … + ed, and is the unit point of a projective frame.
+What is left are the parameters and the coordinates of the other free points. Where F is homogeneous in a point, or in
+several together, scaling these multiplies each of them by a power of the factor, its weight. If the weights of some of
+them are linearly independent, there are factors (in an algebraically closed field) that make all of these 1 wherever they
+are not 0: a dense set again. So one further point becomes e1 + … + ed, and is the unit point of a projective frame.
 
     >>> from gcrules.algebra.language.syntax import parse
     >>> free = Construction(3, tuple("abcdef"), (), points=tuple("abcdef"))
@@ -34,13 +34,12 @@ from gcrules.algebra.scalars import written_out
 from gcrules.algebra.sparse import Ring
 from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import LimitReached
-from gcrules.core.linear_algebra import echelon
+from gcrules.core.linear_algebra import echelon, kernel
 
 __all__ = ["Frame", "frame_of", "zero_by"]
 
 _FIRST = 1_000  # terms within which brackets are straightened before a frame is tried
 _SLACK = 28  # a determinant of so many lines is computed through polynomials of up to so many times its degree
-_ALL = ""  # in degrees by the names of points: that in all free points together
 
 Degrees = Mapping[str, int]
 
@@ -119,16 +118,36 @@ def frame_of(c: Construction, e: Expr) -> Frame | None:
     degrees = _DegreesOf(free)
     parameters = [degrees.step(s) for s in steps]
     degrees.of(e)
-    if _ALL in degrees.uneven:
+    made = [s.name for s in steps if all(map(s.scaled, s.parts))]
+    together = _together(free, made, degrees.uneven)
+    if together is None:
         return None
     weights = [{p: Fraction(1), b: Fraction(1)} for p in others for b in base]
     for own in chain.from_iterable(parameters):
         # Where a point of the base was scaled, a map that multiplies one coordinate of all points brings it back.
-        share = Fraction(own.get(_ALL, 0), c.rank)
+        share = sum((k * own.get(n, 0) for n, k in together.items()), Fraction(0)) / c.rank
         weights.append({n: share - own.get(n, 0) if n in base else Fraction(own[n]) for n in {*own, *base}})
-    scaled = (*free, *(s.name for s in steps if all(map(s.scaled, s.parts))))
-    scalings = tuple(tuple(w.get(n, Fraction(0)) for w in weights) for n in scaled if n not in degrees.uneven)
+    scaled = (*free, *made)
+    # Factors of several points together are found where the terms of no sum are multiplied by different powers.
+    rows = {tuple(d.get(n, 0) * (-1 if n in base else 1) for n in scaled) for d in degrees.uneven}
+    scalings = tuple(
+        tuple(sum((k * w.get(n, 0) for k, n in zip(some, scaled, strict=True) if k), Fraction(0)) for w in weights)
+        for some in kernel(rows, len(scaled))
+    )
     return Frame(c.rank, e, base, others, steps, len(weights), scalings, _SLACK * size.degree)
+
+
+def _together(free: Sequence[str], made: Sequence[str], uneven: Iterable[Degrees]) -> Mapping[str, Fraction] | None:
+    """By which powers of a factor points are multiplied so that no sum has terms that are multiplied by different ones,
+    and all free points by the factor itself; None where there are none.
+    """
+    rows = {(sum(d.get(n, 0) for n in free), *(d.get(n, 0) for n in made)) for d in uneven}
+    for first, *others in kernel(rows, 1 + len(made)):
+        if first:
+            return dict.fromkeys(free, Fraction(1)) | {
+                n: k / Fraction(first) for n, k in zip(made, others, strict=True)
+            }
+    return None
 
 
 def _needed(c: Construction, e: Expr) -> tuple[ConstructionStep, ...]:
@@ -160,16 +179,15 @@ def _occurrences(free: Iterable[str], steps: Iterable[ConstructionStep], e: Expr
 
 
 class _DegreesOf:
-    """Degrees of expressions in each point, and in all free points together; in those of `uneven` some expression is
-    not homogeneous.
+    """Degrees of expressions in each point; `uneven` are the differences of these between terms of one sum.
 
     A constructed point has degree 1 in itself; in the points that it depends on it has the degree of the parts without
     parameters, or 0: parameters have the degrees that the other parts lack.
     """
 
     def __init__(self, free: Iterable[str]) -> None:
-        self.uneven: set[str] = set()
-        self._known: dict[Expr, Degrees] = {Point(n): {n: 1, _ALL: 1} for n in free}
+        self.uneven: list[Degrees] = []
+        self._known: dict[Expr, Degrees] = {Point(n): {n: 1} for n in free}
 
     def of(self, e: Expr) -> Degrees:
         if e not in self._known:
@@ -192,7 +210,9 @@ class _DegreesOf:
     def _common(self, several: Sequence[Degrees]) -> Degrees:
         first = several[0]
         for other in several[1:]:
-            self.uneven.update(n for n in {*first, *other} if first.get(n, 0) != other.get(n, 0))
+            difference = {n: k for n in {*first, *other} if (k := first.get(n, 0) - other.get(n, 0))}
+            if difference:
+                self.uneven.append(difference)
         return first
 
     def step(self, s: ConstructionStep) -> list[Degrees]:
