@@ -7,8 +7,8 @@ together, these d points may be taken to be e1, …, ed: what F is elsewhere fol
 
 What is left are the parameters and the coordinates of the other free points. Where F is homogeneous in a point, or in
 several together, scaling these multiplies each of them by a power of the factor, its weight. If the weights of some of
-them are linearly independent, there are factors (in an algebraically closed field) that make all of these 1 wherever they
-are not 0: a dense set again. So one further point becomes e1 + … + ed, and is the unit point of a projective frame.
+them are linearly independent, there are factors (in an algebraically closed field) that make all of these 1 wherever
+they are not 0: a dense set again. So one further point becomes e1 + … + ed, the unit point of a projective frame.
 
     >>> from gcrules.algebra.language.syntax import parse
     >>> free = Construction(3, tuple("abcdef"), (), points=tuple("abcdef"))
