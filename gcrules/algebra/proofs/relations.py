@@ -56,15 +56,22 @@ def relations(
     kept = {m: c for m, c in terms.items() if c and not any(len(row) > 1 and row[-1] < ideal for row in m)}
     for parameters, brackets in by_parameters(kept).items():
         common, left = divided(brackets)
-        if not _reduced(dict(left), common + parameters, ideal, found, done):
+        if not _reduced(dict(left), common, parameters, ideal, found, done):
             return None
     return tuple(Relation(*key, FrozenMap(multiplier)) for key, multiplier in found.items())
 
 
 def _reduced(
-    pending: Terms, common: Monomial, ideal: int, found: dict[tuple[Row, Row, int], Terms], done: Count
+    pending: Terms,
+    common: Monomial,
+    parameters: Monomial,
+    ideal: int,
+    found: dict[tuple[Row, Row, int], Terms],
+    done: Count,
 ) -> bool:
-    """Whether a polynomial is reduced to nothing by relations, which, times `common`, are added to those `found`."""
+    """Whether a polynomial is reduced to nothing by relations, which, times what all terms have in common, are added to
+    those `found`.
+    """
     heap = [Last(m) for m in pending]
     heapify(heap)
     while heap:
@@ -83,7 +90,7 @@ def _reduced(
         )
         rest = (*monomial[:at], *monomial[at + 2 :])
         multiplier = found[one, other, number]
-        key = rest + common
+        key = (*sorted(rest + common), *parameters)
         multiplier[key] = multiplier.get(key, 0) + coefficient
         for sign, (a, b) in exchange(one, other, number):
             if a[-1] < ideal:
