@@ -16,7 +16,8 @@ from gcrules.algebra.expand import expand
 from gcrules.algebra.language.syntax import parse
 from gcrules.algebra.straightening import diagonal
 from gcrules.algebra.straightening import syzygies as two_rows
-from gcrules.algebra.straightening.straighten import straighten, straighten_steps
+from gcrules.algebra.straightening.order import orders, reordered
+from gcrules.algebra.straightening.straighten import is_zero, straighten, straighten_steps, straighten_terms
 from gcrules.algebra.superbrackets.shortest import _table, shortest_forms, superbracket_form
 from gcrules.mechanisms.platform_analysis import analyze_legs
 
@@ -130,3 +131,22 @@ def test_analyze_warm(ratio: Callable[..., Any], class_id: str) -> None:
 
     others = {"loop over orders alone": lambda: shortest_by_loop(legs)}
     ratio(fresh, others, within=0.1, rounds=3, others_rounds=1)
+
+
+def test_a_relation_times_five_brackets(ratio: Callable[..., Any]) -> None:
+    """An exchange of points in rank 4, times five brackets, in 21 points: beside straightening all of it."""
+    rng = random.Random(8)
+    names = tuple(f"p{i}" for i in range(1, 22))
+    sets = [rng.sample(names, 4) for _ in range(7)]
+    times = " ".join(f"[{' '.join(s)}]" for s in sets[:5])
+    a, b = sets[5:]
+    moved = [f"[{' '.join((*a[:i], b[0], *a[i + 1 :]))}][{' '.join((a[i], *b[1:]))}]" for i in range(4)]
+    p = expand(parse(f"{times} ([{' '.join(a)}][{' '.join(b)}] - {' - '.join(moved)})"))
+    assert isinstance(p, BracketPolynomial)
+    ratio(
+        lambda: is_zero(p),
+        {"all of it": lambda: not straighten_terms(reordered(p.terms, orders(p.terms, 21, 0)[0]))},
+        agree=lambda one, other: one == other,
+        within=1,
+        others_rounds=1,
+    )

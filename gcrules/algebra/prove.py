@@ -22,6 +22,7 @@ from typing import Any
 from gcrules.algebra.assumptions.assumed import kinds
 from gcrules.algebra.assumptions.building import merged
 from gcrules.algebra.assumptions.construction import Construction
+from gcrules.algebra.assumptions.frame import Frame, zero_by
 from gcrules.algebra.assumptions.nondegeneracy import fewest, words
 from gcrules.algebra.bracket import tableau_order
 from gcrules.algebra.claims import error_below
@@ -79,8 +80,9 @@ class KindVerdict:
 class Proof(Shown):
     """The answer to LHS == RHS and how sure it is.
 
-    `verdict` is "proved" (the normal form of the difference is 0), "refuted" (`counterexample` holds exact homogeneous
-    coordinates at which the sides, `values`, differ) or "undecided" (`reason` names the limit and what is known).
+    `verdict` is "proved" (the normal form of the difference is 0, or with the method "frame" what it is in
+    coordinates), "refuted" (`counterexample` holds exact homogeneous coordinates at which the sides, `values`, differ)
+    or "undecided" (`reason` names the limit and what is known).
     `assumed` lists, as text of the language, what was assumed not to vanish: a claim that is proved holds wherever its
     assumptions hold and none of these is zero. Without assumptions that is everywhere; a refutation assumes nothing.
     `together` lists pairs of points that are one point at all positions that the proof reaches, although nothing says
@@ -176,12 +178,38 @@ def _everywhere(
         if not vanishes(difference, rank=rank, ideal=ideal, samples=_SAMPLES):
             return _refuted(left, right, difference, rank, ideal, limit)
         known = f"{_EQUAL} ({error_below(difference, _SAMPLES)})"
-        if not is_zero(difference, points=points, ideal=ideal, rank=rank, limit=limit):
-            # The coefficients of the difference are multiples of that prime.
+        zero = zero_by(
+            _anywhere(points_of(left, right), rank, ideal),
+            difference,
+            lambda most: is_zero(difference, points=points, ideal=ideal, rank=rank, limit=most),
+            limit,
+        )
+        if not zero:  # the coefficients of the difference are multiples of that prime
             return _refuted(left, right, difference, rank, ideal, limit)
     except LimitReached as limited:
         return Proof(left, right, "undecided", "random-points", _reason(limited, known))
+    if isinstance(zero, Frame):
+        return Proof(left, right, "proved", "frame", _in_frame(zero))
     return Proof(left, right, "proved", "normal-form", "both sides have the same normal form of standard tableaux")
+
+
+def _anywhere(names: tuple[str, ...], rank: int, ideal: tuple[str, ...]) -> Construction:
+    """The construction of points of which nothing is given."""
+    at_infinity = tuple(n for n in names if n in ideal)
+    return Construction(rank, tableau_order(names, (), at_infinity), at_infinity, points=names)
+
+
+def _in_frame(frame: Frame) -> str:
+    """Both sides are equal, in which coordinates."""
+    *others, last = frame.base
+    told = f"{', '.join(others)} and {last}" if others else last
+    if frame.unit:
+        told += f" are the basis and {frame.unit} is their sum"
+    else:
+        told += " are the basis" if others else " is the first point of the basis"
+    if any(":" in n for n in (*frame.base, frame.unit or "")):
+        told = "points of the construction are the basis"
+    return f"both sides are the same polynomial in coordinates in which {told}"
 
 
 def _under_assumptions(left: Expr, right: Expr, difference: Expr, space: Space, limit: int) -> Proof:
@@ -222,13 +250,17 @@ def _at_one_kind(
         if not construction.vanishes(difference, samples=_SAMPLES):
             return _refuted_under(left, right, difference, construction, limit)
         known = f"{_EQUAL} that satisfy the assumptions ({construction.error_below(difference, _SAMPLES)})"
-        if not construction.is_zero(difference, limit=limit):
+        zero = zero_by(construction, difference, lambda most: construction.is_zero(difference, limit=most), limit)
+        if not zero:
             return _refuted_under(left, right, difference, construction, limit)
     except LimitReached as limited:
         found = Proof(left, right, "undecided", "random-points", _reason(limited, known))
     else:
         reason = "both sides have the same normal form at the points that satisfy the assumptions"
-        found = Proof(left, right, "proved", "normal-form", reason)
+        if isinstance(zero, Frame):
+            reason = f"{_in_frame(zero)}, at all points that satisfy the assumptions"
+        method = "frame" if isinstance(zero, Frame) else "normal-form"
+        found = Proof(left, right, "proved", method, reason)
     together = sorted((str(a), str(b)) for a, b in merged(construction))
     return replace(_assuming(found, construction.nonzero, names), together=tuple(together))
 
@@ -288,9 +320,7 @@ def _refuted(left: Expr, right: Expr, difference: Expr, rank: int, ideal: tuple[
         if _differ(*values):
             reason = "the sides differ at these points (homogeneous coordinates)"
             return Proof(left, right, "refuted", "counterexample", reason, found, values)
-    at_infinity = tuple(n for n in names if n in ideal)
-    anywhere = Construction(rank, tableau_order(names, (), at_infinity), at_infinity, points=names)
-    return _refuted_under(left, right, difference, anywhere, limit, which="")
+    return _refuted_under(left, right, difference, _anywhere(names, rank, ideal), limit, which="")
 
 
 def _differ(left: Any, right: Any) -> bool:

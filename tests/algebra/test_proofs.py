@@ -34,6 +34,13 @@ def test_what_is_not_zero_has_no_relations() -> None:
     assert relations({}) == ()
 
 
+def test_brackets_that_divide_make_no_proof_longer() -> None:
+    times = "[p1 p5 p9] [p2 p6 a] [b p3 p7] [p4 p8 p1] [p5 p2 c]"
+    found = proved(f"{times} ([abc][ade] - [abd][ace]) == -{times} [abe][acd]", 3)
+    assert found.size == proved(EXCHANGE, 3).size
+    assert all(list(m) == sorted(m) for r in found.relations for m in r.multiplier), "as scripts of Coq read them"
+
+
 def test_a_proof_that_is_too_long_is_refused() -> None:
     terms = expand(parse("[abc][def] - [dbc][aef] - [adc][bef] - [abd][cef]", rank=3)).terms
     with pytest.raises(LimitReached, match="the proof takes more than 0 exchanges"):

@@ -12,7 +12,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 
-from rules.theorem_positions import Position, Vector, cross, det, drawn, mixed, vector
+from rules.theorem_positions import Position, Vector, between, cross, det, drawn, mixed, vector
 
 __all__ = ["METRIC"]
 
@@ -152,6 +152,11 @@ def reim(rng: random.Random) -> Position:
     return weighted(rng, points) | ISOTROPIC
 
 
+def miquel(rng: random.Random) -> Position:
+    found = {n: drawn(rng, 3) for n in "abcmij"}
+    return found | {"r": between(rng, found["a"], found["b"])}
+
+
 METRIC: Mapping[str, Callable[[random.Random], Position]] = {
     "bimedians": affine("a b c d"),
     "bisectors": euclidean("a b c"),
@@ -162,6 +167,7 @@ METRIC: Mapping[str, Callable[[random.Random], Position]] = {
     "medians": affine("a b c"),
     "midpoints": midpoints,
     "newton-gauss": affine("a b c d"),
+    "miquel": miquel,
     "nine-points": euclidean("a b c"),
     "orthocentre": euclidean("a b c"),
     "orthologic": euclidean("a b c a' b' c'"),

@@ -82,7 +82,7 @@ def test_theorem_at_positions_built_otherwise(name: str) -> None:
         assert sum(holds_there(claim, result.proof.assumed, points) for points in drawn_from) > 4
 
 
-@pytest.mark.parametrize("name", ["brianchon", "pascal", "quadrangle", "five-lines", "conic", "desargues"])
+@pytest.mark.parametrize("name", ["brianchon", "pascal", "quadrangle", "five-lines", "conic", "desargues", "miquel"])
 def test_first_claims_are_not_zero_on_both_sides_everywhere(name: str) -> None:
     """The identities that say "exactly when": in general position neither side is zero."""
     script = script_of(name)

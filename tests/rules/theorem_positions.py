@@ -262,6 +262,36 @@ def five_lines(rng: random.Random) -> Position:
     return found
 
 
+def double_six(rng: random.Random) -> Position:
+    """On the cubic surface of the cubics through six points of the plane: the a's stand for the directions at these
+    points, the b's for the conics through five of them.
+    """
+    six = {i: drawn(rng, 3) for i in range(1, 7)}
+    line = {(i, j): cross(six[i], six[j]) for i in six for j in six if i != j}
+    cubics = [((1, 2), (3, 4), (5, 6)), ((1, 3), (2, 5), (4, 6)), ((1, 4), (2, 6), (3, 5)), ((1, 5), (2, 4), (3, 6))]
+
+    def tangent(i: int, without: int) -> Vector:
+        """At a point, of the conic through it and all others but one: a combination of two pairs of lines."""
+        b, c, d, e = (n for n in six if n not in (i, without))
+        one = dot(line[i, c], six[e]) * dot(line[b, d], six[e]) * dot(line[c, d], six[i])
+        other = dot(line[i, b], six[e]) * dot(line[c, d], six[e]) * dot(line[b, d], six[i])
+        return mixed((one, line[i, b]), (-other, line[i, c]))
+
+    def at(i: int, j: int) -> Vector:
+        """Where ai and bj meet: the derivatives of the cubics, each three lines, along the tangent."""
+        along = cross(tangent(i, j), drawn(rng, 3))
+        found = []
+        for cubic in cubics:
+            ((_, other),) = (pair if pair[0] == i else pair[::-1] for pair in cubic if i in pair)
+            rest = [dot(line[pair], six[i]) for pair in cubic if i not in pair]
+            sign = 1 if (i, other) in cubic else -1
+            found.append(sign * dot(line[i, other], along) * rest[0] * rest[1])
+        return tuple(found)
+
+    found = {f"p{j}": at(1, j) for j in range(3, 7)} | {f"q{j}": at(2, j) for j in range(3, 7)}
+    return found | {f"u{i}": at(i, 6) for i in range(3, 6)}
+
+
 def conic_points(letters: str) -> Callable[[random.Random], Position]:
     names = letters.split()
     return lambda rng: dict(zip(names, conic(rng, len(names)), strict=True))
@@ -340,6 +370,7 @@ POSITIONS: Mapping[str, Callable[[random.Random], Position]] = {
     "desargues-space": lambda rng: sides(perspective(rng, 4)),
     "desargues-space-converse": desargues_space_converse,
     "desmic": desmic,
+    "double-six": double_six,
     "five-lines": five_lines,
     "gallucci": gallucci,
     "harmonic": harmonic,

@@ -166,9 +166,9 @@ class Construction:
         decide, as nobody can foresee them (see `seeds`).
         """
         points = random_points(self._needed, rank=self.rank, ideal=self.ideal, seed=seed)
-        rng = drawn("parameters", seed)
+        rng, at = drawn("parameters", seed), Evaluator(points, self.rank, PRIME)
         for step in self.steps:
-            value = coordinates(step, points, self.rank, lambda: rng.randrange(DRAWN), PRIME)
+            value = coordinates(step, at, lambda: rng.randrange(DRAWN))
             points[step.name] = tuple(value)
         return points
 
@@ -183,8 +183,9 @@ class Construction:
         rng = random.Random(f"parameters {seed}")
         if seed > _SCALED:
             points = {n: tuple(k * c for c in v) for n, v in points.items() for k in [rng.choice(_FACTORS)]}
+        at = Evaluator(points, self.rank)
         for step in self.steps:
-            value = coordinates(step, points, self.rank, lambda: rng.choice(_FACTORS), None)
+            value = coordinates(step, at, lambda: rng.choice(_FACTORS))
             if not any(value) or ((value[-1] == 0) != (step.name in self.ideal) and ":" not in step.name):
                 return None
             points[step.name] = tuple(value) if step.exact or seed > _SCALED else _primitive(value)
@@ -219,6 +220,10 @@ class Construction:
     def error_below(self, e: Expr, samples: int) -> str:
         """In words, the chance at most that `vanishes` is wrong where it says so."""
         return claims.error_below(e, samples, self._sizes)
+
+    def size(self, e: Expr) -> claims.PolynomialSize:
+        """Of an expression, as a polynomial in what is drawn."""
+        return claims.size(e, self._sizes)
 
     @cached_property
     def _sizes(self) -> dict[str, claims.PolynomialSize]:
@@ -279,16 +284,13 @@ class Construction:
             raise
 
 
-def coordinates(
-    step: ConstructionStep, points: Mapping[str, Any], rank: int, draw: Callable[[], int], modulus: int | None
-) -> list[Any]:
+def coordinates(step: ConstructionStep, at: Evaluator, draw: Callable[[], Any]) -> list[Any]:
     """The value of a step at given points, with drawn parameters."""
-    evaluator = Evaluator(points, rank, modulus)
-    total: list[Any] = [0] * rank
+    total: list[Any] = [0] * at.rank
     for part in step.parts:
         factor = draw() if step.scaled(part) else 1
-        total = [t + factor * c for t, c in zip(total, evaluator.value(part), strict=True)]
-    return [c % modulus for c in total] if modulus else total
+        total = [t + factor * c for t, c in zip(total, at.value(part), strict=True)]
+    return [at.reduced(c) for c in total]
 
 
 def _primitive(value: Iterable[int | Fraction]) -> tuple[int, ...]:

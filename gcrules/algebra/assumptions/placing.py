@@ -107,7 +107,7 @@ class Placement:
     def put(self, step: ConstructionStep) -> None:
         rank = self.aim.space.rank
         points = {**self.values, **random_points(step.fresh, rank=rank, seed=("fresh", len(self.steps)))}
-        value = coordinates(step, points, rank, lambda: self.rng.randrange(DRAWN), PRIME)
+        value = coordinates(step, Evaluator(points, rank, PRIME), lambda: self.rng.randrange(DRAWN))
         self.values[step.name] = tuple(value)
 
     def check(self, depth: int, step: ConstructionStep, used: list[IncidenceCondition]) -> None:

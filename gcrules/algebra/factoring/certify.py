@@ -12,7 +12,7 @@ from gcrules.algebra.evaluate import Evaluator, random_rational_points
 from gcrules.algebra.expand import expand
 from gcrules.algebra.expr import Expr, Number
 from gcrules.algebra.factoring.restriction import value_at
-from gcrules.algebra.straightening.order import same_function
+from gcrules.algebra.straightening.straighten import is_zero
 from gcrules.core.budget import seconds_left, within
 from gcrules.core.errors import LimitReached
 from gcrules.core.seeds import DRAWN, error_below, seed
@@ -33,7 +33,7 @@ def proved(poly: BracketPolynomial, e: Expr, terms: int) -> int | Fraction | Non
     assert isinstance(value, BracketPolynomial)
     if c is None:
         return None
-    return c if same_function(poly, value.over(poly.points, poly.ideal) * c, terms) else None
+    return c if is_zero(poly - value.over(poly.points, poly.ideal) * c, limit=terms) else None
 
 
 def certified(poly: BracketPolynomial, e: Expr, terms: int) -> tuple[int | Fraction, Certificate]:

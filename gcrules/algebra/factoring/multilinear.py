@@ -31,7 +31,7 @@ from gcrules.algebra.factoring.coincidences import united
 from gcrules.algebra.factoring.extensors import Tree
 from gcrules.algebra.factoring.modular import MODULUS, Ints
 from gcrules.algebra.factoring.residues import random_positions, values
-from gcrules.algebra.straightening.order import same_function
+from gcrules.algebra.straightening.straighten import is_zero
 from gcrules.core.budget import checkpoint
 from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import LimitReached
@@ -143,7 +143,7 @@ def _error(state: _State, letters: int) -> float:
 def _alternates(poly: BracketPolynomial, one: int, other: int) -> bool:
     """Whether a polynomial is proved to vanish where two points coincide; False where that is not known."""
     try:
-        return same_function(united(poly, one, other), poly.with_terms({}), _TERMS_TO_PROVE)
+        return is_zero(united(poly, one, other), limit=_TERMS_TO_PROVE)
     except LimitReached:
         return False
 

@@ -21,6 +21,7 @@ from typing import Any
 
 from gcrules.algebra.bracket import Coefficient, Monomial, Row, Terms, by_parameters
 from gcrules.algebra.proofs.written import number
+from gcrules.algebra.straightening.order import divided
 from gcrules.algebra.straightening.straighten import Last, offence
 from gcrules.algebra.straightening.syzygies import exchange
 from gcrules.core.budget import Count, checkpoint
@@ -69,15 +70,23 @@ def relations(
     done = Count(limit, "the proof takes", "exchanges")
     kept = {m: c for m, c in terms.items() if c and not any(len(row) > 1 and row[-1] < ideal for row in m)}
     for parameters, brackets in by_parameters(kept).items():
-        if not _reduced(brackets, parameters, ideal, found, done):
+        common, left = divided(brackets)
+        if not _reduced(dict(left), common, parameters, ideal, found, done):
             return None
     return tuple(Relation(*key, FrozenMap(multiplier)) for key, multiplier in found.items())
 
 
 def _reduced(
-    pending: Terms, parameters: Monomial, ideal: int, found: dict[tuple[Row, Row, int], Terms], done: Count
+    pending: Terms,
+    common: Monomial,
+    parameters: Monomial,
+    ideal: int,
+    found: dict[tuple[Row, Row, int], Terms],
+    done: Count,
 ) -> bool:
-    """Whether a polynomial is reduced to nothing by relations, which are added to those `found`."""
+    """Whether a polynomial is reduced to nothing by relations, which, times what all terms have in common, are added to
+    those `found`.
+    """
     heap = [Last(m) for m in pending]
     heapify(heap)
     while heap:
@@ -96,7 +105,7 @@ def _reduced(
         )
         rest = (*monomial[:at], *monomial[at + 2 :])
         multiplier = found[one, other, number]
-        key = rest + parameters
+        key = (*sorted(rest + common), *parameters)
         multiplier[key] = multiplier.get(key, 0) + coefficient
         for sign, (a, b) in exchange(one, other, number):
             if a[-1] < ideal:

@@ -23,8 +23,7 @@ from gcrules.algebra.proofs.relations import MAX_RELATIONS, Relation, relations
 from gcrules.algebra.proofs.written import Written
 from gcrules.algebra.prove import difference_of
 from gcrules.algebra.space import Assumption, Space
-from gcrules.algebra.straightening.order import easy_places
-from gcrules.algebra.straightening.straighten import by_frequency, reordered
+from gcrules.algebra.straightening.order import orders, reordered
 from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import EngineFault, InputError, LimitReached
 from gcrules.core.frozen import FrozenMap
@@ -32,7 +31,6 @@ from gcrules.core.frozen import FrozenMap
 __all__ = ["PlacedPoint", "Theorem", "theorem", "with_roles"]
 
 _SUPERBRACKETS = 4  # the highest rank in which the checker expands them
-_ROWS = 1_000  # different brackets among which an easy order of the points is quickly found
 _SHORT = 5_000  # exchanges within which every order is tried before longer proofs are sought
 
 
@@ -173,15 +171,10 @@ def _shortest(
     at infinity stay before the others, those that close extensors behind them. Raises EngineFault where they do not add
     up to nothing, LimitReached where the proof is too long in every order.
     """
-    brackets = [tuple(row for row in m if len(row) > 1) for m in terms]
-    orders = [by_frequency(brackets, ideal, range(points))]
-    if len({row for m in brackets for row in m}) <= _ROWS:
-        easy = easy_places(brackets, points, ideal)
-        orders += [easy, (*easy[:ideal][::-1], *easy[ideal:][::-1])]
     for most in (_SHORT, MAX_RELATIONS):
         found = []
         reached: LimitReached | None = None
-        for order in dict.fromkeys(orders):
+        for order in orders(terms, points, ideal):
             try:
                 proof = relations(reordered(terms, order), ideal, most)
             except LimitReached as limited:

@@ -24,8 +24,7 @@ from gcrules.algebra.shortening.limits import MAX_MONOMIALS, SECONDS
 from gcrules.algebra.shortening.monomials import canonical, degree_vector
 from gcrules.algebra.shortening.result import Shortening, TermBound
 from gcrules.algebra.shortening.search import Divided, SearchLimits, ShortestSearch, shortest_of
-from gcrules.algebra.straightening.order import same_function
-from gcrules.algebra.straightening.straighten import straighten
+from gcrules.algebra.straightening.straighten import is_zero, straighten
 from gcrules.algebra.superbrackets.shortest import shortest_forms
 from gcrules.core.budget import as_float, checkpoint, within
 from gcrules.core.errors import EngineFault, LimitReached
@@ -145,7 +144,7 @@ def _together(poly: BracketPolynomial, kept: BracketPolynomial, found: list[Shor
     best, notes = reduce(add, (s.best for s in found)), tuple(note for s in found for note in s.notes)
     certificate = _PROVED
     try:
-        if not same_function(best, kept, terms):
+        if not is_zero(best - kept, limit=terms):
             raise EngineFault(f"{best} does not equal the input")
     except LimitReached as reached:
         best, certificate, notes = kept, _COLLECTED, (*notes, f"proof of what was found: {reached.message}")

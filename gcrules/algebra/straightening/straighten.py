@@ -15,7 +15,6 @@ goes on with the same replacements, many at a time.
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Iterable, Mapping
 from heapq import heapify, heappop, heappush
 from itertools import pairwise
@@ -23,9 +22,10 @@ from math import comb, inf
 from operator import gt
 from typing import Any
 
-from gcrules.algebra.bracket import BracketPolynomial, ExtensorPolynomial, Monomial, Row, Terms, sorted_row
+from gcrules.algebra.bracket import BracketPolynomial, ExtensorPolynomial, Monomial, Row, Terms
 from gcrules.algebra.expand import MAX_TERMS, expand
 from gcrules.algebra.expr import Expr, sub
+from gcrules.algebra.straightening.order import divided, easiest
 from gcrules.algebra.straightening.syzygies import offending_column, pattern_of, syzygy, two_rows
 from gcrules.algebra.straightening.work import WORK_PER_TERM, Work
 from gcrules.core.budget import checkpoint, watched
@@ -37,12 +37,10 @@ __all__ = [
     "WORK_PER_TERM",
     "Last",
     "Straightening",
-    "by_frequency",
     "is_standard",
     "is_zero",
     "next_syzygy",
     "offence",
-    "reordered",
     "straighten",
     "straighten_steps",
     "straighten_terms",
@@ -123,39 +121,18 @@ def _closed(poly: ExtensorPolynomial) -> tuple[Terms, Row]:
 
 def terms_are_zero(terms: Mapping[Monomial, Any], ideal: int = 0, limit: int = MAX_TERMS) -> bool:
     """Whether raw terms straighten to nothing."""
-    order = by_frequency(terms, ideal)
-    return not straighten_terms(reordered(terms, order), sum(i < ideal for i in order), limit)
+    _, left = divided(_alive(terms, ideal))  # a product is zero only where a factor is
+    return not straighten_terms(easiest(left, ideal), ideal, limit)
 
 
-def by_frequency(terms: Iterable[Monomial], ideal: int = 0, points: Iterable[int] | None = None) -> tuple[int, ...]:
-    """An order of points (by default all that occur) in which straightening is short: those that occur often go first,
-    so that many rows agree in their first points; points at infinity (those before `ideal`) stay before the others.
-    Rows of one entry do not count.
-    """
-    often = Counter(i for m in terms for row in m if len(row) > 1 for i in row)
-    return tuple(sorted(often if points is None else points, key=lambda x: (x >= ideal, -often[x], x)))
-
-
-def reordered(terms: Mapping[Monomial, Any], order: Iterable[int]) -> Terms:
-    """Raw terms in which points have the numbers of their places in an order. Numbers that are not in it stay as they
-    are, and so do rows of one entry.
-    """
-    place = {x: n for n, x in enumerate(order)}
-    rows = {row for m in terms for row in m}
-    known = {row: sorted_row(place.get(i, i) for i in row) if len(row) > 1 else (1, row) for row in rows}
-    moved: Terms = {}
-    for m, c in watched(terms.items()):
-        signed = [known[row] for row in m]
-        for sign, _ in signed:
-            c = c * sign
-        key = tuple(sorted(row for _, row in signed))
-        moved[key] = moved.get(key, 0) + c
-    return moved
+def _alive(terms: Mapping[Monomial, Any], ideal: int) -> Terms:
+    """Without terms that are zero."""
+    return {m: c for m, c in terms.items() if c and not any(row[-1] < ideal for row in m)}
 
 
 def straighten_terms(terms: Mapping[Monomial, Any], ideal: int = 0, limit: int = MAX_TERMS) -> Terms:
     """The normal form of raw terms; rows whose points all come before `ideal` are 0."""
-    pending = {m: c for m, c in terms.items() if c and not any(row[-1] < ideal for row in m)}
+    pending = _alive(terms, ideal)
     work = Work(limit)
     arrays = max(map(len, pending), default=0) <= _TALL and _possible_rows(pending) <= _MOST_ROWS
     normal = _largest_first(pending, ideal, work, _FEW if arrays else inf)
