@@ -126,9 +126,30 @@ def test_dependent_points_are_placed_in_all_ways() -> None:
     assert " <> " not in statement(script, pappus.name.replace(" ", "_"))
 
 
-def test_every_theorem_of_the_examples_in_the_plane_and_in_space_has_a_script() -> None:
+ON_CONICS = {
+    "butterfly",
+    "circumcentre",
+    "involution",
+    "pencils",
+    "radical-axes",
+    "reim",
+    "simson",
+    "steiner",
+    "thales",
+}
+"""Theorems on points of conics that have auxiliary points, or no proof file at all."""
+
+
+def test_theorems_of_the_examples_in_the_plane_and_in_space_have_scripts() -> None:
     for path in sorted((EXAMPLES / "theorems").glob("*.gca")):
-        assert coq.without_script(ProofFile(path.stem, tuple(t for t in of_example(path) if t.rank in (3, 4)))) == {}
+        if path.stem not in {*ON_CONICS, "double-six"}:  # which takes a minute
+            found = ProofFile(path.stem, tuple(t for t in of_example(path) if t.rank in (3, 4)))
+            assert coq.without_script(found) == {}
+
+
+def test_auxiliary_points_are_a_reason_to_have_no_script() -> None:
+    (simson,) = of_example(EXAMPLES / "theorems" / "simson.gca")
+    assert "auxiliary points" in coq.without_script(ProofFile("Simson", (simson,)))[simson.name]
 
 
 def test_lean_has_the_relations_as_hypotheses() -> None:

@@ -57,19 +57,22 @@ def kinds(space: Space, names: Iterable[str] = (), claim: Sequence[Expr] = ()) -
         return (PositionKind((), Construction(space.rank, order, ideal, points=order)),)
     failure: InputError | None = None
     best: tuple[int, tuple[PositionKind, ...], Canonical] | None = None
-    for found in renamings(space.rank, order, ideal, space.given, claim):
-        try:
-            told = _kinds(_canonical_space(found, space.rank, ideal), found.symmetries)
-        except InputError as fault:
-            failure = failure or found.fault_back(fault)
-            continue
-        except LimitReached as limited:
-            raise found.fault_back(limited) from None
-        together = max(len(merged(kind.construction)) for kind in told)
-        if best is None or together < best[0]:
-            best = together, told, found
-        if not together:
+    for lines in (False, True):
+        if best is not None and not best[0]:
             break
+        for found in renamings(space.rank, order, ideal, space.given, claim):
+            try:
+                told = _kinds(_canonical_space(found, space.rank, ideal), found.symmetries, lines)
+            except InputError as fault:
+                failure = failure or found.fault_back(fault)
+                continue
+            except LimitReached as limited:
+                raise found.fault_back(limited) from None
+            together = max(len(merged(kind.construction)) for kind in told)
+            if best is None or together < best[0]:
+                best = together, told, found
+            if not together:
+                break
     if best is None:
         assert failure is not None
         raise failure
@@ -112,8 +115,10 @@ def resolve(space: Space, names: Iterable[str] = (), claim: Sequence[Expr] = ())
 
 
 @remembered(64)
-def _kinds(space: Space, symmetries: tuple[FrozenMap[str, str], ...] = ()) -> tuple[PositionKind, ...]:
-    """The kinds of positions in a space whose points are in tableau order."""
+def _kinds(
+    space: Space, symmetries: tuple[FrozenMap[str, str], ...] = (), lines: bool = False
+) -> tuple[PositionKind, ...]:
+    """The kinds of positions in a space whose points are in tableau order; `lines` as for an aim."""
     rank, points = space.rank, space.points
     free = Construction(rank, points, space.ideal, points=points)
     given = tuple(a for a in space.given if not _always(a, free))
@@ -122,7 +127,7 @@ def _kinds(space: Space, symmetries: tuple[FrozenMap[str, str], ...] = ()) -> tu
     wanted = tuple(e for a in given for e in understood(a, lambda a: equations(a, rank)))
     extensors = _lines_and_planes(given)
     task = ConstructionTask(
-        replace(space, given=given), lambda some: constructed(Aim(replace(space, given=some), wanted))
+        replace(space, given=given), lambda some: constructed(Aim(replace(space, given=some), wanted, lines=lines))
     )
     ways = alternatives(task)
     meets = _meets(given, free)
@@ -134,7 +139,7 @@ def _kinds(space: Space, symmetries: tuple[FrozenMap[str, str], ...] = ()) -> tu
             continue
         try:
             there = replace(space, given=way.given)
-            found[way] = constructed(Aim(there, wanted, (*extensors, *way.nonzero), meets))
+            found[way] = constructed(Aim(there, wanted, (*extensors, *way.nonzero), meets, lines))
         except InputError as failure:
             failed[way] = failure
     if not found:

@@ -11,7 +11,7 @@ from gcrules.algebra.assumptions.elimination import Turn, orders
 from gcrules.algebra.assumptions.incidences import Facts, IncidenceCondition, fault
 from gcrules.algebra.assumptions.placing import Aim, Failure, Placement, parallel
 from gcrules.algebra.assumptions.position_kinds import flats
-from gcrules.algebra.assumptions.strategies import ROADS, on_pascal_line
+from gcrules.algebra.assumptions.strategies import ROADS, on_known_lines, on_pascal_line
 from gcrules.algebra.evaluate import PRIME, Evaluator, random_points, random_rational_points
 from gcrules.algebra.expr import Expr, Meet, Point
 from gcrules.algebra.space import Space
@@ -41,25 +41,32 @@ def constructed(aim: Aim) -> Construction:
 
 @remembered(256)
 def _attempted(aim: Aim) -> Construction | Failure:
-    """The construction, or the failure that came farthest; equal aims may differ in where they were written."""
+    """The first construction at which no points coincide unsaid, else the first one, else the failure that came
+    farthest; equal aims may differ in where they were written.
+    """
     space, rank = aim.space, aim.space.rank
     if not space.given:
         free = space.points
         return Construction(rank, free, space.ideal, equations=aim.wanted, points=free, extensors=aim.extensors)
     failure: Failure | None = None
-    for road in ROADS:
+    best: Construction | None = None
+    for road in (*ROADS, on_known_lines) if aim.lines else ROADS:
         try:
             found = road(space.given, rank)
             if found is not None:
                 made = _Builder(aim, found).construction()
-                return replace(made, nonzero=()) if _one_conic(space) else made
+                made = replace(made, nonzero=()) if _one_conic(space) else made
+                if not merged(made):
+                    return made
+                best = best or made
         except Failure as failed:
             failure = failed if failure is None or failed.depth > failure.depth else failure
         except InputError:
-            if failure is None:
+            if best is None and failure is None:
                 raise
-    assert failure is not None
-    return failure
+    known = best or failure
+    assert known is not None
+    return known
 
 
 def _one_conic(space: Space) -> bool:

@@ -2,7 +2,7 @@ r"""Roads to a construction: the conditions of all assumptions, as they are writ
 
 As written, each assumption is read by itself. Where that leads nowhere, assumptions are read together (several points
 on one plane, several equations between the same points), or points that are written as meets get names of their own, as
-do those of the line of Pascal of a conic.
+do those of the line of Pascal of a conic, whose hexagon may have lines that are given as sides.
 
 >>> from gcrules.algebra.language.statements import parse_assumption
 >>> given = parse_assumption("incident(x, abc), incident(y, abc)").given
@@ -42,7 +42,7 @@ from gcrules.algebra.scalars import bracket
 from gcrules.algebra.space import Assumption
 from gcrules.core.errors import StepError
 
-__all__ = ["ROADS", "as_written", "on_pascal_line", "together", "understood", "with_named_meets"]
+__all__ = ["ROADS", "as_written", "on_known_lines", "on_pascal_line", "together", "understood", "with_named_meets"]
 
 _T = TypeVar("_T")
 
@@ -123,10 +123,25 @@ def with_named_meets(given: Sequence[Assumption], rank: int) -> list[Facts] | No
 
     Six points on a conic are read as three such points on a line.
     """
-    helpers: dict[Expr, Helper] = {}
+    return _renamed(given, rank, ())[0]
+
+
+def on_known_lines(given: Sequence[Assumption], rank: int) -> list[Facts] | None:
+    """The same where assumptions name lines on which such new points may be: hexagons in conics have them as sides,
+    and what follows for the new points on them is added; None if there are no such lines.
+    """
     lines = {line for a in given for line, _ in _lines(a)}
+    found, helpers = _renamed(given, rank, lines)
+    return [*found, *_beside(given, rank, helpers)] if found and lines else None
+
+
+def _renamed(
+    given: Sequence[Assumption], rank: int, lines: Collection[frozenset[Expr]]
+) -> tuple[list[Facts] | None, Mapping[Expr, Helper]]:
+    """The conditions with names for meets, None if there are no meets; and the new points."""
+    helpers: dict[Expr, Helper] = {}
     found = [understood(on_pascal_line(a, rank, lines), lambda a: _named_meets(a, rank, helpers)) for a in given]
-    return [*found, *_beside(given, rank, helpers)] if helpers else None
+    return found if helpers else None, helpers
 
 
 def on_pascal_line(a: Assumption, rank: int, lines: Collection[frozenset[Expr]] = ()) -> Assumption:
