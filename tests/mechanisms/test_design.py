@@ -68,8 +68,7 @@ def test_a_design_is_told_apart_from_the_motion() -> None:
     a = tripteron()
     (part,) = (p for p in a.parts if p.kind == "actuation")
     assert part.of_design
-    assert "the directions u1, u2 and u3 are parallel to one plane, and then in every pose" in a.statement
-    assert "exactly when" not in a.statement
+    assert "exactly when the directions u1, u2 and u3 are parallel to one plane, and then in every pose" in a.statement
     assert part.remark in a.text()
     assert part.remark in a.latex()
     assert [p["of_design"] for p in a.to_json()["parts"] if p["kind"] == "actuation"] == [True]
