@@ -277,10 +277,10 @@ class Positions:
         self.scalars, self.places, seen, before = 0, {}, set(), {*theorem["points"]}
         placed = [(p["name"], [*p["fresh"]], reader.open(p["on"]), p["flats"]) for p in theorem["placed"]]
         finite, meets = {*theorem["points"][reader.ideal :]} - {*reader.meets}, [*reader.meets.values()]
-        known = [*theorem["claim"], *theorem["given"], *theorem["nonzero"], *meets]
+        known = [*theorem["claim"], *theorem["given"], *theorem["nonzero"], *meets, *theorem["points"][: reader.ideal]]
         used = Counter(n for e in (*known, *(on for _, _, on, _ in placed)) for n in reader.names(e))
         expect(not any(reader.names(e) & {*reader.meets} for e in known), "an auxiliary point is named")
-        expect(all(reader.read(e)[0] == 1 for e in meets), "an auxiliary point that is none")
+        expect(all(reader.plain(e) and reader.read(e)[0] == 1 for e in meets), "an auxiliary point that is none")
         expect(not any(reader.names(e) & {*theorem["any"]} for e in theorem["nonzero"] + meets), "not zero for all")
         for name, fresh, on, flats in placed:
             self.fresh, own, points = fresh, reader.names(on), reader.args(on)

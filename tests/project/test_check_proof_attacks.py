@@ -36,6 +36,10 @@ def number(value: Any) -> list[Any]:
     return ["number", value]
 
 
+def twice_c(first: str, second: str) -> list[Any]:
+    return ["sum", ["product", bracket(*first), "c"], ["product", bracket(*second), "c"]]
+
+
 def flat(extensor: Any, *because: list[Any], room: Any = None) -> Changes:
     return {"flat": extensor, "room": room, "because": list(because)}
 
@@ -285,6 +289,30 @@ ATTACKS: dict[str, tuple[Changes, str]] = {
             "a b c d", ABX, given=[], placed=[M_ON_AB], meets=[["m", meet(join("a", "c"), join("b", "d"))]], any=["x"]
         ),
         "need not lie",
+    ),
+    "an auxiliary point among those at infinity": (  # it is a finite one, and so is x
+        assumed(
+            "m i a",
+            bracket("x", "i"),
+            rank=2,
+            ideal=2,
+            given=[bracket("x", "a")],
+            nonzero=["a"],
+            placed=[placed("x", "m", flat("m", [0, -1]))],
+            meets=[["m", "a"]],
+        ),
+        "is named",
+    ),
+    "an auxiliary point that is zero": (  # not what is said not to vanish, although its parts are the same
+        assumed(
+            "a b c f g",
+            bracket("x", "c", "g"),
+            given=[],
+            nonzero=["c", twice_c("abf", "abf")],
+            placed=[placed("m", "c", flat("c", [])), placed("x", "m", flat("m", []))],
+            meets=[["m", twice_c("abf", "baf")]],
+        ),
+        "that is none",
     ),
     "an auxiliary point for all points": (
         assumed("a b c", bracket(*"abc"), given=[bracket(*"abo")], placed=[M_ON_AB], meets=[["m", "o"]], any=["o"]),

@@ -91,9 +91,9 @@ class Factorization(Shown):
     the remainder is a product, `parts` are its factors. `alternatives` are further expressions, each with its own
     coefficient; `more` counts those that were found but not asked for. Where a cofactor was sought, `rational` holds
     the expressions found with one (cofactor · input = coefficient · Π factors · expression), `excluded` says in words
-    which cofactors were tried in vain, and `undecided` which were left at a limit. Where each
-    point occurs once and there is no expression, `atoms` are the atomic extensors that are left. `input` is what was
-    factored, `ideal` its points at infinity.
+    which cofactors were tried in vain, and `undecided` which were left at a limit. Where each point occurs once and
+    there is no expression, `atoms` are the atomic extensors that are left. `input` is what was factored, `ideal` its
+    points at infinity.
     """
 
     rank: int

@@ -21,7 +21,7 @@ from gcrules.algebra.proofs.relations import Relation, relations
 from gcrules.algebra.proofs.written import Written, number
 from gcrules.core.dataclass import dataclass
 
-__all__ = ["Flat", "Multiple", "flats"]
+__all__ = ["Flat", "Multiple", "flats", "is_plain"]
 
 _MOST = 1_000  # exchanges
 _SIZE = 1_000  # of coordinates at which expressions are compared
@@ -73,14 +73,14 @@ def flats(step: ConstructionStep, construction: Construction) -> tuple[Flat, ...
     where they are not found.
     """
     found: list[Flat] = []
-    if not _plain(step.within):
+    if not is_plain(step.within):
         return None
     return tuple(dict.fromkeys(found)) if _lies(step, step.within, construction, found) else None
 
 
-def _plain(e: Expr) -> bool:
+def is_plain(e: Expr) -> bool:
     """Whether an expression is made of points by joins and meets, and so is an extensor."""
-    return isinstance(e, Point) or (isinstance(e, Join | Meet) and all(map(_plain, e.args)))
+    return isinstance(e, Point) or (isinstance(e, Join | Meet) and all(map(is_plain, e.args)))
 
 
 def _lies(step: ConstructionStep, within: Expr, c: Construction, found: list[Flat]) -> bool:

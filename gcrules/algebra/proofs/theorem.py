@@ -18,7 +18,7 @@ from gcrules.algebra.assumptions.construction import Construction, Within, step_
 from gcrules.algebra.bracket import Coefficient, Monomial
 from gcrules.algebra.expand import MAX_TERMS
 from gcrules.algebra.expr import Expr, Point, Superbracket, common_rank, points_of, subexpressions
-from gcrules.algebra.proofs.coverage import Flat, flats
+from gcrules.algebra.proofs.coverage import Flat, flats, is_plain
 from gcrules.algebra.proofs.relations import MAX_RELATIONS, Relation, relations
 from gcrules.algebra.proofs.written import Written
 from gcrules.algebra.prove import difference_of
@@ -157,6 +157,8 @@ def theorem(
 def _placed(c: Construction) -> Iterator[PlacedPoint]:
     if c.meets and not c.nonzero:
         raise InputError("that all six points of a conic are reached is an argument of density, which is not written")
+    if any(not is_plain(e) for e in c.meets.values()):
+        raise InputError("an auxiliary point is a meet with a sum of points")
     for step in c.steps:
         found = None if step.exact else flats(step, c)
         if found is None:
