@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 import pytest
+from mechanisms.shipped_robots import GOOD
 
 import gcrules as gc
 from gcrules.apps.studio.gallery import _of_limbs as of_limbs
@@ -25,19 +26,7 @@ from gcrules.views.figure import figure
 from gcrules.views.pages.robot_pages import robot_pages
 from gcrules.views.robots.robot_drawing import draw_robot, robot_thumbnail
 
-HOME = """\
-title: 3-RPS robot
-copies: 3
-points:
-  A%: free
-  S%: in plane A% perpendicular to r%
-directions:
-  r%: free
-limbs:
-  - name: leg %
-    joints: R(A%, r%) P*(A% S%) S(S%)
-mobility: 3
-home:
+HOME = f"""{GOOD}home:
   A1: [4, 0, 0]
   A2: [-2, 3, 0]
   A3: [-2, -3, 0]
@@ -146,7 +135,7 @@ def test_thumbnails_of_the_studio() -> None:
 
 
 def test_changes_of_limbs_keep_it() -> None:
-    assert changed(FILE, Edit("title", text="Mine")) == FILE.replace("3-RPS robot", "Mine")
+    assert changed(FILE, Edit("title", text="Mine")) == FILE.replace("three legs", "Mine")
     renamed = changed(FILE, Edit("name rename", name="S%", text="B%"))
     assert renamed == FILE.replace("S1", "B1").replace("S2", "B2").replace("S3", "B3").replace("S%", "B%")
     single = parse_robot(changed(FILE, Edit("limb single")))
