@@ -144,7 +144,8 @@ def ratio(request: pytest.FixtureRequest, benchmark: Any) -> Callable[..., Measu
 def timed(request: pytest.FixtureRequest) -> Callable[..., Measurement]:
     """``timed(seconds, {"Macaulay2": 0.7, "sympy": Over(60)}, ...)``: forms that timed themselves, or were stopped.
 
-    For programs in processes of their own, whose start must not count. Goals as for ``ratio``.
+    For programs in processes of their own, whose start must not count; ``megabytes`` are the most that they had, by the
+    same names ("" for the first). Goals as for ``ratio``.
     """
 
     def record(
@@ -153,8 +154,9 @@ def timed(request: pytest.FixtureRequest) -> Callable[..., Measurement]:
         *,
         within: float | None = None,
         at_least: Mapping[str, float] | None = None,
+        megabytes: Mapping[str, float] | None = None,
     ) -> Measurement:
-        result = Measurement(request.node.name, seconds, others, within, at_least or {})
+        result = Measurement(request.node.name, seconds, others, within, at_least or {}, megabytes or {})
         request.config.stash[MEASUREMENTS].append(result)
         if STRICT:
             assert result.missed() == []
@@ -171,14 +173,14 @@ def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter, config: p
         terminalreporter.section("beside other forms, best times")
         width = max(len(m.name) for m in measurements)
         for m in measurements:
-            line = f"{m.name:<{width}}  {show(m.seconds):>9}"
+            line = f"{m.name:<{width}}  {show(m.seconds):>9}{m.memory()}"
             if m.within is not None:
                 line += f"  (goal {show(m.within)})"
             terminalreporter.line(line)
             for other, seconds in m.others.items():
                 reached = m.ratio(other)
                 times = "" if reached is None else f"  x {reached:.3g}"
-                terminalreporter.line(f"{'':<{width}}  {show(seconds):>9}{times}  {other}")
+                terminalreporter.line(f"{'':<{width}}  {show(seconds):>9}{times}{m.memory(other)}  {other}")
             for missed in m.missed():
                 terminalreporter.line(f"{'':<{width}}  MISSED: {missed}")
     missing = config.stash[MISSING_PEERS]

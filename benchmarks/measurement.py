@@ -14,18 +14,26 @@ class Over(float):
 
 @dataclass
 class Measurement:
-    """Best times in seconds of one benchmark; ``None`` for a peer that is not there."""
+    """Best times in seconds of one benchmark; ``None`` for a peer that is not there.
+
+    `megabytes` are the most that processes had, by the names of forms; "" is the form itself.
+    """
 
     name: str
     seconds: float
     others: Mapping[str, float | None]
     within: float | None = None
     at_least: Mapping[str, float] = field(default_factory=dict)
+    megabytes: Mapping[str, float] = field(default_factory=dict)
 
     def ratio(self, other: str) -> float | None:
         """How many times longer the other form takes."""
         seconds = self.others[other]
         return None if seconds is None else seconds / self.seconds
+
+    def memory(self, form: str = "") -> str:
+        """The most memory that a form had; nothing where that was not measured."""
+        return f"  {self.megabytes[form]:.0f} MB" if form in self.megabytes else ""
 
     def missed(self) -> list[str]:
         """The goals that were not reached, in words."""

@@ -10,6 +10,7 @@ from time import process_time
 from typing import Any
 
 import pytest
+from ideals import Emitted
 
 from gcrules.algebra.assumptions.assumed import kinds
 from gcrules.algebra.assumptions.frame import Frame, frame_of
@@ -22,38 +23,6 @@ TICKS = 1_000  # of Singular's clock, each second; it moves a hundred times a se
 TIMES = 20  # as often is a theorem computed there
 
 
-class Emitted:
-    """A number of a ring that is not computed: what would be done is written as lines of Singular."""
-
-    def __init__(self, text: str, lines: list[str]) -> None:
-        self.text, self.lines = text, lines
-
-    def _line(self, text: str) -> Emitted:
-        name = f"t{len(self.lines)}"
-        self.lines.append(f"poly {name}={text};")
-        return Emitted(name, self.lines)
-
-    def _with(self, sign: str, other: Any) -> Emitted:
-        return self._line(f"{self.text}{sign}({other.text if isinstance(other, Emitted) else other})")
-
-    def __add__(self, other: Any) -> Emitted:
-        return self._with("+", other)
-
-    def __sub__(self, other: Any) -> Emitted:
-        return self._with("-", other)
-
-    def __mul__(self, other: Any) -> Emitted:
-        return self._with("*", other)
-
-    def __neg__(self) -> Emitted:
-        return self._line(f"-{self.text}")
-
-    __radd__, __rmul__ = __add__, __mul__
-
-    def __rsub__(self, other: Any) -> Emitted:
-        return self._line(f"{other}-{self.text}")
-
-
 def by_singular(frame: Frame) -> float | None:
     """The seconds of processor time in which Singular computes the same; None where it is not installed."""
     if shutil.which("Singular") is None:
@@ -61,7 +30,7 @@ def by_singular(frame: Frame) -> float | None:
     lines: list[str] = []
     entries: list[Any] = [1] * frame.numbers
     for place, i in enumerate(frame.variables):
-        entries[i] = Emitted(f"x({place})", lines)
+        entries[i] = Emitted(f"x({place})", lines, "poly ")
     found = [c for c in frame.value(entries) if isinstance(c, Emitted)]
     ring = f"ring r=0,(x(0..{max(0, len(frame.variables) - 1)})),dp;"
     zero = " and ".join(f"{c.text}==0" for c in found) or "1"
