@@ -94,7 +94,10 @@ def pytest_report_header(config: pytest.Config) -> str | None:
 
 @pytest.hookimpl(trylast=True)
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
-    """With ``--fast`` only what :func:`fast.chosen` keeps."""
+    """With ``--fast`` only what :func:`fast.chosen` keeps. What fails in a browser is tried once more."""
+    for item in items:
+        if item.get_closest_marker("browser"):
+            item.add_marker(pytest.mark.flaky(reruns=1))
     if config.getoption("--fast"):
         settings.load_profile("fast")
         items[:] = chosen(items)
@@ -163,6 +166,12 @@ def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
             terminalreporter.line(f"    {test}")
     if not left_out:
         terminalreporter.line("nothing")
+    again = terminalreporter.getreports("rerun")
+    if again:
+        terminalreporter.section("run once more")
+        for report in again:
+            terminalreporter.line(report.nodeid)
+            terminalreporter.line(str(report.longrepr).splitlines()[-1])
 
 
 def _left_out(reporter: pytest.TerminalReporter) -> Iterator[tuple[str, list[str]]]:
