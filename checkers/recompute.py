@@ -6,9 +6,9 @@ takes the polynomial from the right side of the theorem that the absence names (
 equals the left one), and enumerates slowly what the file says. It needs Python alone and shares no code with gcrules.
 Nothing of this is proved in Coq. Values are taken at positions modulo a prime p. All it relies on:
 
-* Polynomials are different if their values are at one position. A bracket that divides P is a factor of its values
-  wherever it vanishes. Polynomials in coordinates factor in one way only, factors of bracket polynomials are such, and
-  brackets are irreducible.
+* Polynomials are different if their values are at one position, so P is not 0 modulo p if one value is not. A bracket
+  that divides P is a factor of its values wherever it vanishes. Polynomials in coordinates factor in one way only,
+  factors of bracket polynomials are such, and brackets are irreducible.
 * If E = c P then E(x) P(y) = E(y) P(x). At basis vectors an expression E with different points is 0, 1 or -1, so no
   coefficient of one that uses points m times exceeds the product of all m!; c divides them where P has coprime ones. As
   p is larger, c is not 0 modulo p, no part of E vanishes where P does not, and none is lost by leaving out extensors
@@ -25,6 +25,7 @@ Nothing of this is proved in Coq. Values are taken at positions modulo a prime p
   symmetries. On the average over them x(O) of the k monomials are in an orbit O, of which a merging leaves a part s(O):
   sum s(O) x(O) >= m if m are needed after merging. So k >= sum y m for weights y >= 0 with sum y s(O) <= 1 for each O.
   If a symmetry takes a monomial to itself with another sign than P, the average of P's images has none of its orbit.
+  A symmetry modulo p is one, as p is larger than any coefficient of the difference, at most 2 B times those of P.
 
 Every line says whether it is certain, or what was seen at random positions only, with the probability of an error.
 Exit codes: 0 all absences are as stated, 1 one is not, 2 the file states none, or is no proof file, 3 one is too large.
@@ -44,16 +45,24 @@ def recomputed(absence, theorems, most):
     """What an absence says, as it was recomputed here."""
     (theorem,) = [one for one in theorems if one["name"] == absence["theorem"]]
     expect(theorem["ideal"] == 0 and "given" not in theorem, "points at infinity, or assumptions", TooLarge)
-    steps = Steps(most)
-    terms = read(theorem["claim"][1], dict(theorem["definitions"]), theorem["rank"], steps)
-    return KINDS[absence["kind"]](absence, terms, theorem["rank"], json.dumps(absence), steps)
+    steps, rank = Steps(most), theorem["rank"]
+    terms = read(theorem["claim"][1], theorem["points"], dict(theorem["definitions"]), rank, steps)
+    claim, how = KINDS[absence["kind"]](absence, terms, rank, json.dumps(absence), steps)
+    expect(absence["claim"] == claim, f"what is computed is another claim: {claim}", NotSo)
+    return f"{claim}: {how}"
+
+
+def once(pairs):
+    """An object whose names all differ; fractions are text, so that floats, NaN and Infinity come here as well."""
+    expect(not isinstance(pairs, str) and len(dict(pairs)) == len(pairs), f"a name twice, or no number: {pairs}"[:200])
+    return dict(pairs)
 
 
 def main(path, most):
     code = 0
     try:
         with open(path, encoding="utf-8") as file:
-            data = json.load(file)
+            data = json.load(file, object_pairs_hook=once, parse_float=once, parse_constant=once)
         expect((data["format"], data["version"]) == ("gcrules proof", 1), "of no known version")
         expect(data.get("absences"), "it states no absence")
         for absence in data["absences"]:
@@ -75,6 +84,6 @@ def main(path, most):
 
 if __name__ == "__main__":
     asked = sys.argv[1:]
-    if len(asked) not in (1, 3) or asked[1:2] not in ([], ["--most"]):
+    if len(asked) not in (1, 3) or asked[1:2] not in ([], ["--most"]) or not all(n.isdecimal() for n in asked[2:]):
         sys.exit((print(__doc__, file=sys.stderr), 2)[1])
     sys.exit(main(asked[0], int(asked[2]) if asked[2:] else 20_000_000))

@@ -18,6 +18,8 @@ from recompute_polynomials import (
     sign_of,
 )
 
+FAMILY = "product of brackets and one expression of joins and meets, with its multidegree,"
+
 # --- no expression: every one enumerated ------------------------------------------------------------------------------
 
 
@@ -177,11 +179,11 @@ def no_expression(absence, terms, rank, seed, steps):
         extensors += sum(len(some) for level in built.levels.values() for some in level.values())
     alone = sum(rest.degrees.values()) < 4 * rank
     expect(absence["irreducible"] is False or alone, "that it is irreducible is not computed here", TooLarge)
-    family = "expression of joins and meets" if absence["irreducible"] else "product of brackets and one expression"
     ways = sum(space for _, space in told)
     return (
-        f"no {family} with its degrees equals it: there are {ways:,} ways to write one; where no join has points that "
-        f"are apart, they come down to {tests:,} of {extensors:,} different extensors, none of which agrees; certain"
+        f"no {'expression of joins and meets of its points' if absence['irreducible'] else FAMILY} equals it",
+        f"there are {ways:,} ways to write one with its degrees; where no join has points that are apart, they come "
+        f"down to {tests:,} of {extensors:,} different extensors, none of which agrees; certain",
     )
 
 
@@ -258,4 +260,7 @@ def no_product(absence, terms, rank, seed, steps):
     expect(left, "it is a product of expressions", NotSo)
     shown = " ".join(map(text, left))
     expect(left == sorted(map(shape, absence["atoms"]), key=str), f"{shown} are left", NotSo)
-    return f"no product of expressions: left are {shown}, of which {meets} meets were tried; {poly.error(seen, tests)}"
+    return (
+        "no product of expressions of joins and meets, each point used once, equals it",
+        f"left are {shown}, of which {meets} meets were tried; {poly.error(seen, tests)}",
+    )

@@ -4,7 +4,7 @@ import random
 from collections import Counter
 from fractions import Fraction
 from itertools import combinations
-from math import ceil, lcm, log10
+from math import ceil, gcd, lcm, log10
 
 PRIMES = [2**n - 1 for n in (61, 127, 521, 607, 1279, 2203, 4423)]
 SURE = 3  # positions at which what seems to vanish is looked at
@@ -52,21 +52,21 @@ def sign_of(sequence):
 # --- polynomials in brackets: {sorted tuple of sorted rows of points: coefficient} ------------------------------------
 
 
-def read(e, definitions, rank, steps):
+def read(e, points, definitions, rank, steps):
     """The polynomial that a side of a theorem is."""
     if isinstance(e, str):
-        return read(definitions[e], definitions, rank, steps)
+        return read(definitions[e], points, definitions, rank, steps)
     if e[0] == "number":
-        return {(): Fraction(e[1])}
+        return {(): Fraction(e[1])} if Fraction(e[1]) else {}
     if e[0] == "bracket":
+        expect(len(e) == rank + 1 and all(x in points and x not in definitions for x in e[1:]), "no bracket of points")
         sign = sign_of(e[1:])
-        expect(len(e) == rank + 1 and all(isinstance(x, str) and x[0] != "#" for x in e[1:]), "no bracket of points")
         return {(tuple(sorted(e[1:])),): Fraction(sign)} if sign else {}
     expect(e[0] in ("sum", "product", "power"), f"{e[0]} in what should be a polynomial in brackets")
     parts = (
-        [read(e[1], definitions, rank, steps)] * e[2]
+        [read(e[1], points, definitions, rank, steps)] * e[2]
         if e[0] == "power"
-        else [read(part, definitions, rank, steps) for part in e[1:]]
+        else [read(part, points, definitions, rank, steps) for part in e[1:]]
     )
     total = parts[0]
     for part in parts[1:]:
@@ -122,15 +122,24 @@ class Brackets(dict[tuple[str, ...], int]):
 
 
 class Polynomial:
-    """A polynomial whose terms all use each point equally often, with whole coefficients, and random positions."""
+    """A polynomial, not zero modulo p, whose terms all use each point equally often, with whole coprime coefficients;
+    and random positions.
+    """
 
     def __init__(self, terms, rank, p, seed):
-        common = lcm(*(c.denominator for c in terms.values()))
-        self.terms, self.rank, self.p = {m: int(c * common) for m, c in terms.items()}, rank, p
         expect(terms, "the polynomial is zero", NotSo)
+        common = lcm(*(c.denominator for c in terms.values()))
+        factor = gcd(*(int(c * common) for c in terms.values()))
+        self.terms, self.rank = {m: int(c * common) // factor for m, c in terms.items()}, rank
         self.degrees = degrees_of(next(iter(terms)))
         expect(all(degrees_of(m) == self.degrees for m in terms), "terms that use the points differently")
         self.points, self.random = sorted(self.degrees), random.Random(seed)
+        self.modulo(p)
+
+    def modulo(self, p):
+        """Values modulo another prime."""
+        self.p = p
+        expect(self.value(self.position()), "the polynomial vanishes at a random position", NotSo)
 
     def position(self):
         return {x: [self.random.randrange(self.p) for _ in range(self.rank)] for x in self.points}

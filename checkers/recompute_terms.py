@@ -84,12 +84,13 @@ def spanning(k, vectors, target, chosen, steps, p):
 
 
 def none_spans(least, values, target, steps, p):
-    """That fewer than so many vectors do not span a target; {name: values}, of which three positions sort out most."""
+    """That fewer than so many vectors do not span a target; {name: values}, of which few positions sort out most."""
     for k in range(1, least):
         short = [(name, v[: k + 2]) for name, v in values.items()]
         for found in spanning(k, short, target[: k + 2], (), steps, p):
             made = in_span([values[name] for name in found], target, p)
             expect(not made, f"{len(found)} bracket monomials add up to it: {found}", NotSo)
+            expect(len(found) == k, "at special positions not all sets are seen", TooLarge)
 
 
 def values_of(names, poly, positions):
@@ -123,7 +124,7 @@ def listed(one, poly, steps):
 def by_enumeration(one, poly, steps):
     """No set of fewer monomials."""
     k, most = one["least"] - 1, prod(map(factorial, poly.degrees.values()))
-    poly.p = prime_above(k**k * most**k)
+    poly.modulo(prime_above(k**k * most**k))
     found = listed(one, poly, steps)
     steps.expect(comb(len(found), k - 1))
     positions = [poly.position() for _ in range(k + 2 + SURE)]
@@ -133,7 +134,8 @@ def by_enumeration(one, poly, steps):
 
 def by_merging(one, poly, steps):
     """Weights of mergings, and orbits under symmetries."""
-    poly.p, found, moves = PRIMES[1], listed(one, poly, steps), []
+    found, moves, most = listed(one, poly, steps), [], prod(map(factorial, poly.degrees.values()))
+    poly.modulo(max(PRIMES[1], prime_above(2 * most * sum(map(abs, poly.terms.values())))))  # no number vanishes there
     for sign, moved in one["symmetries"]:
         move = {**{x: x for x in poly.points}, **dict(moved)}
         expect(sorted(move.values()) == poly.points and sign in (1, -1), "what permutes no points", NotSo)
@@ -164,6 +166,8 @@ def by_merging(one, poly, steps):
         weight, alive = Fraction(weight), found
         expect(weight >= 0, "a weight below 0", NotSo)
         if blocks:
+            inside = [x for b in blocks for x in b]
+            expect({*inside} <= {*poly.points} and len({*inside}) == len(inside), "blocks that overlap", NotSo)
             alive = [m for m in found if not any(len({*row} & {*b}) > 1 for row in m for b in blocks)]
             head = {x: b[0] for b in blocks for x in b}
             at = [poly.merged(blocks) for _ in range(least + 1 + SURE)]
@@ -205,4 +209,4 @@ def no_shorter(absence, terms, rank, seed, steps):
         poly = Polynomial(parts.pop(degrees), rank, PRIMES[0], seed)
         said.append(f"{one['least']}, since {REASONS[one['reason']](one, poly, steps)}")
     needed = "1 term is" if absence["least"] == 1 else f"{absence['least']} terms are"
-    return f"at least {needed} needed: {' and '.join(said)}"
+    return f"at least {needed} needed", " and ".join(said)

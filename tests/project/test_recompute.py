@@ -56,7 +56,7 @@ def superbracket(class_id: str) -> Any:
 ANSWERS: dict[str, tuple[Callable[[], Any], str]] = {
     "every expression": (
         lambda: gc.factor(superbracket("6-5")),
-        "no expression of joins and meets with its degrees equals it: there are 41,164,200 ways to write one",
+        "no expression of joins and meets of its points equals it: there are 41,164,200 ways to write one",
     ),
     "brackets left inside": (
         lambda: gc.factor(superbracket("4-4.4")),
@@ -64,7 +64,7 @@ ANSWERS: dict[str, tuple[Callable[[], Any], str]] = {
     ),
     "products were not tested": (
         lambda: gc.factor("[abc][ade][bdf][cef] + 2*[abd][ace][bcf][def]", rank=3),
-        "no product of brackets and one expression with its degrees equals it",
+        "no product of brackets and one expression of joins and meets, with its multidegree, equals it: there are",
     ),
     "each point once": (lambda: gc.factor(superbracket("6-6")), "left are (A v a) (B v b) (C v c)"),
     "each point once, with meets": (
@@ -167,6 +167,88 @@ def test_a_shorter_polynomial_that_exists_is_found(least: int, reason: Data) -> 
         recomputed(file)
 
 
+PRIME = 2**127 - 1
+MONOMIALS = {"reason": "merging", "monomials": 10, "symmetries": []}
+ONE_TERM = "[abf][cde] == [abf][cde]"
+
+
+def merged(least: int, blocks: list[list[str]], degrees: Any = DEGREES, **more: Any) -> Data:
+    part = {"degrees": degrees, "least": least, **MONOMIALS, "mergings": [["1", least, blocks]], **more}
+    needed = "at least 1 term is needed" if least == 1 else f"at least {least} terms are needed"
+    return {"kind": "no shorter polynomial", "claim": needed, "least": least, "parts": [part]}
+
+
+FALSE: dict[str, tuple[Data, str]] = {
+    "points merged, and then not": (stated(ONE_TERM, 3, **merged(3, [[*"ab"], ["a"], ["b"]])), "blocks that overlap"),
+    "blocks with a common point": (stated(ONE_TERM, 3, **merged(2, [["b", "a"], ["b", "f"]])), "blocks that overlap"),
+    "a block of another point": (stated(ONE_TERM, 3, **merged(2, [["a", "z"]])), "blocks that overlap"),
+    "zero has a term": (
+        stated(
+            "0 == [abc][ade] - [abd][ace] + [abe][acd]",
+            3,
+            **merged(1, [], [["a", 2], ["b", 1], ["c", 1], ["d", 1], ["e", 1]], monomials=3),
+        ),
+        "vanishes at a random position",
+    ),
+    "the number zero has a term": (stated("[aab] == 0", 3, **merged(1, [], [], monomials=1)), "it has 0 parts"),
+    "a multiple of the prime": (
+        stated(
+            f"{PRIME}*[abc][def] == {PRIME}*[abc][def]",
+            3,
+            kind="no product",
+            claim="no product of expressions of joins and meets, each point used once, equals it",
+            atoms=[["join", *"abcdef"]],
+        ),
+        "it is a product of expressions",
+    ),
+    "more terms in words": (
+        stated("[abc] == [abc]", 3, **{**merged(1, [], [[x, 1] for x in "abc"], monomials=1), "claim": "2 are needed"}),
+        "another claim: at least 1 term is needed",
+    ),
+}
+
+
+@pytest.mark.parametrize(("file", "says"), FALSE.values(), ids=FALSE)
+def test_what_is_false_is_not_confirmed(file: Data, says: str, tmp_path: Path) -> None:
+    done = run(file, tmp_path)
+    assert done.returncode == 1, done
+    assert says in done.stdout
+    assert "recomputed, called" not in done.stdout
+
+
+@pytest.mark.parametrize("name", ["x", "a"])
+def test_a_definition_is_no_point(name: str, tmp_path: Path) -> None:
+    """[xbc] - [abc], where x is another name of a, is zero."""
+    file = data(gc.prove("[xbc] - [abc] == [xbc] - [abc]", rank=3))
+    (theorem,) = file["theorems"]
+    theorem["definitions"].append([name, "c" if name == "a" else "a"])
+    theorem["points"] = ["a", "b", "c"]
+    parts = [{"degrees": [["b", 1], ["c", 1], [x, 1]], "least": 1, "reason": "value"} for x in "xa"]
+    absence = {"kind": "no shorter polynomial", "claim": "at least 2 terms are needed", "theorem": "claim"}
+    done = run({**file, "absences": [{**absence, "least": 2, "parts": parts}]}, tmp_path)
+    assert done.returncode == 2
+    assert "no bracket of points" in done.stderr
+
+
+@pytest.mark.parametrize(
+    ("before", "after"),
+    [
+        ('"least": 1', '"least": 1.0'),
+        ('"least": 1', '"least": NaN'),
+        ('"least": 1', '"least": 2, "least": 1'),
+        ('"rank": 3', '"rank": 4, "rank": 3'),
+    ],
+)
+def test_numbers_are_whole_and_names_occur_once(before: str, after: str, tmp_path: Path) -> None:
+    text = json.dumps(data(gc.shorten("[abc][def]", rank=3)))
+    assert before in text
+    path = tmp_path / "proof.json"
+    path.write_text(text.replace(before, after), encoding="utf-8")
+    done = subprocess.run([sys.executable, PROGRAM, path], capture_output=True, text=True, check=False)
+    assert done.returncode == 2, done
+    assert "a name twice, or no number" in done.stderr
+
+
 # --- changed ----------------------------------------------------------------------------------------------------------
 
 CHANGES: list[tuple[str, str, Callable[[Data], object]]] = [
@@ -212,7 +294,8 @@ def test_a_file_without_absences_is_none(tmp_path: Path) -> None:
     done = run(data(gc.prove("[abc] == [bca]", rank=3)), tmp_path)
     assert done.returncode == 2
     assert "it states no absence" in done.stderr
-    assert subprocess.run([sys.executable, PROGRAM], capture_output=True, check=False).returncode == 2
+    for options in ([], [tmp_path / "proof.json", "--most", "many"]):
+        assert subprocess.run([sys.executable, PROGRAM, *options], capture_output=True, check=False).returncode == 2
 
 
 # --- what is not stated -----------------------------------------------------------------------------------------------
