@@ -1,4 +1,8 @@
-"""Values in a box with bounds of what they leave out, and margins, for `check_certificate.py`, which explains them."""
+"""Values in a box with bounds of what they leave out, and margins, for `check_certificate.py`, which explains them.
+
+Numbers that are too large become NaN, which is neither above nor below anything: whatever proves something asks for a
+comparison that holds, never for one that does not.
+"""
 
 from __future__ import annotations
 
@@ -67,14 +71,14 @@ class Value:
         low, high = self.ends()
         if high < 0:
             raise Beyond
-        if low <= 0:
+        if not low > 0:
             raise Undefined
         value = math.sqrt(self.c)
         return self.bent(value, 0.5 / value, -0.125 / (low * math.sqrt(low)))
 
     def inverse(self):
         low = self.ends()[0]
-        if low <= 0:
+        if not low > 0:
             raise Undefined
         return self.bent(1 / self.c, -1 / (self.c * self.c), 1 / low**3)
 
@@ -132,7 +136,7 @@ def cholesky(a, floor):
     for i in range(len(a)):
         for j in range(i + 1):
             rest = a[i][j] - sum([x * y for x, y in zip(low[i][:j], low[j])])
-            if i == j and rest <= floor:
+            if i == j and not rest > floor:
                 return None
             low[i][j] = math.sqrt(rest) if i == j else rest / low[j][j]
     return low
@@ -170,12 +174,14 @@ def plus(a, b):
 
 def norm(a):
     """No less than the largest singular value of matrices with entries of these sizes: for all x > 0 the largest
-    eigenvalue of a^T a is at most max (a^T a x)_i / x_i.
+    eigenvalue of a^T a is at most max (a^T a x)_i / x_i. Endless where numbers are too large, or none.
     """
     x, across = [1.0] * len(a[0]), list(zip(*a))
     for _ in range(4):
         y = [sum([p * q for p, q in zip(row, x)]) for row in a]
         new = [sum([p * q for p, q in zip(row, y)]) + 1e-200 for row in across]
+        if not all(c < INF for c in new):
+            return INF
         found = max([p / q for p, q in zip(new, x)])
         x = new
     return math.sqrt(found) * (1 + 1e-9)
@@ -219,7 +225,7 @@ def _holds(middle, rest, moves, margin):
         parts.append(sum([x * x for row in part for x in row]))
         whole, far = plus(whole, part), plus(far, sizes(moved))
     alpha = norm(whole)
-    if alpha >= 1 or not margin:
+    if not alpha < 1 or not margin:
         return alpha < 1, parts, middle
     most = max((1 - alpha) / margin, (1 - norm(start)) / (margin + norm(far))) * (1 - 1e-9)
     square = times(back, list(zip(*back)))

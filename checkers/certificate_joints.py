@@ -135,7 +135,7 @@ class Joints:
             for name in names:
                 low, high = (s if v is None else v for v, s in zip(q["limits"][name], (-INF, INF)))
                 if not low < high:
-                    raise Refused(f"limits of {name} that are none")
+                    raise Refused(f"limits of {name!r} that are none")
                 self.limits.append((low, high))
         ends = [limb["end"] for limb in self.limbs]
         mean = [sum(e[j] for e in ends) / len(ends) for j in range(3)]
@@ -147,7 +147,9 @@ class Joints:
         self.scale = balance_of([[row[k] for k in self.keep] for row in rows])
         self.loops = Loops(self.limbs, self.size, self.centre)
         units = [math.pi / 180 if r["unit"] == "deg" else 1.0 for r in q["over"]]
+        self.seen = 0
         self._compare(*([float(Fraction(r[end])) * u for r, u in zip(q["over"], units)] for end in ("low", "high")))
+        self.words = f"of closed forms that agree with the joints at {self.seen} poses, which does not prove them"
 
     # --- in boxes -----------------------------------------------------------------------------------------------------
 
@@ -199,7 +201,10 @@ class Joints:
                 return False, None, None
             back = inverse(low)
             changed = [[mix([p for row in products for p in row], outer(a, b)) for b in back] for a in back]
-            longest = max(longest, *(sum(abs(v.c) + v.reach for v in row) for row in changed))
+            large = [sum(abs(v.c) + v.reach for v in row) for row in changed]
+            if not all(x < INF for x in large):
+                return False, None, None
+            longest = max(longest, *large)
             for row in back:
                 whole = [mix([line[k] for line in own], row) for k in range(6)]
                 turned = [whole[3 + k] + mix(whole[:3], cross_row(arm, k)) for k in range(3)]
@@ -218,7 +223,7 @@ class Joints:
         for trial in range(4 * PLACES):
             there = self.loops.closed(self.loops.around(rng, (0.1, 0.03, 0.01)[trial % 3]))
             if there is not None:
-                seen += 1
+                seen, self.seen = seen + 1, self.seen + 1
                 if words := self._fault(*there):
                     raise Refused(words)
             if seen == PLACES:
@@ -238,7 +243,7 @@ class Joints:
             there = self.loops.closed(amounts, [(n, part * v) for n, v in pose.items()])
             words = NOWHERE if there is None else self._fault(*there)
             if not words:
-                amounts, done = there[0], part
+                amounts, done, self.seen = there[0], part, self.seen + 1
             elif step > 1 / 64:
                 step /= 2
             elif words is NOWHERE:
@@ -268,8 +273,8 @@ class Joints:
                     off += c * math.cos(amount) + s * math.sin(amount) <= 0
                 else:
                     off = abs(next(values) - amount) / self.size
-                if off > EQUAL:
-                    return f"the closed form of {a['name']} is not what its joint does"
+                if not off <= EQUAL:
+                    return f"the closed form of {a['name']!r} is not what its joint does"
         for k, limb in enumerate(self.limbs):
             count = limb["wrenches"]
             rows, flat = [flat[6 * n : 6 * n + 6] for n in range(count)], flat[6 * count :]
@@ -279,7 +284,7 @@ class Joints:
             passive = [[dot(column, part) for part in (t[:3], t[3:]) for column in zip(*rotation)] for t in twists]
             own = [[x[j] for j in (3, 4, 5, 0, 1, 2)] for x in rows]  # (m; f) beside (w; v)
             powers = [abs(sum(a * b for a, b in zip(r, t))) / length(r) for r in own for t in passive]
-            if max(powers, default=0.0) > EQUAL:
+            if not all(x <= EQUAL for x in powers) or not all(length(r) < INF for r in own):
                 return "a wrench is none of its limb: it has power on the undriven joints"
             kept = [(k + 3) % 6 for k in self.keep]  # the places of what is kept of (f; m) in (m; f), and in (w; v)
             wrenches, freedoms = (rank([[r[j] for j in kept] for r in rows]) for rows in (own, passive))

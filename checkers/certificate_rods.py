@@ -58,13 +58,18 @@ class Rods:
             raise Refused("the geometry is not that of the robot's points")
         for rod in self.rods:
             if rod["drive"] not in ("leg", "turn", "slide"):
-                raise Refused(f"no independent checker yet for a drive that is a {rod['drive']}")
+                raise Refused(f"no independent checker yet for a drive that is a {rod['drive']!r}")
+        if points and [["leg", *r["names"]] for r in self.rods if r["drive"] == "leg"] != [
+            ["leg", *ends] for ends in q["robot"]["legs"]
+        ]:
+            raise Refused("the rods are not the robot's legs")
         names = [rod.get("actuator") or "".join(rod["names"]) for rod in self.rods]
         ends = {tuple(rod["ends"][1]) for rod in self.rods}
         middle = [sum(e[j] for e in ends) / len(ends) for j in range(3)]
         about = {"origin": [0.0] * 3, "centroid": middle}.get(str(q["about"]), self.centre)
         if any(abs(a - b) > 1e-9 * (1 + abs(a)) for a, b in zip(about, self.centre)):
             raise Refused("the centre of turns is another one than it is said to be")
+        self.words = "of six rods: " + ", ".join(f"{rod['drive']} {rod['names']!r}" for rod in self.rods)
         self.limits = [(-INF, INF)] * 6
         if q["limits"]:
             if len(set(names)) != 6 or set(names) != set(q["limits"]):
@@ -72,7 +77,7 @@ class Rods:
             for name, (low, high) in q["limits"].items():
                 ends = (-INF if low is None else low, INF if high is None else high)
                 if not ends[0] < ends[1]:
-                    raise Refused(f"limits of {name} that are none")
+                    raise Refused(f"limits of {name!r} that are none")
                 self.limits[names.index(name)] = ends
         self.cones = [[] for _ in SIX]
         for c in q["cones"]:

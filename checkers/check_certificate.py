@@ -76,19 +76,39 @@ def sign(robot, place):
     return sign_of(rows)
 
 
+def asked(robot, q):
+    """Of what something is proved, as it was read: the robot, the range, the limits; in rad, or the file's unit."""
+    free = {r["coordinate"] for r in q["over"]}
+    ranges = [f"{r['coordinate']} {Fraction(r['low'])}..{Fraction(r['high'])} {r['unit']}".strip() for r in q["over"]]
+    rest = [f"{n} {float(v)}" for n, v in q["rest"].items() if n in NAMES and n not in free]
+    limits = [f"{n!r} {low}..{high}" for n, (low, high) in (q["limits"] or {}).items()]
+    limits += [f"{c['end']} cone of {c['rod']!r} {c['angle']}" for c in q["cones"]]
+    limits += [f"tilt {q['tilt']}"] if q["tilt"] is not None else []
+    lines = [
+        robot.words,
+        f"over {', '.join(ranges)}",
+        f"at {', '.join(rest)}",
+        f"limits: {', '.join(limits) or 'none'}",
+    ]
+    return "\n".join(f"  {line}" for line in lines if line != "at ")
+
+
 def checked(data, jobs=1, say=None):
     """What is proved, in words, by so many processes; `say` takes words on the way. Raises Refused."""
     if data.get("format") != "gcrules certificate 1":
         raise Refused("no certificate of a known format")
     robot, claim, over = robot_of(data), data["claim"], data["question"]["over"]
     length = data["question"]["robot"].get("units") or ""
-    if any(r["unit"] not in (("deg", "rad") if NAMES.index(r["coordinate"]) > 2 else (length, "")) for r in over):
+    if length in ("deg", "rad") or any(
+        r["unit"] not in (("deg", "rad") if NAMES.index(r["coordinate"]) > 2 else (length, "")) for r in over
+    ):
         raise Refused("a range in another unit")
     units = [math.pi / 180 if r["unit"] == "deg" else 1.0 for r in over]
     low, high = ([float(Fraction(r[end])) * u for r, u in zip(over, units)] for end in ("low", "high"))
     if not all(a < b for a, b in zip(low, high)):
         raise Refused("a range that is none")
     whole = Box(low, high)
+    about = asked(robot, data["question"])
     if claim["verdict"] == "singular":
         bad = data["singular pose"]
         box = Box(*([float(e[k]) for e in bad["box"]] for k in (0, 1)))
@@ -98,8 +118,13 @@ def checked(data, jobs=1, say=None):
         ):
             raise Refused("the singular pose is beyond the range")
         ends = bad["opposite signs at"]
-        if any(not a <= c <= b for end in ends for a, b, c in zip(box.low, box.high, end)):
+        if any(len(end) != len(low) for end in ends) or any(
+            not a <= c <= b for end in ends for a, b, c in zip(box.low, box.high, end)
+        ):
             raise Refused("the ends are not in the box")
+        least, most = [a + n for a, n in zip(low, near)], [b - n for b, n in zip(high, near)]
+        box = Box(list(map(max, box.low, least)), list(map(min, box.high, most)))  # in the range, whatever is rounded
+        ends = [list(map(min, map(max, end, least), most)) for end in ends]
         place = [c * u for c, u in zip(bad["place"], units)]
         if len(place) != len(low) or any(not a - n <= c <= b + n for a, b, c, n in zip(box.low, box.high, place, near)):
             raise Refused("the pose is not in the box")
@@ -107,20 +132,23 @@ def checked(data, jobs=1, say=None):
             raise Refused("the determinant has no opposite signs at the ends")
         if not all_inside(robot, box, 18):
             raise Refused("the box is not proved to be within the limits")
-        return "proved: there is a singular pose in range"
+        return f"proved: there is a singular pose in range, within the limits\n{about}"
     if claim["verdict"] == "below":
-        asked, place = data["question"]["margin"], [c * u for c, u in zip(data["singular pose"]["place"], units)]
+        wanted, place = (
+            float(data["question"]["margin"]),
+            [c * u for c, u in zip(data["singular pose"]["place"], units)],
+        )
         if len(place) != len(low) or not all(a <= c <= b for a, b, c in zip(low, high, place)):
             raise Refused("the pose is beyond the range")
         _, inside, forces = robot.look(Box(place, place))
         if not inside or forces is None:
             raise Refused("the pose is not proved to be within the limits")
-        if not least_value(robot.holds(forces, 0.0)[2]) + 1e-9 < asked:
+        if not least_value(robot.holds(forces, 0.0)[2]) + 1e-9 < wanted:
             raise Refused("the margin there is not seen to be below the one asked for")
-        return f"proved: there is a pose in range with a margin below {asked:.6g}"
+        return f"proved: there is a pose in range, within the limits, with a margin below {wanted}\n{about}"
     if claim["verdict"] not in ("free", "outside", "undecided"):
         raise Refused(f"an unknown verdict {claim['verdict']!r}")
-    return _tree(data, robot, whole, claim, jobs, say)
+    return f"{_tree(data, robot, whole, claim, jobs, say)}\n{about}"
 
 
 _FOR: dict[str, object] = {}  # what a process knows: the robot, the margin, the half widths of the range
@@ -136,7 +164,7 @@ def _look(leaf):
 
 
 def _tree(data, robot, whole, claim, jobs, say):
-    margin, asked = claim["margin at least"] or 0.0, data["question"]["margin"]
+    margin, asked = float(claim["margin at least"] or 0.0), data["question"]["margin"]
     share = dict.fromkeys("fgoxu", Fraction(0))
     if any(not margin <= b <= 1 for b in data["bounds"]) or (
         claim["verdict"] == "free" and margin < max(asked, 1e-300)
@@ -171,10 +199,11 @@ def _tree(data, robot, whole, claim, jobs, say):
     finally:
         if pool:
             pool.terminate()
-    done = 100 * float(share["f"] + share["g"] + share["o"])
-    least = f", and the margin there is at least {margin:.6g}" if share["f"] + share["g"] else ""
+    part = 100 * (share["f"] + share["g"] + share["o"])
+    done = f"{int(part)}.{int(part * 10**6) % 10**6:06}".rstrip("0").rstrip(".")  # rounded down
+    least = f", and the margin there is at least {margin}" if share["f"] + share["g"] else ""
     word = "undecided, but proved" if claim["verdict"] == "undecided" else "proved"
-    return f"{word}: no singular pose within the limits in {done:.6g} % of the range{least} ({count:,} boxes looked at)"
+    return f"{word}: no singular pose within the limits in {done} % of the range{least} ({count:,} boxes looked at)"
 
 
 def main():

@@ -186,6 +186,78 @@ def test_what_was_changed_is_refused(name: str) -> None:
             checker().checked(changed(data, rng))
 
 
+def _other_legs(data: dict[str, Any]) -> None:
+    """Rods between the robot's points that are none of its legs."""
+    rods = data["geometry"]["rods"]
+    one, other = rods[0], rods[4]
+    for key in ("names", "ends"):
+        one[key][1], other[key][1] = other[key][1], one[key][1]
+    data["question"]["cones"] = []
+
+
+def _far_away(data: dict[str, Any]) -> None:
+    """Base points whose distances are no floats, so that nothing is above or below anything."""
+    data["claim"]["margin at least"] = data["claim"]["smallest margin seen"] = 0.9
+    data["bounds"] = [0.9] * len(data["bounds"])
+    data["question"]["cones"] = []
+    for rod in data["geometry"]["rods"]:
+        rod["ends"][0][1] *= 1e200
+        data["question"]["robot"]["points"][rod["names"][0]] = [str(Fraction(c)) for c in rod["ends"][0]]
+
+
+LEGS: dict[str, tuple[Callable[[dict[str, Any]], Any], str]] = {
+    "other legs": (_other_legs, "not the robot's legs"),
+    "another drive": (
+        lambda data: data["geometry"]["rods"][0].update(drive="slide", axis=[0.0, 0.0, 1.0]),
+        "not the robot's legs",
+    ),
+    "endless lengths": (_far_away, "not proved"),
+    "lengths in degrees": (lambda data: data["question"]["robot"].update(units="deg"), "another unit"),
+    "words in place of a drive": (
+        lambda data: data["geometry"]["rods"][0].update(drive="leg\nproved: all"),
+        r"leg\\nproved",
+    ),
+}
+
+
+@pytest.mark.parametrize(("change", "says"), LEGS.values(), ids=LEGS)
+def test_six_legs_that_were_changed_are_refused(change: Callable[[dict[str, Any]], Any], says: str) -> None:
+    data = json.loads(certificate("six legs"))
+    change(data)
+    with pytest.raises(checker().Refused, match=says):
+        checker().checked(data)
+
+
+def test_numbers_are_printed_as_they_are_proved() -> None:
+    """A part that is left undecided, however small, is not rounded away, nor is a margin rounded up."""
+    data = json.loads(certificate("6-pus"))
+    tree, least = data["tree"], min(data["bounds"]) - 1.5e-9
+    first = tree.index("f")
+    data["tree"] = f"{tree[:first]}{'0' * 40}u{'f' * 40}{tree[first + 1 :]}"
+    data["bounds"] = [least] * data["tree"].count("f")
+    tiny = 0.5 ** (40 + 1)
+    assert data["claim"]["shares"]["undecided"] == 0
+    data["claim"].update({"verdict": "undecided", "margin at least": least})
+    data["claim"]["shares"]["undecided"] = tiny
+    found = checker().checked(data)
+    assert "in 99.999999 % of the range" in found
+    assert f"at least {least} (" in found
+
+
+def test_what_is_proved_is_printed_with_what_it_is_proved_of() -> None:
+    found = checker().checked(json.loads(certificate("six legs")))
+    for line in (
+        "of six rods: leg ['a', 'b'], leg ['a', 'f'], leg ['c', 'b'],",
+        "over x -50..50 mm, roll -5..5 deg",
+        "at y 0.0, z 0.0, pitch 0.0, yaw 0.0",
+        "limits: base cone of ['a', 'b'] 1.047",
+    ):
+        assert f"\n  {line}" in found
+    assert "agree with the joints at 108 poses, which does not prove them" in checker().checked(
+        json.loads(certificate("delta"))
+    )
+
+
 def test_a_singular_pose_needs_both_signs_within_the_range() -> None:
     data = json.loads(certificate("singular"))
     bad = data["singular pose"]
