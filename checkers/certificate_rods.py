@@ -48,20 +48,20 @@ class Rods:
         missing = [n for k, n in enumerate(NAMES) if k not in self.free and n not in q["rest"]]
         if missing or not all(map(math.isfinite, self.rest)):
             raise Refused("the rest of the pose is missing")
-        self.centre, self.rods = geometry["centre"], geometry["rods"]
-        points = q["robot"].get("points")
+        self.centre, self.rods = [float(c) for c in geometry["centre"]], geometry["rods"]
+        points, legs = (q["robot"].get(name) for name in ("points", "legs"))
+        points = points or q["robot"].get("home")
         if points and any(
-            [float(Fraction(c)) for c in points[n]] != e
+            len(r["names"]) != 2
+            or [[float(Fraction(c)) for c in points[n]] for n in r["names"]]
+            != [[float(c) for c in e] for e in r["ends"]]
             for r in self.rods
-            for n, e in zip(*map(r.get, ("names", "ends")))
         ):
             raise Refused("the geometry is not that of the robot's points")
         for rod in self.rods:
             if rod["drive"] not in ("leg", "turn", "slide"):
                 raise Refused(f"no independent checker yet for a drive that is a {rod['drive']!r}")
-        if points and [["leg", *r["names"]] for r in self.rods if r["drive"] == "leg"] != [
-            ["leg", *ends] for ends in q["robot"]["legs"]
-        ]:
+        if legs and [[r["drive"], *r["names"]] for r in self.rods] != [["leg", *ends] for ends in legs]:
             raise Refused("the rods are not the robot's legs")
         names = [rod.get("actuator") or "".join(rod["names"]) for rod in self.rods]
         ends = {tuple(rod["ends"][1]) for rod in self.rods}

@@ -86,6 +86,7 @@ def asked(robot, q):
     limits += [f"tilt {q['tilt']}"] if q["tilt"] is not None else []
     lines = [
         robot.words,
+        f"turned about {robot.centre}",
         f"over {', '.join(ranges)}",
         f"at {', '.join(rest)}",
         f"limits: {', '.join(limits) or 'none'}",

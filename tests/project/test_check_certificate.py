@@ -228,6 +228,14 @@ def test_six_legs_that_were_changed_are_refused(change: Callable[[dict[str, Any]
         checker().checked(data)
 
 
+@pytest.mark.parametrize("change", [lambda rod: rod["ends"][1].__setitem__(0, 1.1), lambda rod: rod["names"].pop()])
+def test_rods_are_between_the_points_of_home(change: Callable[[dict[str, Any]], Any]) -> None:
+    data = json.loads(certificate("6-pus"))
+    change(data["geometry"]["rods"][0])
+    with pytest.raises(checker().Refused, match="that of the robot's points"):
+        checker().checked(data)
+
+
 def test_numbers_are_printed_as_they_are_proved() -> None:
     """A part that is left undecided, however small, is not rounded away, nor is a margin rounded up."""
     data = json.loads(certificate("6-pus"))
@@ -248,6 +256,7 @@ def test_what_is_proved_is_printed_with_what_it_is_proved_of() -> None:
     found = checker().checked(json.loads(certificate("six legs")))
     for line in (
         "of six rods: leg ['a', 'b'], leg ['a', 'f'], leg ['c', 'b'],",
+        "turned about [16.666666666666668, -33.333333333333336, 366.6666666666667]",
         "over x -50..50 mm, roll -5..5 deg",
         "at y 0.0, z 0.0, pitch 0.0, yaw 0.0",
         "limits: base cone of ['a', 'b'] 1.047",
