@@ -304,6 +304,36 @@ def test_a_worker_that_gives_up_goes_on_with_something_else() -> None:
     asyncio.run(run())
 
 
+def test_closing_ends_workers_that_are_starting(monkeypatch: pytest.MonkeyPatch) -> None:
+    started: list[asyncio.subprocess.Process] = []
+
+    async def run() -> None:
+        begun, go_on = asyncio.Event(), asyncio.Event()
+        start = asyncio.create_subprocess_exec
+
+        async def slowly(*args: Any, **options: Any) -> asyncio.subprocess.Process:
+            started.append(await start(*args, **options))
+            begun.set()
+            await go_on.wait()
+            return started[-1]
+
+        monkeypatch.setattr(asyncio, "create_subprocess_exec", slowly)
+        pool = Pool(1)
+        pool.ready()
+        await begun.wait()
+        closing = asyncio.ensure_future(pool.close())
+        await asyncio.sleep(0)
+        pool.ready()  # as what ends another worker does
+        go_on.set()
+        await closing
+        with pytest.raises(EngineFault, match="closing"):
+            await pool.run(OPEN, 60, lambda _: None)
+
+    asyncio.run(run())
+    (process,) = started
+    assert process.returncode is not None
+
+
 @pytest.mark.skipif(sys.platform == "win32", reason="needs signals")
 def test_a_worker_that_is_killed_costs_nobody_an_answer() -> None:
     """While it waits, while it starts, and in the middle of work."""

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from typing import Any
 
 from gcrules.apps.studio.subject import Subject
 from gcrules.apps.studio.values import VALUES, value
 from gcrules.core.deferred import resolved
 
-__all__ = ["ANSWERS", "answer", "load"]
+__all__ = ["ANSWERS", "answer", "loading"]
 
 Args = Mapping[str, Any]
 
@@ -141,8 +141,8 @@ ANSWERS: Mapping[str, tuple[str, Callable[[Any, Any, Args], Any]]] = {
         ),
     ),
 }
-"""Of each method the function that answers it, which is loaded with the first such request unless `load` has done so,
-and how it is called with a subject and the arguments.
+"""Of each method the function that answers it, which is loaded with the first such request unless `loading` was
+quicker, and how it is called with a subject and the arguments.
 """
 
 
@@ -152,7 +152,8 @@ def answer(name: str, subject: Subject | None, args: Args) -> Any:
     return call(resolved(where), subject, args)
 
 
-def load() -> None:
-    """Load all that answers, before it is asked."""
+def loading() -> Iterator[None]:
+    """Load all that answers, before it is asked, one function after the other."""
     for where, _ in (*ANSWERS.values(), *VALUES.values()):
         resolved(where)
+        yield

@@ -9,8 +9,9 @@ import asyncio
 import os
 import sys
 from asyncio.subprocess import DEVNULL, PIPE, Process
+from collections.abc import Coroutine
 from time import monotonic
-from typing import Any
+from typing import Any, TypeVar
 
 from gcrules.apps.studio.protocol.study_views import FaultView
 from gcrules.apps.studio.wire import GIVE_UP, Job, Tell, framed, read_frame
@@ -18,6 +19,8 @@ from gcrules.core.errors import EngineFault, GcrulesError, LimitReached
 from gcrules.core.threads import with_one_thread
 
 __all__ = ["Pool", "WorkerFault"]
+
+T = TypeVar("T")
 
 _GONE = (asyncio.IncompleteReadError, ConnectionError)  # what is seen of a worker that has ended
 _STILL = 1.0  # seconds after which it is said that work goes on, and for how long it has
@@ -42,8 +45,9 @@ class Pool:
         self.free = asyncio.Semaphore(size or min(4, max(2, os.cpu_count() or 2)))
         self.idle: list[Process] = []
         self.all: set[Process] = set()
-        self.starting: set[asyncio.Task[None]] = set()
+        self.starting: set[asyncio.Task[Any]] = set()
         self.leaving: set[asyncio.Task[None]] = set()
+        self.closed = False
 
     async def run(self, job: Job, seconds: float, tell: Tell) -> tuple[Any, Any]:
         """The result of a job, and its subject. Raises WorkerFault for faults, LimitReached after so many seconds (a
@@ -74,7 +78,7 @@ class Pool:
         """What a worker makes of a job; it is ended where that is nothing."""
         if not self.idle and self.leaving:
             await asyncio.wait(self.leaving, return_when=asyncio.FIRST_COMPLETED)
-        process = self.idle.pop() if self.idle and not fresh else await self._start()
+        process = self.idle.pop() if self.idle and not fresh else await self._begun(self._start())
         answer = _Answer(process, job)
         try:
             found = await answer.get(tell)
@@ -102,15 +106,22 @@ class Pool:
 
     def ready(self) -> None:
         """Have a worker ready before it is asked for."""
-        task = asyncio.ensure_future(self._add())
+        self._begun(self._add())
+
+    def _begun(self, starting: Coroutine[Any, Any, T]) -> asyncio.Task[T]:
+        """Some start of a worker, which closing awaits."""
+        task = asyncio.ensure_future(starting)
         self.starting.add(task)
         task.add_done_callback(self.starting.discard)
+        return task
 
     async def _add(self) -> None:
-        if not self.idle:
+        if not self.idle and not self.closed:
             self.idle.append(await self._start())
 
     async def _start(self) -> Process:
+        if self.closed:
+            raise EngineFault("the studio is closing")
         environment = dict(os.environ)
         with_one_thread(environment)
         process = await asyncio.create_subprocess_exec(
@@ -128,9 +139,12 @@ class Pool:
         self.ready()
 
     async def close(self) -> None:
-        """End all workers."""
-        for task in self.starting | self.leaving:
+        """End all workers, those too that are being started; no other one starts."""
+        self.closed = True
+        for task in self.leaving:
             task.cancel()
+        while self.starting or self.leaving:
+            await asyncio.gather(*self.starting, *self.leaving, return_exceptions=True)
         for process in self.all:
             if process.returncode is None:
                 process.kill()

@@ -5,6 +5,7 @@ from __future__ import annotations
 import asyncio
 import gc
 import secrets
+from collections import deque
 from collections.abc import Mapping
 from concurrent.futures import ThreadPoolExecutor
 from importlib import import_module
@@ -40,7 +41,7 @@ def _load(alone: bool) -> None:
     """Load the engine. In a process that does nothing else what it consists of stays: the garbage collector, which
     would stop sliders for 30 ms to look through all of it, leaves it out.
     """
-    import_module(_ENGINE).load()
+    deque(import_module(_ENGINE).loading(), maxlen=0)
     if alone:
         gc.freeze()
 
@@ -66,7 +67,7 @@ class Service:
         self.pool = Pool()
         self.numbers = ThreadPoolExecutor(2, "numbers")
         self.subjects: dict[str, Subject] = {}
-        self.gallery: Any = None
+        self.gallery: asyncio.Task[Any] | None = None
 
     def hello(self) -> Hello:
         return {
@@ -97,8 +98,8 @@ class Service:
             return await self.follow(cast("FollowArgs", args))
         if name == "show":
             return self.show(cast("ShowArgs", args))
-        if name == "gallery" and self.gallery is not None:
-            return self.gallery
+        if name == "gallery":
+            return await self._gallery()
         method = METHODS[name]
         if method.folders:
             args = {**args, "folders": self.folders}
@@ -118,9 +119,20 @@ class Service:
                 raise
         result, subject = await self.pool.run((name, args, known), method.seconds, tell)
         self._keep(source, subject)
-        if name == "gallery":
-            self.gallery = result
         return result
+
+    async def _gallery(self) -> Any:
+        """It is one for all pages, so that none that leaves ends the work on it; after a fault it is tried again."""
+        if self.gallery is None or (self.gallery.done() and self.gallery.exception() is not None):
+            self.gallery = self._made_gallery()
+        return await asyncio.shield(self.gallery)
+
+    def _made_gallery(self) -> asyncio.Task[Any]:
+        async def made() -> Any:
+            found, _ = await self.pool.run(("gallery", {}, None), METHODS["gallery"].seconds, lambda _: None)
+            return found
+
+        return asyncio.ensure_future(made())
 
     def _known(self, source: SourceJson | None) -> Subject | None:
         if source is None:
@@ -138,10 +150,17 @@ class Service:
                 self.subjects.pop(next(iter(self.subjects)))
 
     async def start(self) -> None:
-        """Have a worker ready for the first page, and the engine loaded, while the browser opens."""
-        self.pool.ready()
-        asyncio.get_running_loop().run_in_executor(self.numbers, _load, self.shared is None)
+        """Have the gallery made for the first page while the browser opens, and the engine loaded after that."""
+        self.gallery = self._made_gallery()
+        self.gallery.add_done_callback(self._go_on)
+
+    def _go_on(self, made: asyncio.Task[Any]) -> None:
+        if not made.cancelled():
+            made.exception()  # a fault is told to the page that asks
+            asyncio.get_running_loop().run_in_executor(self.numbers, _load, self.shared is None)
 
     async def close(self) -> None:
+        if self.gallery is not None:
+            self.gallery.cancel()
         self.numbers.shutdown(wait=False, cancel_futures=True)
         await self.pool.close()

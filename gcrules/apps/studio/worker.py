@@ -7,12 +7,13 @@ import re
 import sys
 import threading
 import traceback
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from itertools import islice
 from queue import SimpleQueue
 from time import monotonic, sleep
 from typing import Any, BinaryIO
 
-from gcrules.apps.studio.answers import answer, load
+from gcrules.apps.studio.answers import answer, loading
 from gcrules.apps.studio.faults import fault_view, limit, own_fault
 from gcrules.apps.studio.parts import given_to
 from gcrules.apps.studio.protocol.messages import Part, Told
@@ -115,13 +116,19 @@ def _receive(pipe: BinaryIO, tasks: SimpleQueue[_Task | None]) -> None:
             last.give_up()
 
 
+def _next(tasks: SimpleQueue[_Task | None], loads: Iterator[None]) -> _Task | None:
+    """The next task. While there is none, what will answer is loaded."""
+    while tasks.empty() and any(True for _ in islice(loads, 1)):
+        pass
+    return tasks.get()
+
+
 def serve() -> None:
     """Work until the server is gone."""
     threading.Thread(target=_watch, args=(os.getppid(),), daemon=True).start()
     inward, outward = os.fdopen(os.dup(0), "rb"), os.fdopen(os.dup(1), "wb")
     os.dup2(2, 1)  # nothing but frames goes to the server
     sys.stdout = sys.stderr
-    load()
     known: dict[str, Subject] = {}
 
     def put(frame: Any) -> None:
@@ -142,7 +149,8 @@ def serve() -> None:
 
     tasks: SimpleQueue[_Task | None] = SimpleQueue()
     threading.Thread(target=_receive, args=(inward, tasks), daemon=True).start()
-    while (task := tasks.get()) is not None:
+    loads = loading()
+    while (task := _next(tasks, loads)) is not None:
         put(done(task.job, known, tell, task.begin))
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from itertools import chain, combinations
 from math import cos, dist, hypot, inf, radians, sin
 
@@ -71,11 +71,12 @@ def choose_view(
     views = [(e, View.at(a - 60, e, upright)) for e in elevations for a in _AZIMUTHS]
     best, least = views[0][1], inf
     foreign = list(_foreign([*points.values()], limbs))
+    places = set(chain.from_iterable(foreign))
     for elevation, view in views:
         total = _STEEP * elevation if limbs else 0.0
         size = _size(view, points)
         clutter = _clutter(view, points, legs, normals, directions, apart, size)
-        for fault in chain(clutter, _limb_clutter(view, limbs, foreign, size)):
+        for fault in chain(clutter, _limb_clutter(view, limbs, foreign, places, size)):
             total += fault
             if total > least + _ROUNDING:
                 break
@@ -145,13 +146,25 @@ def _clutter(
 
 
 def _limb_clutter(
-    view: View, limbs: Sequence[Sequence[Segment]], foreign: Sequence[tuple[XYZ, XYZ, XYZ]], size: float
+    view: View,
+    limbs: Sequence[Sequence[Segment]],
+    foreign: Sequence[tuple[XYZ, XYZ, XYZ]],
+    places: Iterable[XYZ],
+    size: float,
 ) -> Iterator[float]:
-    """The same of links: those seen from their ends, places near `foreign` links, limbs near each other,
-    links that cross those of others.
+    """The same of links: those seen from their ends, places near `foreign` links (`places` are all that these name),
+    limbs near each other, links that cross those of others.
     """
+    at = {p: view.flat(p) for p in places}
+    reach = _OFF_LEGS * size
     for p, a, b in foreign:
-        yield _near(distance_to_stroke(view.flat(p), view.flat(a), view.flat(b)) / size, _OFF_LEGS)
+        (x, y), (left, top), (right, bottom) = at[p], at[a], at[b]
+        if left > right:
+            left, right = right, left
+        if top > bottom:
+            top, bottom = bottom, top
+        if not (left - x > reach or x - right > reach or top - y > reach or y - bottom > reach):
+            yield _near(distance_to_stroke(at[p], at[a], at[b]) / size, _OFF_LEGS)
     seen = [[(view.flat(a), view.flat(b)) for a, b in links] for links in limbs]
     for links, flat in zip(limbs, seen, strict=True):
         for (a, b), (start, end) in zip(links, flat, strict=True):
