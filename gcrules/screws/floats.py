@@ -210,6 +210,11 @@ class Floats(Field):
 
     def normal_pair(self, a: Vector) -> tuple[Vector, Vector]:
         """As for exact numbers, but the products with the two axes that are furthest from the vector."""
+        if not any(map(np.ndim, a)):
+            u, v, w = map(float, a)
+            rows = ((0.0, w, -v), (-w, 0.0, u), (v, -u, 0.0))
+            most = max(range(3), key=lambda k: abs(a[k]))
+            return rows[(most + 1) % 3], rows[(most + 2) % 3]
         x, y, z = np.broadcast_arrays(*a)
         zero = np.zeros_like(x)
         around = np.stack([np.stack([zero, z, -y]), np.stack([-z, zero, x]), np.stack([y, -x, zero])])

@@ -78,11 +78,9 @@ class Limb:
     def twists(self, field: Field | None = None) -> Matrix:
         """One row (ω; v) for each freedom, from the base to the platform; for floats (..., freedoms, 6)."""
         field = field or self.field
-        if field.floating:
-            return self._twists(field)
-        if field not in self._exact_twists:
-            self._exact_twists[field] = self._twists(field)
-        return self._exact_twists[field]
+        if field not in self._known_twists:
+            self._known_twists[field] = self._twists(field)
+        return self._known_twists[field]
 
     def _twists(self, field: Field) -> Matrix:
         rows = [j.twists(field) for j in self.joints]
@@ -93,8 +91,8 @@ class Limb:
         return field.matrix([row for k in self.leading for row in rows[k]])
 
     @cached_property
-    def _exact_twists(self) -> dict[Field, Matrix]:
-        """Those that were computed before, which several ranks and systems take."""
+    def _known_twists(self) -> dict[Field, Matrix]:
+        """Those that were computed before, which several ranks and systems take; none of them writes into them."""
         return {}
 
     def rows(self, field: Field | None = None) -> Matrix:

@@ -136,9 +136,14 @@ def freedom_axes(limbs: Limbs, size: float) -> list[Axis]:
         return []
 
 
+@lru_cache(maxsize=8)
+def _freedoms(m: Linkage) -> tuple[str, ...]:
+    return free_coordinates(m)
+
+
 def freedoms_at(m: Linkage, c: Configuration) -> list[float]:
     """What these coordinates are there, from home: lengths and degrees."""
-    names = free_coordinates(m)
+    names = _freedoms(m)
     found = without_rounding(names, coordinates(names, c.platform, m.centre), m.size)
     return [degrees(v) if n in ANGLES else float(v) for n, v in zip(names, found, strict=True)]
 
@@ -185,7 +190,7 @@ def numbers_of_limbs(limbs: Limbs, subject: Subject, pose: PoseJson, threshold: 
     robot = limbs.analysis
     solution = solved(limbs.linkage, tuple(amounts_at(limbs, pose)))
     found = report_at(limbs.linkage, robot, solution, angle_threshold(threshold or DEFAULT, "for robots of joints"))
-    there = Solved.of(limbs, np.concatenate(solution.configuration.joint_values)[None])
+    there = Solved.at(limbs, solution.configuration)
     values = values_of(subject, found)
     names = subject.points
     near = found.verdict != "regular"

@@ -9,7 +9,7 @@ import numpy as np
 
 from gcrules.mechanisms.description.carriers import Attachment
 from gcrules.mechanisms.description.relations import AXES
-from gcrules.mechanisms.kinematics.rigid_motions import Floats, crossed
+from gcrules.mechanisms.kinematics.rigid_motions import Floats, crossed, lengths
 from gcrules.mechanisms.robot import Robot
 from gcrules.screws import FLOATS
 
@@ -52,11 +52,11 @@ def disagreement(
         sort = robot.family.sorts[name]
         places = [_by(r, sort, values[name], links) for r in several]
         if sort == "point":
-            yield name, np.array([_length(p - places[0]) for p in places]) / size
+            yield name, np.array([lengths(p - places[0]) for p in places]) / size
         else:
             first = np.array(AXES[name], dtype=float) if name in AXES else places[0]
-            length = _length(first) * _length(values[name])
-            yield name, np.array([_length(crossed(first, p)) for p in places]) / length
+            length = lengths(first) * lengths(values[name])
+            yield name, np.array([lengths(crossed(first, p)) for p in places]) / length
 
 
 def residual_of_relations(robot: Robot, values: Values, size: float) -> Iterator[tuple[str, Floats]]:
@@ -64,17 +64,16 @@ def residual_of_relations(robot: Robot, values: Values, size: float) -> Iterator
     its length for directions. Relations are linear in the name itself, so this is a quotient.
     """
     rows = {n: (v[..., 0], v[..., 1], v[..., 2]) for n, v in values.items()}
+    axes = max(v.ndim for v in values.values())
+    steps = np.vstack([np.zeros(3), np.eye(3)]).reshape(4, *(1,) * (axes - 1), 3)
     for d in robot.family.definitions:
         at = values[d.name]
-        tried = [at, *(at + axis for axis in np.eye(3))]
-        residual = [d.relation.residual(d.sort, FLOATS, rows, (v[..., 0], v[..., 1], v[..., 2])) for v in tried]
-        if not residual[0]:
+        tried = at + steps
+        residual = d.relation.residual(d.sort, FLOATS, rows, (tried[..., 0], tried[..., 1], tried[..., 2]))
+        if not residual:
             continue
-        zero, *others = map(_vector, residual)
-        steep = np.sqrt(sum(((r - zero) ** 2).sum(axis=-1) for r in others))
-        off = np.where(steep > 0, _length(zero) / np.where(steep > 0, steep, 1.0), 0.0)
-        yield d.name, off / (size if d.sort == "point" else _length(at))
-
-
-def _length(vectors: Floats) -> Floats:
-    return np.asarray(np.linalg.norm(vectors, axis=-1))
+        found = _vector(residual)
+        zero, others = found[0], found[1:]
+        steep = np.sqrt(((others - zero) ** 2).sum(axis=(0, -1)))
+        off = np.where(steep > 0, lengths(zero) / np.where(steep > 0, steep, 1.0), 0.0)
+        yield d.name, off / (size if d.sort == "point" else lengths(at))

@@ -26,13 +26,14 @@ from gcrules.mechanisms.kinematics.linkage import Linkage
 from gcrules.mechanisms.kinematics.loops import Joints
 from gcrules.mechanisms.kinematics.rigid_motions import Floats, crossed, rotations
 from gcrules.mechanisms.kinematics.targets import Target
-from gcrules.mechanisms.kinematics.tubes import Arm, Choice, follows, holds, keeps_rank, spreads
+from gcrules.mechanisms.kinematics.tubes import Arm, Choice, Spread, follows, holds, keeps_rank, spreads
 from gcrules.screws import RESIDUES
 from gcrules.screws.pose_text import SHIFTS, TURNS, VECTOR
 
 __all__ = ["Cells", "Steps", "are_regular", "can_be_followed", "follow_and_are_regular", "follow_branch", "tubes"]
 
 Truths = NDArray[np.bool_]
+Spreads = tuple[Spread, ...]
 
 _ROOM = 1.0 + 1e-9  # for rounding of values within a cell
 _KEPT = 16  # robots of which it is known what moves
@@ -97,23 +98,29 @@ def are_regular(m: Linkage, wanted: Target, steps: Steps) -> Truths:
 
 def follow_and_are_regular(m: Linkage, wanted: Target, steps: Steps) -> tuple[Truths, Truths]:
     """What `follow_branch` and `are_regular` give, at once. Steps that are regular follow the branch."""
-    around = tubes(m, wanted, steps)
+    around, limbs = _tubes_and_limbs(m, wanted, steps)
     follow = np.asarray(np.isfinite(around[0]).all(axis=-1))
-    arms = _arms(m, steps.here, steps.amounts)
-    reach = [np.abs(a.amounts) / 2 + t for a, t in zip(arms, around, strict=False)]
-    return follow, follow & keeps_rank(spreads(arms), _undriven(m).free, _undriven(m).idle, reach)
+    if limbs is None:
+        limbs = spreads(_arms(m, steps.here, steps.amounts))
+    reach = [np.abs(a.amounts) / 2 + t for a, t in zip(limbs, around, strict=False)]
+    return follow, follow & keeps_rank(limbs, _undriven(m).free, _undriven(m).idle, reach)
 
 
 def tubes(m: Linkage, wanted: Target, steps: Steps) -> tuple[Floats, ...]:
     """How far the coordinates of each limb are from the straight way at most; infinite where nothing is proved."""
+    return _tubes_and_limbs(m, wanted, steps)[0]
+
+
+def _tubes_and_limbs(m: Linkage, wanted: Target, steps: Steps) -> tuple[tuple[Floats, ...], Spreads | None]:
+    """The same, and the limbs in the middle of their ways where these were looked at by themselves."""
     if wanted.driven:
-        arms = _arms(m, steps.here, steps.amounts)
-        return follows(spreads(arms), _following(m).free, _following(m).idle)
+        limbs = spreads(_arms(m, steps.here, steps.amounts))
+        return follows(limbs, _following(m).free, _following(m).idle), limbs
     if not can_be_followed(m, wanted):
-        return tuple(np.full(a.shape, np.inf) for a in steps.amounts)
+        return tuple(np.full(a.shape, np.inf) for a in steps.amounts), None
     pose, grown, free = _pose_chain(m, _without_vector(m, wanted), steps)
     arms = _arms(m, steps.here, steps.amounts, (pose, grown))
-    return follows(spreads(arms), [free, *_unlocked(m).free], _unlocked(m).idle)[1:]
+    return follows(spreads(arms), [free, *_unlocked(m).free], _unlocked(m).idle)[1:], None
 
 
 @dataclass(frozen=True, eq=False)

@@ -25,7 +25,7 @@ from gcrules.core.errors import InputError
 from gcrules.core.frozen import FrozenMap
 from gcrules.mechanisms.description.carriers import sample_of
 from gcrules.mechanisms.description.limb_file import BASE, PLATFORM, JointSpec, LimbSpec
-from gcrules.mechanisms.kinematics.rigid_motions import Floats, carried, crossed, exponential
+from gcrules.mechanisms.kinematics.rigid_motions import Floats, carried, crossed, exponential, lengths
 from gcrules.screws import FLOATS, JOINTS, RATIONALS, JointKind
 
 __all__ = ["Chain", "ElementaryMotion", "Run", "Shape", "chain_of", "geometry_of", "moved", "products", "shape_of"]
@@ -75,7 +75,7 @@ def _across(axis: Floats, place: int) -> Floats:
 
 
 def _unit(v: Floats) -> Floats:
-    return np.asarray(v / np.linalg.norm(v, axis=-1, keepdims=True))
+    return np.asarray(v / lengths(v, keepdims=True))
 
 
 def _about(point: str, axis: str) -> Callable[[Geometry], Floats]:
@@ -164,7 +164,7 @@ def geometry_of(joint: JointSpec, values: Values) -> dict[str, Any]:
             continue
         vector = sum((float(c) * values[n] for c, n in arg), np.zeros(3))
         if form == "direction":
-            size = np.linalg.norm(vector, axis=-1, keepdims=True)
+            size = lengths(vector, keepdims=True)
             if size.min() <= 1e-12 * max(1e-300, *(float(np.abs(values[n]).max()) for _, n in arg)):
                 raise InputError(f"the {part} of {joint} has no direction here: {listed(joint.names)} coincide")
             vector = vector if part == "bars" else vector / size

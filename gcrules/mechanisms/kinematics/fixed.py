@@ -8,7 +8,7 @@ import numpy as np
 
 from gcrules.mechanisms.kinematics.chains import Chain, shape_of
 from gcrules.mechanisms.kinematics.linkage import Linkage
-from gcrules.mechanisms.kinematics.rigid_motions import Floats, cross_matrix
+from gcrules.mechanisms.kinematics.rigid_motions import Floats, cross_matrix, lengths
 
 __all__ = ["unfixed"]
 
@@ -32,7 +32,7 @@ def unfixed(
             new = _scaled(after[place].twists(motions=motions)[..., own], m)
             basis, _ = np.linalg.qr(old)
             rest = new - basis @ (np.swapaxes(basis, -1, -2) @ new)
-            sizes = np.linalg.norm(rest, axis=-2) / np.linalg.norm(new, axis=-2)
+            sizes = lengths(rest, -2) / lengths(new, -2)
             yield joint.text, sizes.max(axis=-1)
             start = motions.stop
 

@@ -23,6 +23,7 @@ __all__ = [
     "crossed",
     "exponential",
     "inverse",
+    "lengths",
     "logarithm",
     "rotation_vector",
     "rotation_vector_rates",
@@ -55,6 +56,11 @@ def crossed(a: Floats, b: Floats) -> Floats:
     found[..., 1] = z * u - x * w
     found[..., 2] = x * v - y * u
     return found
+
+
+def lengths(vectors: Floats, axis: int = -1, *, keepdims: bool = False) -> Floats:
+    """The lengths of vectors, as NumPy's own norm has them to the last digit; quicker for few of them."""
+    return np.asarray(np.sqrt((vectors * vectors).sum(axis=axis, keepdims=keepdims)))
 
 
 def rotations(vectors: Floats) -> Floats:

@@ -35,7 +35,7 @@ from numpy.typing import NDArray
 
 from gcrules.core.dataclass import dataclass
 from gcrules.core.frozen import HoldsArrays
-from gcrules.mechanisms.kinematics.rigid_motions import crossed
+from gcrules.mechanisms.kinematics.rigid_motions import crossed, lengths
 
 __all__ = ["Transmission", "Transmissions", "of_constraints", "shaken", "transmitted"]
 
@@ -103,7 +103,7 @@ def transmitted(wrenches: Floats, twists: Floats, arms: Floats) -> Floats:
     own = wrenches[..., 3:] - crossed(arms, f)
     power = np.abs((wrenches * twists).sum(axis=-1))
     with np.errstate(invalid="ignore", over="ignore"):
-        most = _norm(f) * _norm(v + crossed(turn, arms)) + _norm(own) * _norm(turn)
+        most = lengths(f) * lengths(v + crossed(turn, arms)) + lengths(own) * lengths(turn)
         found = power / np.where(most > 0, most, 1.0)
     return np.asarray(np.where((most > 0) & np.isfinite(found), np.minimum(found, 1.0), 0.0))
 
@@ -154,11 +154,12 @@ def shaken(
         columns = slice(start, start + own.shape[1])
         for count, force in at_joints:
             moved = inverse[:, :, columns] @ force[..., [axis for axis in axes if axis < 3]]
-            found += count * np.stack([np.linalg.norm(moved[:, part], 2, axis=(1, 2)) for part in parts])
+            found += count * np.stack([_largest(moved[:, part]) for part in parts])
         start = columns.stop
     found[1, found[1] <= _ROUNDING * found[0]] = 0.0  # a platform that only shifts
     return np.where(lost, np.inf, found[0]), np.where(lost, np.inf, found[1] / length)
 
 
-def _norm(v: Floats) -> Floats:
-    return np.asarray(np.linalg.norm(v, axis=-1))
+def _largest(matrices: Floats) -> Floats:
+    """The largest singular value of each, which is the norm that they have as maps."""
+    return np.asarray(np.linalg.svd(matrices, compute_uv=False).max(axis=-1))

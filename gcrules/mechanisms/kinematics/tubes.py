@@ -38,7 +38,15 @@ from numpy.typing import NDArray
 
 from gcrules.core.dataclass import dataclass
 from gcrules.mechanisms.kinematics.chains import Chain, products
-from gcrules.mechanisms.kinematics.rigid_motions import Floats, carried, cross_matrix, crossed, exponential, inverse
+from gcrules.mechanisms.kinematics.rigid_motions import (
+    Floats,
+    carried,
+    cross_matrix,
+    crossed,
+    exponential,
+    inverse,
+    lengths,
+)
 
 __all__ = ["Arm", "Choice", "Spread", "follows", "holds", "keeps_rank", "spreads"]
 
@@ -155,8 +163,8 @@ def _spread(arm: Arm, links: Floats, motion: Floats) -> Spread:
         arm.amounts,
         np.swapaxes(first, -1, -2) @ parts,
         parts.T @ np.moveaxis(bent, -1, -3) @ parts,
-        np.linalg.norm(w, axis=-1),
-        np.linalg.norm(v, axis=-1),
+        lengths(w),
+        lengths(v),
         np.abs(parts),
         arm.block,
         arm.reference,

@@ -29,6 +29,7 @@ from gcrules.mechanisms.kinematics.configurations import Configurations
 from gcrules.mechanisms.kinematics.coordinates import coordinates
 from gcrules.mechanisms.kinematics.determinants import frames, relative_sign
 from gcrules.mechanisms.kinematics.failure_reasons import NotClosed
+from gcrules.mechanisms.kinematics.linkage import Configuration
 from gcrules.mechanisms.kinematics.loops import Course, Joints
 from gcrules.mechanisms.kinematics.margin import limb_margins, margins
 from gcrules.mechanisms.kinematics.rigid_motions import Floats
@@ -58,6 +59,12 @@ class Solved:
     m: Limbs
     amounts: tuple[Floats, ...]
     links: tuple[Floats, ...]
+    known: Configurations | None = None
+
+    @classmethod
+    def at(cls, m: Limbs, c: Configuration) -> Solved:
+        """A single configuration that is known."""
+        return cls(m, tuple(a[None] for a in c.joint_values), tuple(k[None] for k in c.links), Configurations.of([c]))
 
     @classmethod
     def of(cls, m: Limbs, amounts: Floats) -> Solved:
@@ -75,6 +82,8 @@ class Solved:
     @cached_property
     def here(self) -> Configurations:
         """They themselves, with the screws that the names make."""
+        if self.known is not None:
+            return self.known
         chains = []
         for limb in self.m.linkage.robot.limbs:
             own = chain_of(limb, self.values)

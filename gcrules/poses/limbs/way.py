@@ -7,7 +7,7 @@ does or is too short. Where the sign changes something is singular; the place is
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from functools import cache
+from functools import cache, lru_cache
 from itertools import pairwise
 
 import numpy as np
@@ -33,6 +33,12 @@ Node = tuple[float, Configuration]
 """A part of the way, and the configuration there."""
 
 Stretch = tuple[float, float]
+
+
+@lru_cache(maxsize=8)
+def _at_home(m: Linkage) -> Frames:
+    """Where most ways begin."""
+    return frames(m, Configurations.of([m.home]), m.centre)
 
 
 class Way:
@@ -78,7 +84,7 @@ class Way:
     # --- the sign of the determinant ---
 
     def frames(self, c: Configuration) -> Frames:
-        return self._frames(c)
+        return _at_home(self.m) if c is self.m.home else self._frames(c)
 
     def signs(self) -> tuple[tuple[Stretch, ...], float | None]:
         """The short stretches in which the determinant changes its sign, and the first place where that cannot be
