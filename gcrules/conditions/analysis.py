@@ -30,7 +30,7 @@ from gcrules.core.errors import EngineFault, InputError
 from gcrules.core.seeds import remark
 from gcrules.core.shown import Shown
 from gcrules.rules.catalog.catalog import FIVE_LEG_SCREW, Match
-from gcrules.rules.catalog.file import load
+from gcrules.rules.catalog.file import Own, load
 from gcrules.rules.condition import Condition, Entity, starred
 from gcrules.rules.condition_rule import ConditionClaim
 from gcrules.rules.degenerate import Degeneracy, explain
@@ -99,6 +99,11 @@ class Analysis(Shown):
         made = (c.kind for c in (self.condition, *self.readings) if c.certificate.method != "catalog-instance")
         return tuple(dict.fromkeys((*(s.rule for s in self.derivation), *(kind for kind in made if kind in brought))))
 
+    @property
+    def claimed(self) -> tuple[str, ...]:
+        """Where sentences of the condition and the readings come from that are not gcrules' own."""
+        return tuple(dict.fromkeys(c.statement_source for c in (self.condition, *self.readings) if c.statement_source))
+
     def unfolded(self) -> Derivation:
         """The derivation, each step with the single steps that it is made of."""
         return self.derivation.unfolded(self.strategy.rules)
@@ -146,7 +151,7 @@ def analyze(
     ideal: Names = (),
     given: str | Iterable[str] = (),
     rank: int = 4,
-    catalogs: Iterable[str | PathLike[str]] = (),
+    catalogs: Iterable[Own] = (),
     recheck: bool = False,
     strategy: Strategy | None = None,
     search: float = SECONDS,

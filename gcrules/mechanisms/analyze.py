@@ -10,7 +10,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
-from os import PathLike
 from typing import Any
 
 from gcrules.algebra.language.legs_text import Structure
@@ -24,6 +23,7 @@ from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.mechanisms.load import Folders, Source, load
 from gcrules.mechanisms.platform_analysis import analyze_legs
 from gcrules.mechanisms.robot import Robot
+from gcrules.rules.catalog.file import Own
 from gcrules.rules.factorization import SECONDS
 from gcrules.rules.strategy import Strategy
 
@@ -41,7 +41,7 @@ def analyze(
     ideal: Names = (),
     given: str | Iterable[str] = (),
     rank: int = 4,
-    catalogs: Iterable[str | PathLike[str]] = (),
+    catalogs: Iterable[Own] = (),
     recheck: bool = False,
     strategy: Strategy | None = None,
     search: float = SECONDS,

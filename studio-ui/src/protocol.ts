@@ -454,7 +454,7 @@ export interface ManualArgs {
   commands: string[];
 }
 
-/** A file of rules (`.gca`) that the user has opened, as text; the rules `off` are left out. */
+/** A file of rules (`.gca`), or a catalog (`.yaml`), that the user has opened, as text; the rules, or classes, that are `off` are left out. */
 export interface RuleFile {
   name: string;
   text: string;
@@ -1534,12 +1534,14 @@ export interface CheckedRule {
   line: number;
   verdict: "proved" | "refuted" | "undecided" | "refused";
   reason: string;
-  /** What is wrong with it, with its place in the file; it is not used then. */
+  /** What is wrong with it, with its place in the file; it is not used then. Without a fault, a class that is not decided is used, and answers say that it is unproved. */
   fault: Fault | null;
 }
 
 export interface CheckedRuleFile {
   name: string;
+  kind: "rules" | "catalog";
+  /** The rules, or the classes of a catalog. */
   rules: CheckedRule[];
   /** Where the file as a whole cannot be read. */
   fault: Fault | null;

@@ -9,6 +9,7 @@ import click
 from gcrules.algebra.expand import MAX_TERMS
 from gcrules.apps.cli.base import ExpressionCommand
 from gcrules.apps.cli.limits import SECONDS, time_limit
+from gcrules.apps.cli.options import catalog_option
 from gcrules.apps.cli.output import Output, mathematics_option
 from gcrules.apps.cli.rule_options import Choice, plugins_option
 from gcrules.apps.repl.answers import worst
@@ -17,6 +18,7 @@ from gcrules.apps.repl.lines import run_pieces, stdin_pieces, tell_all
 from gcrules.apps.repl.reading import pieces
 from gcrules.apps.repl.state import PromptState, Settings
 from gcrules.core.deferred import deferred
+from gcrules.rules.catalog.file import load as load_catalog
 
 __all__ = ["repl"]
 
@@ -41,6 +43,7 @@ run_terminal = deferred("gcrules.apps.repl.terminal:run_terminal")
 @mathematics_option
 @click.option("--rules", "words", multiple=True, metavar="FILE|IDS", help=_RULES)
 @plugins_option
+@catalog_option
 @click.pass_context
 def repl(
     ctx: click.Context,
@@ -52,6 +55,7 @@ def repl(
     mathematics: bool | None,
     words: tuple[str, ...],
     folders: tuple[str, ...],
+    catalogs: tuple[str, ...],
 ) -> None:
     """Type expressions, equations and statements, and get an answer to each; :help says what there is.
 
@@ -71,7 +75,10 @@ def repl(
         seconds=seconds,
         short=sys.stdout.isatty(),
         plugins=folders,
+        catalogs=catalogs,
     )
+    if catalogs:
+        load_catalog(catalogs)  # one that is wrong is told at once
     session = Interpreter(PromptState(rules=Choice(words, folders=folders).rewriting() if words else ()), settings)
     codes = [tell_all(session.load(file))] if file is not None else []
     if not texts and sys.stdin.isatty() and sys.stdout.isatty():

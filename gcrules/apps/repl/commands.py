@@ -166,13 +166,14 @@ def _analyze(repl: PromptSession, request: Request) -> Iterator[Answer]:
         raise request.fault("no legs", "six legs, each its two joints:  :analyze ab af cb cd ed ef")
     folders = repl.settings.plugins
     asked = _legs(repl, request, _loaded if repl.settings.files else read_legs)
-    chosen = _strategy(repl) if isinstance(asked, (Structure, Platform)) else None
-    found = analyze(asked, strategy=chosen, plugins=folders)
+    of_legs = isinstance(asked, (Structure, Platform))
+    chosen = _strategy(repl) if of_legs else None
+    found = analyze(asked, strategy=chosen, plugins=folders, catalogs=repl.settings.catalogs if of_legs else ())
     if found.condition is not None:
         repl.remember(found.condition.expression)
     whole = _whole(repl, found, "shown")
     if isinstance(found, Analysis):
-        whole = replace(whole, applied=found.applied, sentences=_leading_sentences(found))
+        whole = replace(whole, applied=(*found.applied, *found.claimed), sentences=_leading_sentences(found))
     yield whole
 
 

@@ -10,6 +10,7 @@ from gcrules.algebra.expand import MAX_TERMS
 from gcrules.algebra.expr import Expr
 from gcrules.algebra.language.syntax import Context
 from gcrules.core.dataclass import dataclass
+from gcrules.rules.catalog.catalog import Catalog
 from gcrules.rules.rule import RewriteRule
 
 __all__ = ["PromptState", "Settings"]
@@ -50,7 +51,7 @@ class Settings:
     """How answers are shown, the number of terms beyond which none is sought, and the seconds that an input may take.
 
     `short` writes many equal brackets as a power. Without `files` none is read or written. An analysis takes in the
-    rules of `plugins`, folders of the user's.
+    rules of `plugins`, folders of the user's, and the classes of `catalogs`, files or what was read from them.
     """
 
     unicode: bool = True
@@ -60,3 +61,4 @@ class Settings:
     short: bool = False
     files: bool = True
     plugins: tuple[str, ...] = ()
+    catalogs: tuple[str | Catalog, ...] = ()

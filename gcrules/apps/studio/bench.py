@@ -23,6 +23,7 @@ from gcrules.apps.repl.state import PromptState, Settings
 from gcrules.apps.repl.tables import STATEMENTS, meant
 from gcrules.apps.studio.bench_questions import Question, of_command, of_equation, of_expression, of_name, of_statement
 from gcrules.apps.studio.bench_repeating import Rules, answer_lines
+from gcrules.apps.studio.catalog_files import CLASS, used_catalogs
 from gcrules.apps.studio.faults import fault_view, units
 from gcrules.apps.studio.formulas import pieces as in_pieces
 from gcrules.apps.studio.parts import give, shaped
@@ -117,7 +118,7 @@ def _answered(
 ) -> _Found:
     """All that does not depend on the pose: where the robot only moves it is not worked out again."""
     files: list[RuleFile] = [{"name": name, "text": body, "off": list(off)} for name, body, off in rules]
-    settings = Settings(limit=_MOST_TERMS, files=False, plugins=folders)
+    settings = Settings(limit=_MOST_TERMS, files=False, plugins=folders, catalogs=used_catalogs(files))
     repl = Interpreter(PromptState(context, rules=usable(files) if files else ()), settings)
     before = Rules.of(files, folders)
     results: list[_Result] = []
@@ -263,6 +264,7 @@ def _applied(repl: Interpreter, before: Rules, answer: Answer) -> list[AppliedRu
         return []
     brought = {r.id: r for r in load_rules(folders=repl.settings.plugins, identities=False)}
     sentences = {r.id: r.sentence for r in (*brought.values(), *repl.state.rules)}
+    known = [name for name in answer.applied if CLASS not in name or name in before.brought]
 
     def owner(name: str) -> RuleOwner:
         if name in before.brought:
@@ -273,7 +275,9 @@ def _applied(repl: Interpreter, before: Rules, answer: Answer) -> list[AppliedRu
             return {"kind": "gcrules", "name": "", "line": None}
         return {"kind": "plugin", "name": brought[name].owner, "line": None}
 
-    return [{"id": name, "sentence": sentences.get(name, ""), "owner": owner(name)} for name in answer.applied]
+    return [
+        {"id": name.rpartition(CLASS)[2], "sentence": sentences.get(name, ""), "owner": owner(name)} for name in known
+    ]
 
 
 def _in_text(fault: GcrulesError, text: str, starts: list[int], whole: Span) -> None:

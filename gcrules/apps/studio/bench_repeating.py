@@ -26,7 +26,7 @@ from gcrules.apps.studio.calls import Call, Option
 from gcrules.apps.studio.protocol.answer_views import Repeated, RepeatedFile, RuleOwner
 from gcrules.apps.studio.protocol.requests import RuleFile
 from gcrules.apps.studio.rule_files import owners
-from gcrules.apps.studio.rule_files_saved import saved
+from gcrules.apps.studio.rule_files_saved import saved, saved_catalogs
 from gcrules.core.dataclass import dataclass
 from gcrules.core.frozen import FrozenMap
 
@@ -38,18 +38,20 @@ LONGEST = 20_000
 
 @dataclass(frozen=True)
 class Rules:
-    """What holds from the start of the bench: `files` as lines name them, `folders` of plugins, and by its id who
-    brought each rule of the files.
+    """What holds from the start of the bench: `files` of rules and `catalogs` as lines name them, `folders` of plugins,
+    and by its id who brought each rule and class.
     """
 
     files: tuple[RepeatedFile, ...] = ()
     folders: tuple[str, ...] = ()
     brought: Mapping[str, RuleOwner] = FrozenMap()
+    catalogs: tuple[RepeatedFile, ...] = ()
 
     @classmethod
     def of(cls, files: Sequence[RuleFile], folders: Sequence[str] = ()) -> Rules:
         """Those of files that a page has opened, what is switched off in them left out."""
-        return cls(tuple(saved(files)), tuple(folders), owners(files) if files else FrozenMap())
+        brought = owners(files) if files else FrozenMap()
+        return cls(tuple(saved(files)), tuple(folders), brought, tuple(saved_catalogs(files)))
 
     @property
     def of_files(self) -> list[Option]:
@@ -59,6 +61,16 @@ class Rules:
     @property
     def of_plugins(self) -> list[Option]:
         return [Option("--plugins", "plugins", self.folders)] if self.folders else []
+
+    @property
+    def options(self) -> list[Option]:
+        """Those of the prompt."""
+        return [*self.of_files, *self.of_plugins, *self.of_catalogs]
+
+    @property
+    def of_catalogs(self) -> list[Option]:
+        names = tuple(file["name"] for file in self.catalogs)
+        return [Option("--catalog", "catalogs", names)] if names else []
 
 
 _CONTROLS = re.compile(r"[\x00-\x08\x0e-\x1f\x7f-\x9f]")
@@ -148,11 +160,11 @@ def _with_own(question: Question, rules: Rules) -> Rules:
 
 def _analyzed(question: Question, rules: Rules) -> Repeated:
     before = _with_own(question, rules)
-    space = _space(question)
+    space = [*before.of_catalogs, *_space(question)]
     shell = Call("analyze", "", (*before.of_files, *before.of_plugins, *space)).shell(question.text)
     if not before.files:
         python = Call("", "analyze", (*rules.of_plugins, *space)).direct(question.text)
-        return {"shell": shell, "python": python, "files": []}
+        return {"shell": shell, "python": python, "files": list(before.catalogs)}
     named = {"files": [file["name"] for file in before.files], "folders": list(before.folders)}
     known = ", ".join(f"{word}={json.dumps(values, ensure_ascii=False)}" for word, values in named.items() if values)
     usual = f"folders={json.dumps(named['folders'], ensure_ascii=False)}" if before.folders else ""
@@ -162,7 +174,7 @@ def _analyzed(question: Question, rules: Rules) -> Repeated:
         "strategy = gc.Strategy((*own, *usual.strategy().rules))",
     ]
     python = Call("", "analyze", (*before.of_plugins, *space)).direct(question.text, "strategy=strategy", before=lines)
-    return {"shell": shell, "python": python, "files": list(before.files)}
+    return {"shell": shell, "python": python, "files": [*before.files, *before.catalogs]}
 
 
 # --- the prompt ----------------------------------------------------------------------------------------------------
@@ -189,7 +201,7 @@ def prompt_lines(lines: Sequence[str], rules: Rules | None = None) -> str:
     lines = [pasted(line) for whole in lines for line in whole.split("\n")]
     end = next(word for n in count() if (word := f"END{n or ''}") not in {line.strip() for line in lines})
     before = rules or Rules()
-    options = "".join(f" {word}" for option in (*before.of_files, *before.of_plugins) for word in option.words())
+    options = "".join(f" {word}" for option in before.options for word in option.words())
     return "\n".join([f"gcrules repl{options} <<'{end}'", *lines, end])
 
 

@@ -248,7 +248,7 @@ def _bench(subject: Subject | None, text: str, rules: Rules) -> Repeated:
     shell = prompt_lines([*start, *text.strip().split("\n")], rules)
     alone = "\n" not in text.strip() and not ranks and first_word(text.strip()) not in STATEMENTS
     python = _evaluated(text.strip(), declared, context_of(subject)) if alone else ""
-    return {"shell": shell, "python": python, "files": list(rules.files)}
+    return {"shell": shell, "python": python, "files": [*rules.files, *rules.catalogs]}
 
 
 _FUNCTIONS = ("expand", "straighten", "factor", "shorten", "transversals", "prove")

@@ -15,6 +15,7 @@ from typing import Literal, cast
 
 from gcrules.algebra.language.rule_text import RuleText
 from gcrules.algebra.language.statements import Script, parse_script
+from gcrules.apps.studio.catalog_files import catalog_view, catalogs_read, is_catalog
 from gcrules.apps.studio.faults import fault_view
 from gcrules.apps.studio.protocol.answer_views import RuleOwner
 from gcrules.apps.studio.protocol.requests import RuleFile
@@ -44,11 +45,19 @@ class RuleFileRead:
 
 def checked_view(files: Sequence[RuleFile]) -> CheckedRules:
     """What each file holds, and what is wrong with it. A rule whose id is taken is one that is wrong."""
-    return {"files": [_view(file, read) for file, read in zip(files, all_read(files), strict=True)]}
+    rules, catalogs = _of_rules(files), [file for file in files if is_catalog(file)]
+    views = [_view(file, read) for file, read in zip(rules, all_read(rules), strict=True)]
+    classes = [catalog_view(file, read) for file, read in zip(catalogs, catalogs_read(catalogs), strict=True)]
+    return {"files": [(classes if is_catalog(file) else views).pop(0) for file in files]}
+
+
+def _of_rules(files: Sequence[RuleFile]) -> list[RuleFile]:
+    return [file for file in files if not is_catalog(file)]
 
 
 def usable(files: Sequence[RuleFile]) -> tuple[Identity, ...]:
     """The rules that are proved and not switched off, in the order of the files."""
+    files = _of_rules(files)
     return tuple(
         check.rule
         for file, read in zip(files, all_read(files), strict=True)
@@ -58,8 +67,18 @@ def usable(files: Sequence[RuleFile]) -> tuple[Identity, ...]:
 
 
 def owners(files: Sequence[RuleFile]) -> Mapping[str, RuleOwner]:
-    """By its id, who brought each rule that is proved and not switched off."""
-    return {
+    """By its id, who brought each rule that is proved and not switched off; of a class of a catalog by what analyses
+    call it.
+    """
+    catalogs = [file for file in files if is_catalog(file)]
+    classes: dict[str, RuleOwner] = {
+        check.claim: {"kind": "file", "name": file["name"], "line": check.line}
+        for file, read in zip(catalogs, catalogs_read(catalogs), strict=True)
+        for check in read.checks
+        if check.used and check.entry.id not in file["off"]
+    }
+    files = _of_rules(files)
+    return classes | {
         check.rule.id: {"kind": "file", "name": file["name"], "line": line_of[check.rule.id]}
         for file, read in zip(files, all_read(files), strict=True)
         for line_of in [_lines(read)]
@@ -153,6 +172,7 @@ def _view(file: RuleFile, read: RuleFileRead) -> CheckedRuleFile:
     lines = _lines(read)
     return {
         "name": file["name"],
+        "kind": "rules",
         "rules": [_rule_view(check, lines[check.rule.id]) for check in read.checks],
         "fault": fault_view(read.fault) if read.fault else None,
     }

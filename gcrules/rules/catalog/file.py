@@ -26,11 +26,15 @@ from gcrules.rules.catalog.proof_status import is_shipped_sentence
 from gcrules.rules.condition_rule import INCIDENCES
 from gcrules.rules.plugin import Plugin
 
-__all__ = ["KINDS", "STATUSES", "load", "load_file"]
+__all__ = ["KINDS", "STATUSES", "Own", "load", "load_file", "read_text"]
 
 
-def load(own: Iterable[str | PathLike[str]] = (), kinds: Iterable[str] = (), plugins: Iterable[Plugin] = ()) -> Catalog:
-    """The shipped catalog with those of plugins and the user's own files, in which `kinds` of condition that plugins
+Own = str | PathLike[str] | Catalog
+"""A catalog of the user's own: a file, or one that is read already."""
+
+
+def load(own: Iterable[Own] = (), kinds: Iterable[str] = (), plugins: Iterable[Plugin] = ()) -> Catalog:
+    """The shipped catalog with those of plugins and the user's own, in whose files `kinds` of condition that plugins
     bring may stand too; in the catalogs of a plugin those of its own rules anyway.
 
     Raises FileError for faults and for ids that clash.
@@ -38,7 +42,7 @@ def load(own: Iterable[str | PathLike[str]] = (), kinds: Iterable[str] = (), plu
     shipped, kinds = _shipped(), tuple(kinds)
     entries, statements = list(shipped.entries), dict(shipped.statements)
     sources = {k: SHIPPED for k, sentence in statements.items() if not is_shipped_sentence(k, sentence)}
-    for path, more in (*_brought(plugins, kinds), *((path, load_file(path, kinds)) for path in own)):
+    for path, more in (*_brought(plugins, kinds), *(_own(one, kinds) for one in own)):
         clashes = [(e, other) for e in more.entries for other in entries if e.id == other.id]
         if clashes:
             raise join_faults(
@@ -48,6 +52,13 @@ def load(own: Iterable[str | PathLike[str]] = (), kinds: Iterable[str] = (), plu
         statements |= more.statements
         sources |= dict.fromkeys(more.statements, fspath(path))
     return Catalog(tuple(entries), FrozenMap(statements), FrozenMap(sources))
+
+
+def _own(one: Own, kinds: tuple[str, ...]) -> tuple[str | PathLike[str], Catalog]:
+    """A catalog of the user's, and what it is called."""
+    if isinstance(one, Catalog):
+        return next((e.owner for e in one.entries), ""), one
+    return one, load_file(one, kinds)
 
 
 def _brought(plugins: Iterable[Plugin], kinds: tuple[str, ...]) -> Iterator[tuple[str | PathLike[str], Catalog]]:
@@ -73,6 +84,11 @@ def _shipped() -> Catalog:
 def load_file(path: str | PathLike[str], kinds: Iterable[str] = ()) -> Catalog:
     """A catalog file of its own. Raises FileError with line and column of every fault, all at once."""
     return _read(Document.load(path), fspath(path), tuple(kinds))
+
+
+def read_text(text: str, name: str) -> Catalog:
+    """A catalog that is given as text, under a name. Raises FileError as `load_file` does."""
+    return _read(Document.parse(text, name), name)
 
 
 def _read(document: Document, owner: str, kinds: tuple[str, ...] = ()) -> Catalog:

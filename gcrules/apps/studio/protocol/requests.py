@@ -302,7 +302,9 @@ class ManualArgs(TypedDict):
 
 
 class RuleFile(TypedDict):
-    """A file of rules (`.gca`) that the user has opened, as text; the rules `off` are left out."""
+    """A file of rules (`.gca`), or a catalog (`.yaml`), that the user has opened, as text; the rules, or classes, that
+    are `off` are left out.
+    """
 
     name: _Name
     text: Annotated[str, text(LONGEST_RULES, empty=True)]

@@ -18,12 +18,16 @@ class CheckedRule(TypedDict):
     verdict: Literal["proved", "refuted", "undecided", "refused"]
     reason: str
     fault: FaultView | None
-    """What is wrong with it, with its place in the file; it is not used then."""
+    """What is wrong with it, with its place in the file; it is not used then. Without a fault, a class that is not
+    decided is used, and answers say that it is unproved.
+    """
 
 
 class CheckedRuleFile(TypedDict):
     name: str
+    kind: Literal["rules", "catalog"]
     rules: list[CheckedRule]
+    """The rules, or the classes of a catalog."""
     fault: FaultView | None
     """Where the file as a whole cannot be read."""
 

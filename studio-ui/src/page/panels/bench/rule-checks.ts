@@ -66,7 +66,7 @@ export function createRuleChecks({ client, rules$, edit, settle }: Store): RuleC
       if (text.includes("\0")) return `${name} holds characters that are not text; it is not opened.`;
       const file: RuleFile = { name: name.slice(0, 200), text: text.replaceAll("\r\n", "\n"), off: [] };
       const others = files.filter((other) => other.name !== file.name);
-      if (others.length >= MOST_RULE_FILES) return `At most ${MOST_RULE_FILES} files of rules are open at a time.`;
+      if (others.length >= MOST_RULE_FILES) return `At most ${MOST_RULE_FILES} files of rules and catalogs are open at a time.`;
       change(others.length < files.length ? files.map((other) => (other.name === file.name ? file : other)) : [...files, file]);
       return "";
     },

@@ -43,17 +43,18 @@ export function Rules({ store, results, text, say, write }: Props) {
         <Icon name="more" size={14} /> Rules <span class="count">{countOf(files, found, now.state)}</span>
       </summary>
       <div class="body">
-        <section aria-label="Files of rules">
+        <section aria-label="Files of rules and catalogs">
           <header>
             <h3>Your rules</h3>
-            <OpenFile accept=".gca,.txt" testid="rules-file" title="Open a file of rules (.gca)" class="quiet" buttonTestid="rules-open" size={14} take={(file) => void open(file)}>
+            <OpenFile accept=".gca,.txt,.yaml,.yml" testid="rules-file" title="Open a file of rules (.gca) or a catalog (.yaml)" class="quiet" buttonTestid="rules-open" size={14} take={(file) => void open(file)}>
               Open rules
             </OpenFile>
           </header>
           {files.length === 0 && (
             <p class="told">
               A file of rules holds identities, such as <code>rule pierce: ab /\ cde =&gt; [acde] b - [bcde] a</code>. Each is proved before it is used; then{" "}
-              <code>rewrite</code> and <code>:analyze</code> go by it.
+              <code>rewrite</code> and <code>:analyze</code> go by it. A catalog (<code>.yaml</code>) holds classes of platforms with their conditions, which <code>:analyze</code> knows then; what is not proved is
+              marked.
             </p>
           )}
           {now.state === "busy" && <Seeks words={now.words} stop={checks.stop} testid="rules-stop" />}
@@ -122,6 +123,7 @@ function OwnFile({ file, checked, checks, index, used }: OwnProps) {
         <h4>
           <Icon name="file" size={14} /> {file.name}
         </h4>
+        {checked?.kind === "catalog" && <span class="tag">catalog</span>}
         <button type="button" class="tool" title="Close this file" aria-label={`Close ${file.name}`} onClick={() => checks.close(index)} data-testid={`rules-close-${index}`}>
           <Icon name="close" size={14} />
         </button>
@@ -161,7 +163,7 @@ function OwnRule({ rule, text, on, toggle, lines }: RuleProps) {
       </label>
       <Work lines={lines} />
       <span class="state">
-        <Icon name={fault ? (verdict === "undecided" ? "warn" : "close") : "ok"} size={14} /> {fault ? WRONG[verdict] : reason}
+        <Icon name={verdict === "undecided" ? "warn" : fault ? "close" : "ok"} size={14} /> {fault ? WRONG[verdict] : reason}
       </span>
       <p class="sentence">
         {sentence || rule.text} <span class="at">line {rule.line}</span>
