@@ -9,10 +9,11 @@ from contextvars import ContextVar
 from itertools import takewhile
 from typing import TypeVar
 
-__all__ = ["everything", "first", "is_everything", "opening"]
+__all__ = ["everything", "first", "is_everything", "naming_options", "opening", "without_options"]
 
 _T = TypeVar("_T")
 _EVERYTHING: ContextVar[bool] = ContextVar("everything", default=False)
+_OPTIONS: ContextVar[bool] = ContextVar("options of the command line", default=True)
 _FACT = re.compile(r" {2,}\S+(?: \S+)* {2,}\S")  # a name and, in a column of its own, what is said of it
 
 
@@ -29,6 +30,28 @@ def everything(wanted: bool = True) -> Iterator[None]:
 def is_everything() -> bool:
     """Whether nothing is to be left out."""
     return _EVERYTHING.get()
+
+
+@contextmanager
+def without_options() -> Iterator[None]:
+    """Answers that are written inside name no options of the command line, since their reader has none to give."""
+    token = _OPTIONS.set(False)
+    try:
+        yield
+    finally:
+        _OPTIONS.reset(token)
+
+
+def naming_options(words: str) -> str:
+    """These words, which name options of the command line; nothing for a reader who has none.
+
+    >>> naming_options(" (--full shows it)")
+    ' (--full shows it)'
+    >>> with without_options():
+    ...     naming_options(" (--full shows it)")
+    ''
+    """
+    return words if _OPTIONS.get() else ""
 
 
 def first(items: Sequence[_T], most: int) -> Sequence[_T]:

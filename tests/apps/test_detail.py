@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 
 import click
 import pytest
@@ -10,7 +11,9 @@ from commands import assert_refused, invoke
 from places import EXAMPLES
 
 from gcrules.apps.cli import cli
-from gcrules.views.detail import everything, first, is_everything, opening
+from gcrules.apps.studio import answers
+from gcrules.apps.studio.bench import bench
+from gcrules.views.detail import everything, first, is_everything, naming_options, opening
 
 THREE_PLANES = "[abfc][acde][bdef] + [abfd][acbe][cdef]"
 LONG = "[Aabc][ABde][ABCf] + [Aabd][ABce][ABCf] + [Aabe][ABcd][ABCf]"
@@ -108,6 +111,26 @@ def test_full_leaves_nothing_out() -> None:
     assert "Derivation" in whole
     assert "shown with --full" in invoke("factor", THREE_PLANES).stdout
     assert invoke("factor", THREE_PLANES, "--full").stdout.count("  also ") == 25
+
+
+@pytest.mark.parametrize(
+    "asked",
+    [":analyze Aa Bb Cc Dd Ee Ff", f":factor {THREE_PLANES}", ":transversals Aa Ab Bc Bd Ce Df"],
+)
+def test_prompt_and_bench_name_no_options(asked: str) -> None:
+    """Who reads their answers has none to give."""
+    (found,) = bench(asked, None, None)["results"]
+    shown = invoke("repl", "-e", asked).stdout
+    for words in (found["text"], shown):
+        assert len(words) > 80
+        assert not re.search(r"(?<![\w-])--[a-z]", words)
+
+
+def test_the_studio_names_no_options(monkeypatch: pytest.MonkeyPatch) -> None:
+    asked = ("gcrules.views.detail:naming_options", lambda show, subject, args: f"1 more{show(', with --full')}")
+    monkeypatch.setattr(answers, "ANSWERS", {"open": asked})
+    assert answers.answer("open", None, {}) == "1 more"
+    assert naming_options("--full") == "--full"
 
 
 def test_full_prints_long_polynomials() -> None:

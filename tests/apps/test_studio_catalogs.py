@@ -122,7 +122,9 @@ def test_the_lines_that_repeat_it_name_the_catalog(run: Run, tmp_path: Path, mon
 
 
 def test_classes_that_are_left_out_are_comments() -> None:
-    text = f"# head\n{MINE}{CLASS.replace('triangle', 'second')}statements:\n  linear-complex: 'Mine, in one complex.'\n"
+    text = (
+        f"# head\n{MINE}{CLASS.replace('triangle', 'second')}statements:\n  linear-complex: 'Mine, in one complex.'\n"
+    )
     (found,) = saved_catalogs([opened(text, "triangle")])
     assert found["text"].splitlines()[2].startswith("#   - id: triangle")
     assert "\n  - id: second" in found["text"]

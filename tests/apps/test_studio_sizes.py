@@ -135,6 +135,19 @@ def test_bar_and_rail_of_a_phone_have_all_buttons_apart(sit_down: SitDown, width
             assert apart >= (0 if "tools" in where else 2) or a["y"] != b["y"]
 
 
+@pytest.mark.parametrize("width", [320, 390, 430, 480, 1280])
+def test_the_list_of_layers_is_wholly_in_sight(sit_down: SitDown, width: int) -> None:
+    """Whatever row its button is in."""
+    desk = opened(sit_down(viewport={"width": width, "height": 740}).visit(), "class 3-3.3")
+    desk.one("layers").click()
+    for one in desk.page.locator(".layers fieldset, .layers label").all():
+        box = one.bounding_box()
+        assert box["x"] >= 0
+        assert box["x"] + box["width"] <= width
+    desk.one("layer-grid").uncheck()  # what is covered could not be clicked
+    desk.page.wait_for_function("() => !gcrules.space.layers.value.grid")
+
+
 @pytest.mark.parametrize("width", [2560, 3440, 3840])
 def test_a_very_wide_window_is_used(sit_down: SitDown, width: int) -> None:
     """Sections, cards and numbers stand side by side; what is set grows with the window."""

@@ -37,6 +37,7 @@ from gcrules.mechanisms.load import Loaded, load
 from gcrules.rules.identity import Identity
 from gcrules.rules.plugins import load_rules
 from gcrules.rules.strategy import Strategy
+from gcrules.views.detail import without_options
 from gcrules.views.formulas.latex import latex
 
 __all__ = ["HANDLERS", "Request"]
@@ -145,10 +146,11 @@ def _unused(repl: PromptSession) -> str:
 
 
 def _whole(repl: PromptSession, found: Shown, verdict: str, note: str = "") -> Answer:
-    """A result with all that it says; options of the command line are none here."""
+    """A result with all that it says."""
     settings = repl.settings
-    text = found.latex() if settings.latex else found.text(unicode=settings.unicode)
-    shown = text.rstrip("\n").replace(" (shown with --full)", "")
+    with without_options():
+        text = found.latex() if settings.latex else found.text(unicode=settings.unicode)
+    shown = text.rstrip("\n")
     return Answer(shown if settings.latex else shown + note, verdict, wraps=False)
 
 

@@ -8,6 +8,7 @@ from typing import Any
 from gcrules.apps.studio.subject import Subject
 from gcrules.apps.studio.values import VALUES, value
 from gcrules.core.deferred import resolved
+from gcrules.views.detail import without_options
 
 __all__ = ["ANSWERS", "answer", "loading"]
 
@@ -149,7 +150,8 @@ quicker, and how it is called with a subject and the arguments.
 def answer(name: str, subject: Subject | None, args: Args) -> Any:
     """The result of a method whose arguments were checked; `subject` is that of their source, if they have one."""
     where, call = ANSWERS[name]
-    return call(resolved(where), subject, args)
+    with without_options():
+        return call(resolved(where), subject, args)
 
 
 def loading() -> Iterator[None]:

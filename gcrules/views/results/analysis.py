@@ -6,7 +6,7 @@ from textwrap import indent
 
 from gcrules.algebra.language.text import text, text_terms
 from gcrules.conditions.analysis import Analysis
-from gcrules.views.detail import is_everything
+from gcrules.views.detail import is_everything, naming_options
 from gcrules.views.report.items import Item, KeyValue
 from gcrules.views.report.parts import in_shell
 from gcrules.views.report.stages import leading_sentences, stages
@@ -54,7 +54,7 @@ def _text_item(item: Item, a: Analysis, unicode: bool, most: int | None = None) 
     left = [text(item.left, unicode=unicode, names=names), "="] if item.left is not None else []
     right = list(text_terms(item.right, unicode=unicode, names=names))
     if most is not None and len(right) > most:
-        right = [*right[:_FIRST], f"+ … ({len(right) - _FIRST} more terms, with --full)"]
+        right = [*right[:_FIRST], f"+ … ({len(right) - _FIRST} more terms{naming_options(', with --full')})"]
     return _wrapped([*left, *right], "     ")
 
 

@@ -11,6 +11,7 @@ from gcrules.core.deferred import deferred
 from gcrules.core.english import listed
 from gcrules.poses.boxes.task import MODES
 from gcrules.poses.certificates.certificate import Certificate
+from gcrules.views.detail import naming_options
 from gcrules.views.formulas.latex_text import latex_quantity, latex_table, latex_words
 from gcrules.views.results.box_shares import (
     PROOF,
@@ -101,7 +102,7 @@ def _answer(c: Certificate) -> Iterator[tuple[str, str]]:
     *_, crossed, undecided = c.shares
     yield from share_rows(c.shares, c.asked.limited, _SUCH)
     if c.bad is not None:
-        yield "pose", f"{c.bad.at} (as gcrules pose --at takes it)"
+        yield "pose", f"{c.bad.at}{naming_options(' (as gcrules pose --at takes it)')}"
         yield "", f"margin σ = {c.bad.margin:.3g} there"
         for cause in c.bad.causes:
             yield "cause", cause

@@ -8,6 +8,7 @@ from gcrules.algebra import expr as ex
 from gcrules.algebra.expr import Expr
 from gcrules.algebra.factoring.result import MANY, FactoredPart, Factorization, short
 from gcrules.algebra.language.text import text as expression_text
+from gcrules.views.detail import naming_options
 from gcrules.views.formulas import latex as formulas
 
 __all__ = ["as_latex", "as_text"]
@@ -30,7 +31,8 @@ def as_text(f: Factorization, *, unicode: bool = False) -> str:
     lines += [f"  factor       {_part(f, part, unicode)}" for part in f.parts]
     lines += [f"  also         {shown(short(form.product()))}" for form in f.alternatives]
     if f.more:
-        lines.append(f"  also         {f.more} other expression{'s' * (f.more != 1)} (shown with --full)")
+        others = f"{f.more} other expression{'s' * (f.more != 1)}"
+        lines.append(f"  also         {others}{naming_options(' (shown with --full)')}")
     if (f.excluded or f.undecided) and not f.rational:
         lines.append("  cofactor     none found")
     lines += [f"  excluded     {e}" for e in f.excluded]

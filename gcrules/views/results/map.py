@@ -9,7 +9,7 @@ from gcrules.core.deferred import deferred
 from gcrules.core.english import as_sentence
 from gcrules.mechanisms.kinematics.amplification import INDICES
 from gcrules.poses.maps.report import SingularMap
-from gcrules.views.detail import first
+from gcrules.views.detail import first, naming_options
 from gcrules.views.formulas.latex_text import latex_quantity, latex_table, latex_words
 from gcrules.views.results.polynomials import decimals, factor_text
 from gcrules.views.text_tables import ASCII, table, wrapped
@@ -34,7 +34,7 @@ def _lines(m: SingularMap, digits: int | None) -> Iterator[str]:
     before = ["", *(name for name, _ in rows)]
     yield from table([("" if name == last else name, value) for (name, value), last in zip(rows, before, strict=False)])
     if any(decimals(f.form, digits) is not None for f in m.factors or ()):
-        yield from ("", "Decimals are rounded; --full and --json have the exact numbers.")
+        yield from ("", f"Decimals are rounded{naming_options('; --full and --json have the exact numbers')}.")
 
 
 def account(m: SingularMap, digits: int | None = None) -> list[tuple[str, str]]:
@@ -80,7 +80,7 @@ def _found(m: SingularMap, digits: int | None) -> Iterator[tuple[str, str]]:
         for k, f in enumerate(shown, 1):
             yield "factor", f"{k}. {factor_text(f.form, f.multiplicity, digits)}"
         if len(m.factors) > len(shown):
-            yield "factor", f"and {len(m.factors) - len(shown)} more, which --full shows"
+            yield "factor", f"and {len(m.factors) - len(shown)} more{naming_options(', which --full shows')}"
     if len(m.grid.axes) == 2:
         closed = sum(c.closed for c in m.curves)
         inside = sum(bool(c.allowed.any()) for c in m.curves)

@@ -9,7 +9,7 @@ from gcrules.core.english import counted, listed
 from gcrules.core.linear_algebra import content
 from gcrules.poses.operation_modes.limb_constraints import DEGREE, FRESH, Equation
 from gcrules.poses.operation_modes.report import OperationMode, OperationModes, terms_of
-from gcrules.views.detail import first, is_everything
+from gcrules.views.detail import first, is_everything, naming_options
 from gcrules.views.formulas.latex_text import latex_table, latex_words
 from gcrules.views.results.result_account import Facts, ResultAccount
 from gcrules.views.text_tables import table, wrapped
@@ -67,9 +67,8 @@ def _mode(m: OperationMode, unicode: bool) -> Iterator[tuple[str, str]]:
     short = first([e for e in m.equations if is_everything() or len(terms_of(e)) <= _LONG], _SHOWN)
     texts = [f"{_left(e, unicode)} = 0" for e in short]
     more = len(m.equations) - len(short)
-    rest = (
-        f"{'and ' if short else ''}{more}{' more' if short else ' of more terms'} (--full prints them)" if more else ""
-    )
+    count = f"{'and ' if short else ''}{more}{' more' if short else ' of more terms'}"
+    rest = f"{count}{naming_options(' (--full prints them)')}" if more else ""
     yield "equations", ", ".join([*texts, *([rest] if rest else [])]) or "none"
     yield (
         "home",

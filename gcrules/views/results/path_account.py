@@ -6,7 +6,7 @@ import textwrap
 from collections.abc import Iterator, Sequence
 
 from gcrules.core.dataclass import dataclass
-from gcrules.views.detail import first
+from gcrules.views.detail import first, naming_options
 
 __all__ = [
     "PathAccount",
@@ -79,7 +79,7 @@ def account_lines(a: PathAccount) -> Iterator[str]:
         yield from wrapped(f"{n}. at parameter {p.parameter:.6g}{p.exactly}: {p.kind}", "  ", " " * 5)
         yield from _sentences(f'pose "{p.pose}"', *p.causes, *p.motions, *filter(None, [p.sure]))
     if len(a.places) > len(shown):
-        yield f"  and {len(a.places) - len(shown)} more, which --full shows"
+        yield f"  and {len(a.places) - len(shown)} more{naming_options(', which --full shows')}"
     yield ""
     width = max(len(name) for name, _ in a.facts)
     for name, value in a.facts:

@@ -10,7 +10,7 @@ from textwrap import fill
 from gcrules.core.english import counted, listed, with_article
 from gcrules.poses.loci.form import PolynomialForm
 from gcrules.poses.loci.zero_set import EMPTY, zero_set
-from gcrules.views.detail import is_everything
+from gcrules.views.detail import is_everything, naming_options
 from gcrules.views.text_tables import WIDTH
 
 __all__ = [
@@ -64,12 +64,14 @@ def formula(name: str, form: PolynomialForm, digits: int | None = None) -> str:
     or by default where coefficients are long, up to a factor.
     """
     if _is_long(form, digits):
-        return f"{name} is long: --full, --export sympy (or maple, singular), --json or --latex prints it."
+        printed = ": --full, --export sympy (or maple, singular), --json or --latex prints it"
+        return f"{name} is long{naming_options(printed)}."
     shown = decimals(form, digits)
     if shown is None:
         return fill(f"{name} = {form}", WIDTH, subsequent_indent="    ", break_long_words=False)
     text = f"{_largest(name, form)} = {shown}"
-    exact = "Decimals are rounded; --export sympy (or maple, singular) and --json have the exact numbers."
+    where = "; --export sympy (or maple, singular) and --json have the exact numbers"
+    exact = f"Decimals are rounded{naming_options(where)}."
     return fill(text, WIDTH, subsequent_indent="    ", break_long_words=False) + f"\n\n{exact}"
 
 

@@ -14,7 +14,7 @@ from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.mechanisms.description.relations import AXES
 from gcrules.mechanisms.lines.serial import LimbCondition, LimbSingularity
 from gcrules.mechanisms.lines.wrenches import LimbWrenches, WrenchLine
-from gcrules.views.detail import first, is_everything
+from gcrules.views.detail import first, is_everything, naming_options
 from gcrules.views.report.dimension_items import condition_beside, dimension_lines
 from gcrules.views.report.parts import in_shell
 from gcrules.views.report.stage_ids import TITLES
@@ -139,7 +139,7 @@ def _common(a: RobotAnalysis, c: CommonFactor, unicode: bool) -> list[str]:
         rows += [] if alone else [(f"those {chosen[0]}", chosen[1])]
         out += [f"with the {what} {line}" for line in alike(rows, ", or ")]
         if left > len(shown):
-            out.append(f"and {left - len(shown)} more{'' if is_everything() else IN_FULL}")
+            out.append(f"and {left - len(shown)} more{'' if is_everything() else naming_options(IN_FULL)}")
         if alone:
             out.append(f"with the {what} {': '.join(chosen)}")
     return out

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from gcrules.poses.stored_maps.verifying import MapVerified
 from gcrules.poses.tiles.status import MapStatus
-from gcrules.views.detail import first
+from gcrules.views.detail import first, naming_options
 from gcrules.views.formulas.latex_text import latex_table, latex_words
 from gcrules.views.text_tables import ASCII, table
 
@@ -80,5 +80,5 @@ def _verified(v: MapVerified) -> Iterator[tuple[str, str]]:
     for b in shown:
         yield "bad", f"tile {b.tile}: {b.why}"
     if len(v.bad) > len(shown):
-        yield "bad", f"and {len(v.bad) - len(shown):,} more, which --full lists"
+        yield "bad", f"and {len(v.bad) - len(shown):,} more{naming_options(', which --full lists')}"
     yield "store is", "sound" if v.sound else f"not sound: {len(v.bad):,} bad tiles"

@@ -6,6 +6,7 @@ from textwrap import wrap
 
 from gcrules.algebra.language.text import text as expression_text
 from gcrules.conditions.transversals import Transversals
+from gcrules.views.detail import naming_options
 from gcrules.views.formulas.latex_text import latex_words
 from gcrules.views.results import condition
 from gcrules.views.text_tables import line_width
@@ -26,7 +27,8 @@ def as_text(t: Transversals, *, unicode: bool = False) -> str:
         lines.append(f"  certificate  {r.condition.certificate.method}: {r.condition.certificate.detail}")
         lines += [""] * (len(t.readings) > 1)
     if t.more:
-        lines.append(f"  also         {t.more} other reading{'s' * (t.more != 1)} (shown with --full)")
+        others = f"{t.more} other reading{'s' * (t.more != 1)}"
+        lines.append(f"  also         {others}{naming_options(' (shown with --full)')}")
     if not t.readings:
         lines.append(f"none: {t.reason}" if t.definite else f"none found: {t.reason}")
     for e, meaning in t.structure.assumed:
