@@ -20,8 +20,9 @@ from gcrules.algebra.assumptions.assumed import holds, resolve
 from gcrules.algebra.bracket import BracketPolynomial
 from gcrules.algebra.evaluate import evaluate, random_rational_points
 from gcrules.algebra.expand import expand
+from gcrules.algebra.language.parse_tree import MAX_TEXT
 from gcrules.algebra.language.statements import parse_assumption, parse_script
-from gcrules.algebra.language.syntax import MAX_TEXT, Context, parse, parse_equation
+from gcrules.algebra.language.syntax import Context, parse, parse_equation
 from gcrules.algebra.prove import prove
 from gcrules.algebra.straightening.diagonal import normal_form
 from gcrules.algebra.straightening.straighten import is_zero, next_syzygy, straighten, straighten_steps

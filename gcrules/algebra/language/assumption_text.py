@@ -6,7 +6,8 @@ from collections.abc import Callable, Mapping
 
 from gcrules.algebra import expr as ex
 from gcrules.algebra.expr import Expr
-from gcrules.algebra.language.syntax import Builder, Node, span_of
+from gcrules.algebra.language.parse_tree import Node, span_of
+from gcrules.algebra.language.syntax import Builder
 from gcrules.algebra.names import step_name
 from gcrules.algebra.space import Assumption, SourcePlace
 from gcrules.core.errors import InputError, StepError

@@ -12,8 +12,9 @@ from dataclasses import replace
 
 from gcrules.algebra.expr import Expr
 from gcrules.algebra.language.assumption_text import read_assumption
+from gcrules.algebra.language.parse_tree import Node, read, span_of, whole
 from gcrules.algebra.language.rule_text import Case, RuleText, instances
-from gcrules.algebra.language.syntax import Builder, Context, Node, read, span_of, whole
+from gcrules.algebra.language.syntax import Builder, Context
 from gcrules.algebra.space import NAME, NAMES_HINT, SourcePlace, shortened
 from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import GcrulesError, InputError

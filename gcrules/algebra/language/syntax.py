@@ -13,41 +13,27 @@ from __future__ import annotations
 
 import re
 import unicodedata
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Iterable, Mapping
 from fractions import Fraction
-from functools import cache
-from importlib.resources import files
-from typing import TYPE_CHECKING, Any, TypeVar
 
 from gcrules.algebra import expr as ex
 from gcrules.algebra import scalars
 from gcrules.algebra.expr import Expr
-from gcrules.algebra.language.syntax_faults import call_hint, syntax_fault
+from gcrules.algebra.language.parse_tree import Node, digits, read, run_name, span_of, whole
 from gcrules.algebra.language.text import SHORT_NAME
 from gcrules.algebra.names import step_name
 from gcrules.algebra.scalars import MAX_EXPONENT, superbracket
 from gcrules.algebra.space import Space, shortened
 from gcrules.core.budget import checkpoint
 from gcrules.core.dataclass import dataclass
-from gcrules.core.errors import GcrulesError, Span, StepError, SyntaxFault
+from gcrules.core.errors import GcrulesError, StepError, SyntaxFault
 from gcrules.core.frozen import FrozenMap
 
-if TYPE_CHECKING:
-    from lark import Lark
+__all__ = ["Builder", "Context", "parse", "parse_equation"]
 
-_T = TypeVar("_T")
-Node = Any  # a lark Tree or Token; lark loads when text is read
-
-__all__ = ["Builder", "Context", "parse", "parse_equation", "read", "run_name", "span_of", "whole"]
-
-MAX_TEXT = 100_000
-MAX_NESTING = 100
 MAX_DEPTH = 100
 MAX_NODES = 50_000
-MAX_DIGITS = 2_000
 MAX_WORD = 1_000
-
-_EXPRESSIONS = ("expression", "equation")
 
 
 @dataclass(frozen=True, slots=True)
@@ -80,65 +66,6 @@ def parse_equation(
     """Read `LHS == RHS`."""
     context = context or Context(rank, tuple(points))
     return read(text, "equation", "<input>", lambda tree: Builder(context).equation(tree))
-
-
-def read(text: str, start: str, filename: str, build: Callable[[Node], _T]) -> _T:
-    """What `build` makes of the parse tree of a text; faults are given the text's name and place."""
-    try:
-        _check_size(text)
-        return build(_tree(text, start))
-    except GcrulesError as fault:
-        if isinstance(fault, (SyntaxFault, StepError)) and fault.span is not None and fault.source in (None, text):
-            fault.hint = call_hint(text, fault.span.start, relations=start not in _EXPRESSIONS) or fault.hint
-        raise fault.located(text, filename) from None
-
-
-@cache
-def _grammar(scripts: bool) -> Lark:
-    """Two parsers, so that the words of statements (`if`, `show`, …) stay points side by side in lone expressions."""
-    from lark import Lark
-
-    source = files("gcrules").joinpath("grammar.lark").read_text(encoding="utf-8")
-    return Lark(
-        source,
-        parser="lalr",
-        start=[*(("script", "assumptions") if scripts else _EXPRESSIONS)],
-        propagate_positions=True,
-        maybe_placeholders=True,
-        lexer_callbacks=dict.fromkeys(_FREQUENT, _token),
-    )
-
-
-_FREQUENT = ("WORD", "NUMBER", "LPAR", "LSQB")  # no long text is without one of these
-
-
-def _token(token: Node) -> Node:
-    checkpoint()
-    return token
-
-
-def _check_size(text: str) -> None:
-    if len(text) > MAX_TEXT:
-        raise SyntaxFault(f"the input has {len(text):,} characters; the limit is {MAX_TEXT:,}")
-    depth = 0
-    for match in re.finditer(r'#[^\n]*|"[^"\n]*"|[(\[]|[)\]]', text):
-        depth += {"(": 1, "[": 1, ")": -1, "]": -1}.get(match[0], 0)
-        if depth > MAX_NESTING:
-            raise SyntaxFault(
-                f"nested more than {MAX_NESTING} deep",
-                span=Span(*match.span()),
-                hint="name a part with `let` in a file",
-            )
-
-
-def _tree(text: str, start: str) -> Node:
-    from lark.exceptions import UnexpectedInput
-
-    grammar = _grammar(start not in _EXPRESSIONS)
-    try:
-        return grammar.parse(text, start=start)
-    except UnexpectedInput as found:
-        raise syntax_fault(found, text, {t.name: t.pattern.value for t in grammar.terminals}) from None
 
 
 # --- from the tree to values ---------------------------------------------------------------------------------------
@@ -294,7 +221,7 @@ class Builder:
     def number(self, tree: Node) -> Expr:
         token = tree.children[0]
         try:
-            return ex.Number(Fraction(_digits(token)))
+            return ex.Number(Fraction(digits(token)))
         except ZeroDivisionError:
             raise SyntaxFault("division by zero", span=span_of(token)) from None
 
@@ -360,28 +287,6 @@ class Builder:
                 at += 1 + (len(suffix[0]) if suffix else 0)
             entries.append((name, dotted))
         return entries
-
-
-def span_of(item: Node) -> Span:
-    meta: Any = getattr(item, "meta", item)
-    return Span(meta.start_pos or 0, meta.end_pos or 0)
-
-
-def _digits(token: Node) -> str:
-    if len(token) > MAX_DIGITS:
-        raise SyntaxFault(f"a number of {len(token):,} characters; the limit is {MAX_DIGITS:,}", span=span_of(token))
-    return str(token)
-
-
-def run_name(tree: Node) -> str:
-    """The name R of a run R..."""
-    return str(tree.children[0]).rstrip(".…")
-
-
-def whole(token: Node, what: str) -> int:
-    if "/" in token:
-        raise SyntaxFault(f"{what} must be a whole number", span=span_of(token))
-    return int(_digits(token))
 
 
 def _measure(e: Expr) -> tuple[int, int]:

@@ -16,9 +16,10 @@ from contextlib import contextmanager
 from dataclasses import replace
 
 from gcrules.algebra.expr import Expr
+from gcrules.algebra.language.parse_tree import read
 from gcrules.algebra.language.rule_text import RuleText
 from gcrules.algebra.language.statements import Claim, Script, Show, Statement, parse_script
-from gcrules.algebra.language.syntax import Builder, Context, read
+from gcrules.algebra.language.syntax import Builder, Context
 from gcrules.apps.repl.answers import Answer, answer_of, bound_text, fault_answer, result_of
 from gcrules.apps.repl.commands import HANDLERS, Request
 from gcrules.apps.repl.reading import (
