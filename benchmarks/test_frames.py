@@ -50,7 +50,8 @@ def test_a_theorem(timed: Callable[..., Any], name: str, number: int) -> None:
     """The expansion alone: the construction is the same for all."""
     script = parse_script((THEOREMS / f"{name}.gca").read_text(encoding="utf-8"), name)
     claim = [s for s in script.statements if isinstance(s, Claim)][number]
-    difference = difference_of(claim.left, claim.right, claim.context.rank)
+    ((left, right),) = claim.claimed.equations
+    difference = difference_of(left, right, claim.context.rank)
     (kind,) = kinds(claim.context, points_of(difference), (difference,))
     frame = frame_of(kind.construction, difference)
     assert frame is not None

@@ -19,7 +19,7 @@ from fractions import Fraction
 from itertools import combinations
 from typing import Any
 
-from gcrules.algebra.assumptions.assumed import kinds
+from gcrules.algebra.assumptions.assumed import PositionKind, kinds
 from gcrules.algebra.assumptions.building import merged
 from gcrules.algebra.assumptions.construction import Construction
 from gcrules.algebra.assumptions.frame import Frame, zero_by
@@ -35,7 +35,7 @@ from gcrules.algebra.straightening.straighten import is_zero
 from gcrules.algebra.weights import unit_weights
 from gcrules.core.budget import checkpoint
 from gcrules.core.dataclass import dataclass
-from gcrules.core.errors import LimitReached, StepError
+from gcrules.core.errors import InputError, LimitReached, StepError
 from gcrules.core.frozen import FrozenMap
 from gcrules.core.shown import Shown
 
@@ -88,6 +88,8 @@ class Proof(Shown):
     `together` lists pairs of points that are one point at all positions that the proof reaches, although nothing says
     so: then it does not speak of positions at which they differ. Where assumptions allow several kinds of positions,
     `kinds` holds the verdict for each; proved is what is proved for all of them, refuted what is refuted for one.
+    A claim that is one `relation` of the language may be several equations; then `parts` holds the proofs of them all,
+    and the sides are those of the one that decides.
     A claim is about all homogeneous coordinates of its points; `unit_weights` says that one that is refuted holds
     nevertheless wherever the finite points have last coordinate 1. `rank`, `ideal` and `given` are those of the claim.
     """
@@ -104,6 +106,8 @@ class Proof(Shown):
     together: tuple[tuple[str, str], ...] = ()
     kinds: tuple[KindVerdict, ...] = ()
     unit_weights: bool = False
+    relation: str = ""
+    parts: tuple[Proof, ...] = field(default=(), compare=False, repr=False)
     rank: int = field(default=4, compare=False, repr=False)
     ideal: tuple[str, ...] = field(default=(), compare=False, repr=False)
     given: tuple[Assumption, ...] = field(default=(), compare=False, repr=False)
@@ -144,12 +148,15 @@ def prove(
     ideal: Iterable[str] = (),
     rank: int | None = None,
     given: Iterable[Assumption] = (),
+    nonzero: Iterable[Expr] = (),
     limit: int = MAX_TERMS,
 ) -> Proof:
     """Decide whether two expressions of equal step are equal for all positions of their points.
 
     Points in `ideal` are at infinity (last coordinate 0). With `given` only positions that satisfy these assumptions
-    count. Raises StepError for unlike steps (zero goes with any), InputError for assumptions that are not resolved.
+    count, and with `nonzero` only those at which none of these expressions vanishes: a counterexample is sought there,
+    and what is proved may hold elsewhere too.
+    Raises StepError for unlike steps (zero goes with any), InputError for assumptions that are not resolved.
     """
     if left.step != right.step and ZERO not in (left, right):
         raise StepError(f"an expression of step {left.step} cannot equal one of step {right.step}")
@@ -157,11 +164,39 @@ def prove(
     rank = common_rank(rank, left, right, *(e for a in assumptions for e in a.args))
     difference = difference_of(left, right, rank)
     order, at_infinity = tuple(points), tuple(ideal)
-    if assumptions:
-        proof = _under_assumptions(left, right, difference, Space(rank, order, at_infinity, assumptions), limit)
-    else:
-        proof = _everywhere(left, right, difference, order, at_infinity, rank, limit)
+    space, where = Space(rank, order, at_infinity, assumptions), _Positions.of(assumptions, nonzero)
+    proof = (_under_assumptions if assumptions else _everywhere)(left, right, difference, space, where, limit)
     return replace(proof, rank=rank, ideal=at_infinity, given=assumptions)
+
+
+@dataclass(frozen=True)
+class _Positions:
+    """Those that a claim is about, beside its assumptions: where expressions vanish, and others do not."""
+
+    zero: tuple[Expr, ...]
+    nonzero: tuple[Expr, ...]
+
+    @classmethod
+    def of(cls, given: Sequence[Assumption], nonzero: Iterable[Expr]) -> _Positions:
+        existing = dict.fromkeys((*nonzero, *(e for a in given for e in a.exists)))
+        return cls(tuple(dict.fromkeys(e for a in given for e in a.also)), tuple(existing))
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        return points_of(*self.zero, *self.nonzero)
+
+    def counts(self, points: Mapping[str, Sequence[Any]]) -> bool:
+        """Whether a position is one of them."""
+        return all(_differ(evaluate(e, points), 0) for e in self.nonzero) and not any(
+            _differ(evaluate(e, points), 0) for e in self.zero
+        )
+
+    def met(self, found: Sequence[PositionKind]) -> list[PositionKind]:
+        """The kinds of positions that some of them are of."""
+        left = [kind for kind in found if not any(map(kind.construction.vanishes, self.nonzero))]
+        if found and not left:
+            raise InputError("the assumptions hold only where something that is said of points does not exist")
+        return left
 
 
 def difference_of(left: Expr, right: Expr, rank: int) -> Expr:
@@ -169,23 +204,21 @@ def difference_of(left: Expr, right: Expr, rank: int) -> Expr:
     return neg(right) if left == ZERO else left if right == ZERO else sub(left, right, rank=rank)
 
 
-def _everywhere(
-    left: Expr, right: Expr, difference: Expr, points: tuple[str, ...], ideal: tuple[str, ...], rank: int, limit: int
-) -> Proof:
+def _everywhere(left: Expr, right: Expr, difference: Expr, space: Space, where: _Positions, limit: int) -> Proof:
     """Random points first, then the normal form."""
-    known = ""
+    rank, ideal, known = space.rank, space.ideal, ""
     try:
         if not vanishes(difference, rank=rank, ideal=ideal, samples=_SAMPLES):
-            return _refuted(left, right, difference, rank, ideal, limit)
+            return _refuted(left, right, difference, space, where, limit)
         known = f"{_EQUAL} ({error_below(difference, _SAMPLES)})"
         zero = zero_by(
             _anywhere(points_of(left, right), rank, ideal),
             difference,
-            lambda most: is_zero(difference, points=points, ideal=ideal, rank=rank, limit=most),
+            lambda most: is_zero(difference, points=space.points, ideal=ideal, rank=rank, limit=most),
             limit,
         )
         if not zero:  # the coefficients of the difference are multiples of that prime
-            return _refuted(left, right, difference, rank, ideal, limit)
+            return _refuted(left, right, difference, space, where, limit)
     except LimitReached as limited:
         return Proof(left, right, "undecided", "random-points", _reason(limited, known))
     if isinstance(zero, Frame):
@@ -212,15 +245,15 @@ def _in_frame(frame: Frame) -> str:
     return f"both sides are the same polynomial in coordinates in which {told}"
 
 
-def _under_assumptions(left: Expr, right: Expr, difference: Expr, space: Space, limit: int) -> Proof:
+def _under_assumptions(left: Expr, right: Expr, difference: Expr, space: Space, where: _Positions, limit: int) -> Proof:
     """The proof at each kind of position that the assumptions allow, taken together."""
     try:
-        found = kinds(space, points_of(left, right), (difference,))
+        found = where.met(kinds(space, (*points_of(left, right), *where.names), (difference,)))
     except LimitReached as limited:
         reason = _reason(limited, "; the assumptions are not resolved")
         return Proof(left, right, "undecided", "random-points", reason)
     names = space.declared()
-    proofs = [_at_one_kind(left, right, difference, kind.construction, names, limit) for kind in found]
+    proofs = [_at_one_kind(left, right, difference, kind.construction, names, where, limit) for kind in found]
     if len(proofs) == 1:
         return proofs[0]
     told = tuple(
@@ -242,17 +275,23 @@ def _assuming(proof: Proof, nonzero: Iterable[Expr], names: Sequence[str]) -> Pr
 
 
 def _at_one_kind(
-    left: Expr, right: Expr, difference: Expr, construction: Construction, names: Sequence[str], limit: int
+    left: Expr,
+    right: Expr,
+    difference: Expr,
+    construction: Construction,
+    names: Sequence[str],
+    where: _Positions,
+    limit: int,
 ) -> Proof:
     """Random points of the construction first, then its normal form."""
     known = ""
     try:
         if not construction.vanishes(difference, samples=_SAMPLES):
-            return _refuted_under(left, right, difference, construction, limit)
+            return _refuted_under(left, right, difference, construction, where, limit)
         known = f"{_EQUAL} that satisfy the assumptions ({construction.error_below(difference, _SAMPLES)})"
         zero = zero_by(construction, difference, lambda most: construction.is_zero(difference, limit=most), limit)
         if not zero:
-            return _refuted_under(left, right, difference, construction, limit)
+            return _refuted_under(left, right, difference, construction, where, limit)
     except LimitReached as limited:
         found = Proof(left, right, "undecided", "random-points", _reason(limited, known))
     else:
@@ -270,14 +309,20 @@ def _reason(limited: LimitReached, known: str) -> str:
 
 
 def _refuted_under(
-    left: Expr, right: Expr, difference: Expr, construction: Construction, limit: int, which: str = _SATISFYING
+    left: Expr,
+    right: Expr,
+    difference: Expr,
+    construction: Construction,
+    where: _Positions,
+    limit: int,
+    which: str = _SATISFYING,
 ) -> Proof:
     """Small exact coordinates that satisfy the assumptions, at which the sides differ; best if no two points agree."""
     best: tuple[bool, Mapping[str, Any], tuple[Any, Any]] | None = None
     for seed in range(_TRIES):
         checkpoint()
         found = construction.rational_points(seed, 1 + seed // 8)
-        if found is None:
+        if found is None or not where.counts(found):
             continue
         values = evaluate(left, found), evaluate(right, found)
         if _differ(*values) and (best is None or _all_differ(found)):
@@ -308,19 +353,22 @@ def _all_differ(points: Mapping[str, Sequence[Any]]) -> bool:
     )
 
 
-def _refuted(left: Expr, right: Expr, difference: Expr, rank: int, ideal: tuple[str, ...], limit: int) -> Proof:
+def _refuted(left: Expr, right: Expr, difference: Expr, space: Space, where: _Positions, limit: int) -> Proof:
     """Small whole coordinates at which the sides differ; wider ranges are tried if the first ones do not separate, then
     other last coordinates than 1.
     """
-    names = points_of(left, right)
+    names = tuple(dict.fromkeys((*points_of(left, right), *where.names)))
     for seed in range(200):
         checkpoint()
-        found = random_rational_points(names, rank=rank, ideal=ideal, seed=seed, size=1 + seed // 4)
+        found = random_rational_points(names, rank=space.rank, ideal=space.ideal, seed=seed, size=1 + seed // 4)
+        if not where.counts(found):
+            continue
         values = evaluate(left, found), evaluate(right, found)
         if _differ(*values):
             reason = "the sides differ at these points (homogeneous coordinates)"
             return Proof(left, right, "refuted", "counterexample", reason, found, values)
-    return _refuted_under(left, right, difference, _anywhere(names, rank, ideal), limit, which="")
+    anywhere = _anywhere(names, space.rank, space.ideal)
+    return _refuted_under(left, right, difference, anywhere, where, limit, which="")
 
 
 def _differ(left: Any, right: Any) -> bool:

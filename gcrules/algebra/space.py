@@ -6,6 +6,7 @@ import re
 from dataclasses import field
 
 from gcrules.algebra.expr import Expr
+from gcrules.algebra.metric import Infinity
 from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import InputError, Span
 
@@ -36,13 +37,18 @@ class SourcePlace:
 class Assumption:
     """What is assumed of points: `kind` is collinear, coplanar, concurrent, incident, or zero (args[0] vanishes).
 
-    `text` is the assumption as it was written, `place` where it was written, for messages.
+    `text` is the assumption as it was written, `place` where it was written, for messages, in which it has a `role`.
+    Words that assumptions are made of say more of the positions that count: the expressions of `also` vanish at them,
+    and those of `exists` do not. What is proved without that holds for them all the more.
     """
 
     kind: str
     args: tuple[Expr, ...]
     text: str
     place: SourcePlace | None = field(default=None, compare=False, repr=False)
+    role: str = field(default="assumption", compare=False, repr=False)
+    also: tuple[Expr, ...] = field(default=(), compare=False, repr=False)
+    exists: tuple[Expr, ...] = field(default=(), compare=False, repr=False)
 
     def __str__(self) -> str:
         return self.text
@@ -52,6 +58,7 @@ class Assumption:
 class Space:
     """`points` are declared in tableau order; `ideal` are the points at infinity; `given` holds what is assumed.
 
+    `infinity` are those points at infinity by which right angles and lengths are known.
     Raises InputError for a rank outside 2 to 8 and for names that cannot name a point.
     """
 
@@ -59,6 +66,7 @@ class Space:
     points: tuple[str, ...] = ()
     ideal: tuple[str, ...] = ()
     given: tuple[Assumption, ...] = ()
+    infinity: Infinity | None = None
 
     def __post_init__(self) -> None:
         if self.rank not in RANKS:

@@ -8,6 +8,7 @@ from os import PathLike
 from typing import Any
 
 from gcrules.algebra.bracket import BracketPolynomial, ExtensorPolynomial
+from gcrules.algebra.decide import decide
 from gcrules.algebra.evaluate import evaluate as _evaluate
 from gcrules.algebra.expand import MAX_TERMS
 from gcrules.algebra.expand import expand as _expand
@@ -15,12 +16,12 @@ from gcrules.algebra.expr import Expr, common_rank
 from gcrules.algebra.factoring.limits import MAX_EXTENSORS, SECONDS
 from gcrules.algebra.factoring.result import Factorization
 from gcrules.algebra.language.legs_text import Structure, read_legs, read_order
+from gcrules.algebra.language.relations import Claimed, parse_claim
 from gcrules.algebra.language.statements import parse_assumption
-from gcrules.algebra.language.syntax import Context, parse_equation
+from gcrules.algebra.language.syntax import Context
 from gcrules.algebra.language.syntax import parse as _parse
 from gcrules.algebra.language.text import Names, split_names
 from gcrules.algebra.prove import Proof
-from gcrules.algebra.prove import prove as _prove
 from gcrules.algebra.shortening.limits import MAX_MONOMIALS
 from gcrules.algebra.shortening.limits import SECONDS as SECONDS_TO_SHORTEN
 from gcrules.algebra.shortening.result import Shortening
@@ -214,11 +215,11 @@ def prove(
     given: str | Iterable[str] = (),
     limit: int = MAX_TERMS,
 ) -> Proof:
-    """Decide "LHS == RHS" (one text, or two expressions): proved, refuted with exact points, or undecided.
+    """Decide "LHS == RHS" (one text or two expressions) or a relation: proved, refuted with exact points, or undecided.
 
-    `given` holds assumptions, as one text or several: "collinear(a, b, c), incident(p, X)", coplanar, concurrent,
-    "LHS == RHS", "ideal i j". Only positions that satisfy them count, and `assumed` of the proof lists what else was
-    assumed not to vanish. Raises InputError for assumptions that are not resolved.
+    `given` holds assumptions, as one text or several: "collinear(a, b, c), incident(p, X)", any relation of the
+    language, "LHS == RHS", "ideal i j", "isotropic i j". Only positions that satisfy them count, and `assumed` of the
+    proof lists what else was assumed not to vanish. Raises InputError for assumptions that are not resolved.
     """
     written_in = common_rank(rank, *(e for e in (claim, right) if isinstance(e, Expr)))
     at = Context(written_in, split_names(points), split_names(ideal))
@@ -227,11 +228,9 @@ def prove(
     if right is None:
         if isinstance(claim, Expr):
             raise InputError("one expression is not a claim", hint='gc.prove(left, right), or "LHS == RHS" as text')
-        sides = parse_equation(claim, context=at)
-    else:
-        left, other = (e if isinstance(e, Expr) else _parse(e, context=at) for e in (claim, right))
-        sides = left, other
-    return _prove(*sides, points=at.points, ideal=at.ideal, rank=written_in, given=at.given, limit=limit)
+        return decide(parse_claim(claim, at), at, limit=limit)
+    left, other = (e if isinstance(e, Expr) else _parse(e, context=at) for e in (claim, right))
+    return decide(Claimed(((left, other),)), at, limit=limit)
 
 
 @public

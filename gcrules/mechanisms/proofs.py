@@ -121,13 +121,16 @@ _Claims = tuple[str, Iterable[_Said]]
 
 
 def _of_proof(proof: Proof) -> _Claims:
-    return f"{proof.left} == {proof.right}", [_equation("claim", proof)]
+    return proof.relation or f"{proof.left} == {proof.right}", _equations("claim", proof)
 
 
-def _equation(name: str, proof: Proof) -> _Claim | LeftOut:
+def _equations(name: str, proof: Proof) -> Iterator[_Claim | LeftOut]:
+    """What is proved: of a relation that is several equations each of them."""
     if not proof.proved:
-        return LeftOut(name, f"it is {proof.verdict}")
-    return _Claim(name, proof.left, proof.right, proof.rank, proof.ideal, proof.given)
+        yield LeftOut(name, f"it is {proof.verdict}")
+        return
+    for i, p in enumerate(proof.parts or (proof,), 1):
+        yield _Claim(f"{name}, {i}" if proof.parts else name, p.left, p.right, p.rank, p.ideal, p.given)
 
 
 def _of_factorization(found: Factorization) -> _Claims:
@@ -176,7 +179,7 @@ def _of_scripts(found: ScriptResults) -> _Claims:
 
 def _of_result(result: object) -> Iterator[_Claim | LeftOut]:
     if isinstance(result, ClaimResult) and result.proof is not None:
-        yield _equation(f"line {result.line}: {result.label}", result.proof)
+        yield from _equations(f"line {result.line}: {result.label}", result.proof)
     elif isinstance(result, RuleResult) and result.check.ok:
         for one in result.check.rule.instances:
             name = f"line {result.line}: {result.label} in rank {one.rank}"

@@ -13,10 +13,11 @@ from collections.abc import Iterable, Iterator, Sequence
 from typing import Any
 
 from gcrules.algebra.bracket import BracketPolynomial, ExtensorPolynomial
+from gcrules.algebra.decide import decide
 from gcrules.algebra.expand import MAX_TERMS, expand
 from gcrules.algebra.language.rule_text import RuleText
 from gcrules.algebra.language.statements import Claim, Rewrite, Script, Show
-from gcrules.algebra.prove import Proof, prove
+from gcrules.algebra.prove import Proof
 from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import LimitReached
 from gcrules.core.shown import Shown
@@ -184,9 +185,7 @@ def results(script: Script, *, limit: int = MAX_TERMS, rules: Iterable[RewriteRu
 def _claim(claim: Claim, limit: int) -> ClaimResult:
     at = claim.context
     try:
-        proof = prove(
-            claim.left, claim.right, points=at.points, ideal=at.ideal, rank=at.rank, given=at.given, limit=limit
-        )
+        proof = decide(claim.claimed, at, limit=limit)
     except LimitReached as limited:
         return ClaimResult(claim.line, claim.label, "undecided", limited.message, None)
     return ClaimResult(claim.line, claim.label, proof.verdict, proof.reason, proof)

@@ -13,11 +13,11 @@ import pytest
 
 from gcrules.algebra import expand, space
 from gcrules.algebra import expr as ex
-from gcrules.algebra.language import syntax
+from gcrules.algebra.language import parse_tree, syntax
 from gcrules.algebra.scalars import MAX_DOTTED_TERMS, MAX_EXPONENT
 from gcrules.algebra.straightening import straighten
 
-LIMIT = syntax.MAX_TEXT - 4_000  # characters, just below the limit of the language
+LIMIT = parse_tree.MAX_TEXT - 4_000  # characters, just below the limit of the language
 MANY = 40_000
 MEGABYTE = 10**6
 
@@ -358,11 +358,11 @@ def test_the_computer_notices_too_much_memory(compute: Compute) -> None:
 @pytest.mark.parametrize(
     "limit",
     [
-        syntax.MAX_TEXT,
-        syntax.MAX_NESTING,
+        parse_tree.MAX_TEXT,
+        parse_tree.MAX_NESTING,
         syntax.MAX_DEPTH,
         syntax.MAX_NODES,
-        syntax.MAX_DIGITS,
+        parse_tree.MAX_DIGITS,
         syntax.MAX_WORD,
         space.MAX_NAMES,
         MAX_EXPONENT,

@@ -362,8 +362,8 @@ def test_script() -> None:
     assert (second.line, second.label) == (9, "[left right top] == 0")
     assert (shown.line, shown.label) == (11, "q")
     p = ex.meet(AB, CD, rank=3)
-    assert first.left == ex.join(p, AB, rank=3)
-    assert second.left == Bracket(pts("left right top"))
+    assert first.claimed.equations[0][0] == ex.join(p, AB, rank=3)
+    assert second.claimed.equations[0][0] == Bracket(pts("left right top"))
     assert shown.expr == ex.join(p, Point("e"), rank=3)
     assert script.context.rank == 3
     assert script.context.points == ("left", "right", "top")
@@ -405,8 +405,9 @@ def test_script_fault(source: str, place: str, message: str) -> None:
         ("collinear(a, b, c), Concurent ((ab), cd, ef)", "did you mean concurrent(…)?"),
         (r"coplaner((ab) /\ (cd), b, c, d)", "did you mean coplanar(…)?"),
         (
-            "parallel(ab, cd)",
-            "parallel(…) is not a relation; the relations are collinear, coplanar, concurrent and incident",
+            "touching(ab, cd)",
+            "touching(…) is not a relation; the relations are collinear, coplanar, concurrent, incident, parallel, "
+            "perpendicular, concyclic, cospherical, equidistant, equal_distance and on_conic",
         ),
         ("(a, b)", "a parenthesis is not closed"),
         ("a, b", None),

@@ -29,7 +29,8 @@ def test_claims(path: Path) -> None:
     assert len(claims) > 3
     assert run_script(script).to_json()["verdict"] == "proved"
     for claim in claims:
-        left, right = (claim.left, claim.right) if claim.right != Number(0) else (claim.left, mul(Number(1)))
+        ((left, right),) = claim.claimed.equations
+        right = mul(Number(1)) if right == Number(0) else right
         false = prove(left, mul(Number(2), right), rank=claim.context.rank)
         assert false.verdict == "refuted", claim.label
 
@@ -77,6 +78,5 @@ def test_false_sibling(path: Path) -> None:
             for chosen in combinations(basis, len(open_points)):
                 at = {**points, **dict(zip(open_points, chosen, strict=True))}
                 assert not any(Evaluator(at, rank).value(e))
-        left, right = (Evaluator(points, rank).value(e) for e in (claim.left, claim.right))
-        assert left != right
-        assert any((*left, *right))
+        values = [[Evaluator(points, rank).value(side) for side in equation] for equation in claim.claimed.equations]
+        assert any(left != right and any((*left, *right)) for left, right in values)

@@ -56,10 +56,14 @@ def test_every_theorem_has_a_position() -> None:
     assert sorted(PLACED) == sorted(NAMES)
 
 
+def sides_of(claim: Claim) -> list[Expr]:
+    return [side for equation in claim.claimed.equations for side in equation]
+
+
 def holds_there(claim: Claim, assumed: Sequence[str], points: Position) -> bool:
     """Whether a claim was looked at: not where a finite point lies at infinity or what was assumed vanishes."""
     at = claim.context
-    used = {n for a in at.given for e in a.args for n in points_of(e)} | {*points_of(claim.left, claim.right)}
+    used = {n for a in at.given for e in a.args for n in points_of(e)} | {*points_of(*sides_of(claim))}
     assert used <= set(points)
     for e in (e for a in at.given for e in equations(a, at.rank)):
         assert all(not any(value(e, p, at.rank)) for p in open_points(e, points, at.rank)), str(e)
@@ -67,8 +71,9 @@ def holds_there(claim: Claim, assumed: Sequence[str], points: Position) -> bool:
         return False
     if not all(any(value(parse(text, context=at), points, at.rank)) for text in assumed):
         return False
-    left, right = value(claim.left, points, at.rank), value(claim.right, points, at.rank)
-    assert left == right or not any((*left, *right))
+    for left, right in claim.claimed.equations:
+        values = value(left, points, at.rank), value(right, points, at.rank)
+        assert values[0] == values[1] or not any((*values[0], *values[1]))
     return True
 
 
@@ -89,8 +94,8 @@ def test_first_claims_are_not_zero_on_both_sides_everywhere(name: str) -> None:
     claim = claims_of(script)[0]
     assert not claim.context.given
     rng = random.Random(name)
-    points = {n: drawn(rng, claim.context.rank) for n in points_of(claim.left, claim.right)}
-    left, right = value(claim.left, points, claim.context.rank), value(claim.right, points, claim.context.rank)
+    points = {n: drawn(rng, claim.context.rank) for n in points_of(*sides_of(claim))}
+    left, right = (value(side, points, claim.context.rank) for side in sides_of(claim))
     assert left == right
     assert any(left)
 
@@ -100,13 +105,13 @@ def test_first_claims_are_not_zero_on_both_sides_everywhere(name: str) -> None:
 
 def test_a_conic_through_six_points_has_a_determinant_zero() -> None:
     """The bracket polynomial is the determinant of the six rows x², xy, xz, y², yz, z², up to its sign."""
-    claim = claims_of(script_of("pascal"))[0]
-    order = tableau_order(points_of(claim.right), (), ())
+    _, right = sides_of(claims_of(script_of("pascal"))[0])
+    order = tableau_order(points_of(right), (), ())
     ratios = set()
     for seed in range(5):
         points = {n: drawn(random.Random(f"{n}{seed}"), 3) for n in order}
         rows = [tuple(v[i] * v[j] for i in range(3) for j in range(i, 3)) for v in points.values()]
-        (polynomial,) = value(claim.right, points, 3)
+        (polynomial,) = value(right, points, 3)
         ratios.add(polynomial / det(rows))
     assert len(ratios) == 1
     assert ratios <= {1, -1}

@@ -85,7 +85,7 @@ class Facts:
 
 def fault(assumption: Assumption, why: str, hint: str | None = None) -> InputError:
     """The error that an assumption cannot be resolved, with its place where it is known."""
-    message = f"the assumption {assumption} cannot be resolved: {why}"
+    message = f"the {assumption.role} {assumption} cannot be resolved: {why}"
     place = assumption.place
     if place is None:
         return InputError(message, hint=hint)

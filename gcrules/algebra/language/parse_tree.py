@@ -12,7 +12,7 @@ from functools import cache
 from importlib.resources import files
 from typing import TYPE_CHECKING, Any, TypeVar
 
-from gcrules.algebra.language.syntax_faults import call_hint, syntax_fault
+from gcrules.algebra.language.syntax_faults import call_hint, syntax_fault, words_of
 from gcrules.core.budget import checkpoint
 from gcrules.core.errors import GcrulesError, Span, StepError, SyntaxFault
 
@@ -28,7 +28,8 @@ MAX_TEXT = 100_000
 MAX_NESTING = 100
 MAX_DIGITS = 2_000
 
-_EXPRESSIONS = ("expression", "equation")
+_EXPRESSIONS = ("expression", "equation", "claimed")
+_CLAIMS = ("claimed", "script", "assumptions")  # in which relations such as collinear(a, b, c) may stand
 
 
 def read(text: str, start: str, filename: str, build: Callable[[Node], _T]) -> _T:
@@ -38,7 +39,7 @@ def read(text: str, start: str, filename: str, build: Callable[[Node], _T]) -> _
         return build(_tree(text, start))
     except GcrulesError as fault:
         if isinstance(fault, (SyntaxFault, StepError)) and fault.span is not None and fault.source in (None, text):
-            fault.hint = call_hint(text, fault.span.start, relations=start not in _EXPRESSIONS) or fault.hint
+            fault.hint = call_hint(text, fault.span.start, () if start in _CLAIMS else _relations()) or fault.hint
         raise fault.located(text, filename) from None
 
 
@@ -56,6 +57,10 @@ def _grammar(scripts: bool) -> Lark:
         maybe_placeholders=True,
         lexer_callbacks=dict.fromkeys(_FREQUENT, _token),
     )
+
+
+def _relations() -> list[str]:
+    return words_of(next(t.pattern.value for t in _grammar(False).terminals if t.name == "RELATION"))
 
 
 _FREQUENT = ("WORD", "NUMBER", "LPAR", "LSQB")  # no long text is without one of these
@@ -87,7 +92,8 @@ def _tree(text: str, start: str) -> Node:
     try:
         return grammar.parse(text, start=start)
     except UnexpectedInput as found:
-        raise syntax_fault(found, text, {t.name: t.pattern.value for t in grammar.terminals}) from None
+        literals = {t.name: t.pattern.value for t in grammar.terminals}
+        raise syntax_fault(found, text, literals, _relations() if start in _CLAIMS else ()) from None
 
 
 def span_of(item: Node) -> Span:

@@ -6,8 +6,8 @@ from collections.abc import Callable, Iterator, Mapping
 
 from gcrules.algebra import expr as ex
 from gcrules.algebra.expr import Expr
-from gcrules.algebra.language.assumption_text import read_assumption
 from gcrules.algebra.language.parse_tree import Node, run_name, span_of
+from gcrules.algebra.language.relations import RELATIONS, read_assumptions
 from gcrules.algebra.language.syntax import Builder, Context
 from gcrules.algebra.names import step_name
 from gcrules.algebra.space import RANKS, Assumption, shortened
@@ -127,10 +127,12 @@ def _instance(
             found.append(Order(one, "<" if tree.data == "before" else "!=", other))
         elif tree.data == "at_infinity":
             raise InputError("a rule cannot ask for points at infinity", span=span_of(tree))
+        elif tree.data == "relation" and (word := RELATIONS.get(str(tree.children[0]))) and word.metric:
+            raise InputError(f"a rule cannot ask for {word.usage}: it knows no points at infinity", span=span_of(tree))
         else:
-            assumed = read_assumption(tree, builder, source(tree))
-            _check_bound(assumed.args, bound, tree)
-            found.append(assumed)
+            for assumed in read_assumptions(tree, builder, source(tree)):
+                _check_bound(assumed.args, bound, tree)
+                found.append(assumed)
     _check_bound((after,), bound, right)
     return Instance(space.rank, before, after, tuple(found), FrozenMap(runs))
 

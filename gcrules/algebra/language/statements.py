@@ -11,10 +11,11 @@ from collections.abc import Iterable
 from dataclasses import replace
 
 from gcrules.algebra.expr import Expr
-from gcrules.algebra.language.assumption_text import read_assumption
 from gcrules.algebra.language.parse_tree import Node, read, span_of, whole
+from gcrules.algebra.language.relations import Claimed, read_assumptions, read_claim
 from gcrules.algebra.language.rule_text import Case, RuleText, instances
 from gcrules.algebra.language.syntax import Builder, Context
+from gcrules.algebra.language.words import METRICS, with_infinity
 from gcrules.algebra.space import NAME, NAMES_HINT, SourcePlace, shortened
 from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import GcrulesError, InputError
@@ -32,10 +33,9 @@ __all__ = [
 
 @dataclass(frozen=True, slots=True)
 class Claim:
-    """`claim LHS == RHS` of a script, with its line and the context it was made in."""
+    """`claim LHS == RHS`, or a relation, of a script, with its line and the context it was made in."""
 
-    left: Expr
-    right: Expr
+    claimed: Claimed
     label: str
     line: int
     context: Context
@@ -132,6 +132,20 @@ class _Reader:
     def _ideal(self, item: Node) -> None:
         self.context = replace(self.context, ideal=self._declared(self.context.ideal, item.children[0].children))
 
+    def _isotropic(self, item: Node) -> None:
+        self._metric(item.data, item.children[0].children, item)
+
+    def _orthonormal(self, item: Node) -> None:
+        self._metric(item.data, item.children[0].children, item)
+
+    def _metric(self, kind: str, tokens: list[Node], tree: Node) -> None:
+        """Points at infinity by which right angles are known."""
+        try:
+            self.context = with_infinity(self.context, kind, self._declared((), tokens))
+        except GcrulesError as fault:
+            fault.span = fault.span or span_of(tree)
+            raise
+
     def _declared(self, known: tuple[str, ...], tokens: Iterable[Node]) -> tuple[str, ...]:
         """The names declared so far and those of a new declaration."""
         names = []
@@ -151,13 +165,16 @@ class _Reader:
             raise InputError(f"{shortened(name)} is already declared", span=span_of(token), hint="choose another name")
         if not NAME.fullmatch(name):
             raise InputError(f"{shortened(name)!r} cannot be bound", span=span_of(token), hint=NAMES_HINT)
-        self.context = replace(at, bound={**at.bound, name: Builder(at).value(body)})
+        builder = Builder(at)
+        bound = {**at.bound, name: builder.value(body)}
+        required = {**at.required, name: found} if (found := builder.requirements()) else at.required
+        self.context = replace(at, bound=bound, required=required)
 
     def _claim(self, item: Node) -> None:
-        label, equation = item.children
-        left, right = Builder(self.context).equation(equation)
-        shown = str(label or "").strip('"') or self._source(equation)
-        self.statements.append(Claim(left, right, shown, self._line(item), self.context))
+        label, body = item.children
+        claimed = read_claim(body, Builder(self.context), self._source(body))
+        shown = str(label or "").strip('"') or self._source(body)
+        self.statements.append(Claim(claimed, shown, self._line(item), self.context))
 
     def _show(self, item: Node) -> None:
         (body,) = item.children
@@ -187,10 +204,13 @@ class _Reader:
         if tree.data == "at_infinity":
             self._check_points(tree)
             self.context = replace(self.context, ideal=self._declared(self.context.ideal, tree.children))
+        elif tree.data in METRICS:
+            self._check_points(tree)
+            self._metric(tree.data, tree.children, tree)
         else:
             place = SourcePlace(span_of(tree), self.text, self.filename)
-            found = read_assumption(tree, Builder(self.context), self._source(tree), place)
-            self.context = replace(self.context, given=(*self.context.given, found))
+            found = read_assumptions(tree, Builder(self.context), self._source(tree), place)
+            self.context = replace(self.context, given=(*self.context.given, *found))
         return self.context
 
     def _check_points(self, tree: Node) -> None:

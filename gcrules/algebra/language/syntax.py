@@ -20,7 +20,8 @@ from gcrules.algebra import expr as ex
 from gcrules.algebra import scalars
 from gcrules.algebra.expr import Expr
 from gcrules.algebra.language.parse_tree import Node, digits, read, run_name, span_of, whole
-from gcrules.algebra.language.text import SHORT_NAME
+from gcrules.algebra.language.text import SHORT_NAME, text
+from gcrules.algebra.language.words import CONSTRUCTIONS, POINT, SEGMENT, Requirement, Word, constructed, ends
 from gcrules.algebra.names import step_name
 from gcrules.algebra.scalars import MAX_EXPONENT, superbracket
 from gcrules.algebra.space import Space, shortened
@@ -38,12 +39,14 @@ MAX_WORD = 1_000
 
 @dataclass(frozen=True, slots=True)
 class Context(Space):
-    """What names mean: a space, and the names bound by `let`."""
+    """What names mean: a space, and the names bound by `let`, each with what its words require not to vanish."""
 
     bound: Mapping[str, Expr] = FrozenMap()
+    required: Mapping[str, tuple[Requirement, ...]] = FrozenMap()
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "bound", FrozenMap(self.bound))
+        object.__setattr__(self, "required", FrozenMap(self.required))
         Space.__post_init__(self)
 
     def declared(self) -> tuple[str, ...]:
@@ -83,6 +86,8 @@ class _DottedBracket:
     points: tuple[tuple[str, bool], ...]
 
 
+_KINDS = {1: "the point", 2: "the line", 3: "the plane"}
+
 _Value = Expr | _DottedRun | _DottedBracket
 
 
@@ -97,6 +102,9 @@ class Builder:
         self.runs = runs
         self.rank = context.rank
         self.level = 0
+        self.made: dict[Expr, str] = {}  # what words make, as it is called
+        self.finite: set[Expr] = set()  # those of it that are, if what they are made of is
+        self.required: dict[Expr, Requirement] = {}  # what must not vanish so that it exists
         self.parts = 0  # size of the names bound by `let` that were written out
         self.sizes: dict[str, tuple[int, int]] = {}
         self.long_names = sorted(
@@ -189,6 +197,43 @@ class Builder:
                 return tuple((str(a), False) for a in args)
         raise SyntaxFault("a dotted bracket can only hold points", span=span_of(tree))
 
+    def construction(self, tree: Node) -> Expr:
+        token, *parts = tree.children
+        word, args = CONSTRUCTIONS[str(token)], tuple(map(self.value, parts))
+        self.check(word, args, parts)
+        made, may_vanish = constructed(word, args, self.context)
+        self._count(made, word.name)
+        self.made[made] = f"{word.name}({', '.join(map(self._called, args))})"
+        if may_vanish:
+            kind = _KINDS.get(made.step, "it")
+            self.required[made] = Requirement(made, self.made[made], f"{kind} exists")
+        else:
+            self.finite.add(made)
+        return made
+
+    def check(self, word: Word, args: tuple[Expr, ...], trees: list[Node]) -> None:
+        """That a word can be said of its arguments; its points are finite then. Raises InputError, StepError."""
+        word.check(args, [span_of(t) for t in trees], self.context)
+        if not word.metric or self.context.infinity is None:
+            return
+        for arg, kind in zip(args, word.kinds(len(args)), strict=True):
+            for p in (arg,) if kind == POINT else ends(arg) if kind == SEGMENT else ():
+                if isinstance(p, ex.Point) or p in self.finite:
+                    continue
+                name, weight = self._called(p), self.context.infinity.weight(p)
+                self.required.pop(p, None)
+                written = f"[{', '.join((name, *self.context.infinity.points))}]"
+                self.required[weight] = Requirement(weight, written, f"{name} is finite")
+
+    def _called(self, e: Expr) -> str:
+        """The text of an argument: its name, or the words that made it."""
+        named = next((name for name, value in self.context.bound.items() if value == e), None)
+        return named or self.made.get(e) or text(e, names=self.context.declared())
+
+    def requirements(self) -> tuple[Requirement, ...]:
+        """What must not vanish, by the words that were read."""
+        return tuple(self.required.values())
+
     def power(self, tree: Node) -> Expr:
         base, exponent = tree.children
         n = whole(exponent, "an exponent")
@@ -254,15 +299,20 @@ class Builder:
         bound = self.context.bound.get(name)
         if bound is None:
             return ex.Point(name)
-        if name not in self.sizes:
-            self.sizes[name] = _measure(bound)
+        self._count(bound, name)
+        self.required.update({r.expr: r for r in self.context.required.get(name, ())})
+        return bound
+
+    def _count(self, e: Expr, name: str) -> None:
+        """Count the parts of what a name or a word stands for."""
+        if name not in self.sizes or name in CONSTRUCTIONS:
+            self.sizes[name] = _measure(e)
         size, depth = self.sizes[name]
         self.parts += size
         if self.parts > MAX_NODES:
-            raise SyntaxFault(f"names bound by `let` stand for more than {MAX_NODES:,} parts here")
+            raise SyntaxFault(f"names bound by `let`, and words, stand for more than {MAX_NODES:,} parts here")
         if self.level + depth > MAX_DEPTH:
             raise SyntaxFault(f"with {shortened(name)} written out this is more than {MAX_DEPTH} operations deep")
-        return bound
 
     def split(self, token: Node) -> list[tuple[str, bool]]:
         """Points of a word: a declared name, else declared long names and short names from left to right."""

@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from difflib import get_close_matches
 from typing import Any
 
 from gcrules.algebra.space import shortened
+from gcrules.core.english import listed
 from gcrules.core.errors import Span, SyntaxFault
 
-__all__ = ["call_hint", "syntax_fault"]
+__all__ = ["call_hint", "syntax_fault", "words_of"]
 
 _TERMINALS = {
     "WORD": "a point",
@@ -31,6 +32,7 @@ _TERMINALS = {
     "DOT": ".",
     "RUN": "a run of points (R...)",
     "RELATION": "a relation such as collinear(a, b, c)",
+    "CONSTRUCTION": "a word such as midpoint(a, b)",
     "$END": "the end",
 }
 _STARTERS = {"WORD", "NUMBER", "LPAR", "LSQB", "DOT", "RUN"}
@@ -46,7 +48,7 @@ _HINTS: tuple[tuple[re.Pattern[str], str], ...] = (
         "one == stands between two expressions, for `prove`, for `claim`, or alone at the prompt",
     ),
 )
-_CALL = re.compile(r"(?<![A-Za-z0-9_'])([A-Za-z]+)\s*\(")
+_CALL = re.compile(r"(?<![A-Za-z0-9_'])([A-Za-z_]+)\s*\(")
 _INFIX = {
     **dict.fromkeys(("meet", "cap", "intersect", "intersection", "regressive", "wedge"), (" /\\ ", "the meet")),
     **dict.fromkeys(("join", "span", "cup", "vee", "outer"), (" \\/ ", "the join")),
@@ -56,13 +58,14 @@ _BETWEEN = {
     **dict.fromkeys(("superbracket", "pure"), ("[[{}]]", "the superbracket")),
 }
 """Functions of other notations, and how their values are written."""
-_ASSUMED = ("collinear", "coplanar", "concurrent", "incident")
 _LAST_WORD = re.compile(r"(?<![A-Za-z0-9_'])[A-Za-z][A-Za-z0-9_']*\Z")
 _LONGEST = 30  # characters of a word that may be a relation misspelt
 
 
-def syntax_fault(found: object, text: str, literals: Mapping[str, str]) -> SyntaxFault:
-    """The fault for an exception of lark; `literals` spells the terminals of the grammar."""
+def syntax_fault(found: object, text: str, literals: Mapping[str, str], relations: Collection[str]) -> SyntaxFault:
+    """The fault for an exception of lark; `literals` spells the terminals of the grammar, `relations` are those that
+    may stand in this text.
+    """
     from lark.exceptions import UnexpectedCharacters, UnexpectedToken
 
     if isinstance(found, UnexpectedToken) and found.token.type != "$END":
@@ -80,7 +83,7 @@ def syntax_fault(found: object, text: str, literals: Mapping[str, str]) -> Synta
         accepted = set(getattr(found, "accepts", None) or ())
         what = "the input ends too early" if text.strip() else "the input is empty"
     hint = next((h for pattern, h in _HINTS if pattern.match(text, span.start)), None)
-    hint = hint or _misspelt(text, span.start, literals)
+    hint = hint or _misspelt(text, span.start, words_of(literals["CONSTRUCTION"]), relations)
     if hint is None and "RPAR" in accepted and _unclosed(text[: span.start], "()"):
         hint = "a parenthesis is not closed"
     elif hint is None and "RSQB" in accepted and _unclosed(text[: span.start], "[]"):
@@ -88,23 +91,26 @@ def syntax_fault(found: object, text: str, literals: Mapping[str, str]) -> Synta
     return SyntaxFault(f"{what}; expected {_expected(accepted, literals)}", span=span, hint=hint)
 
 
-def call_hint(text: str, at: int, *, relations: bool = False) -> str | None:
+def words_of(pattern: str) -> list[str]:
+    """The words of a terminal of the grammar, which is one of several."""
+    return pattern.partition(")")[0].lstrip("(").split("|")
+
+
+def call_hint(text: str, at: int, relations: Collection[str]) -> str | None:
     """How a function of another notation is written whose name or arguments stand at a place: meet(ab, cde).
 
-    Where `relations` such as collinear(a, b, c) may stand, they are not reported.
+    `relations` are the names of those such as collinear(a, b, c), where they may not stand.
     """
     for found in _CALL.finditer(text, 0, at + 40):
         word, begin = found[1].lower(), found.end()
-        if found.start() > at or word not in (*_INFIX, *_BETWEEN, *(() if relations else _ASSUMED)):
+        if found.start() > at or word not in (*_INFIX, *_BETWEEN, *relations):
             continue
         end = _closing(text, begin)
         if at > end:
             continue
         arguments = [a.strip() for a in _apart(text[begin:end])]
-        if word in _ASSUMED:
-            return (
-                f"{word}(…) is an assumption, not an expression: --given of `prove`, or the statement `given`, takes it"
-            )
+        if word in relations:
+            return f"{word}(…) is a relation, not an expression: `prove` and `claim` decide it, `given` assumes it"
         if word in _BETWEEN:
             form, what = _BETWEEN[word]
             return f"{what} is written {form.format(', '.join(arguments) if all(arguments) else '…')}"
@@ -137,9 +143,9 @@ def _apart(arguments: str) -> list[str]:
     return parts
 
 
-def _misspelt(text: str, at: int, literals: Mapping[str, str]) -> str | None:
-    """The relation that is meant where a comma stands in parentheses behind a word like it: colinear(a, b, c)."""
-    if "RELATION" not in literals or not text.startswith(",", at):
+def _misspelt(text: str, at: int, constructions: Collection[str], relations: Collection[str]) -> str | None:
+    """The word that is meant where a comma stands in parentheses behind one like it: colinear(a, b, c)."""
+    if not text.startswith(",", at):
         return None
     open_at, depth = at, 1
     while depth and open_at:
@@ -148,12 +154,13 @@ def _misspelt(text: str, at: int, literals: Mapping[str, str]) -> str | None:
     before = _LAST_WORD.search(text[:open_at].rstrip())
     if depth or before is None or len(before[0]) > _LONGEST:
         return None
-    relations = literals["RELATION"].partition(")")[0].lstrip("(").split("|")
-    near = get_close_matches(before[0].lower(), relations, n=1, cutoff=0.7)
-    if before[0] in relations:
+    known = [*relations, *constructions]
+    near = get_close_matches(before[0].lower(), known, n=1, cutoff=0.7)
+    if before[0] in known:
         return None
-    listing = f"{', '.join(relations[:-1])} and {relations[-1]}"
-    return f"did you mean {near[0]}(…)?" if near else f"{before[0]}(…) is not a relation; the relations are {listing}"
+    if near:
+        return f"did you mean {near[0]}(…)?"
+    return f"{before[0]}(…) is not a relation; the relations are {listed(list(relations))}" if relations else None
 
 
 def _unclosed(text: str, pair: str) -> bool:
@@ -165,6 +172,6 @@ def _expected(accepted: set[str], literals: Mapping[str, str]) -> str:
     names = []
     if accepted >= _STARTERS:
         names.append("an expression")
-        accepted = accepted - _STARTERS - {"LSQB", "PLUS", "MINUS"}
+        accepted = accepted - _STARTERS - {"LSQB", "PLUS", "MINUS", "CONSTRUCTION"}
     names += sorted({_TERMINALS.get(t, literals.get(t, t.lower())) for t in accepted})
     return " or ".join([", ".join(names[:-1]), names[-1]] if len(names) > 1 else names) or "nothing more"

@@ -8,11 +8,11 @@ from typing import Any
 import click
 
 from gcrules.algebra.bracket import BracketPolynomial, ExtensorPolynomial
+from gcrules.algebra.decide import decide
 from gcrules.algebra.expand import MAX_TERMS
 from gcrules.algebra.expand import expand as expanded
 from gcrules.algebra.expr import Expr
-from gcrules.algebra.language.syntax import parse_equation
-from gcrules.algebra.prove import prove as decide
+from gcrules.algebra.language.relations import parse_claim
 from gcrules.algebra.straightening.straighten import Straightening, straighten_steps
 from gcrules.algebra.straightening.straighten import straighten as straightened
 from gcrules.apps.cli.base import ExpressionCommand
@@ -35,7 +35,7 @@ _seconds = time_limit()
 
 
 @click.command(cls=ExpressionCommand)
-@click.argument("claim", metavar='"LHS == RHS"')
+@click.argument("claim", metavar="CLAIM")
 @given_option
 @space_options()
 @_limit
@@ -52,12 +52,13 @@ def prove(
     proofs: ProofOptions,
     out: Output,
 ) -> None:
-    """Decide whether two expressions are equal for all positions of their points; "-" reads standard input.
+    """Decide whether two expressions are equal, or a relation holds, for all positions; "-" reads standard input.
 
     \b
     gcrules prove "ab /\\ cde == [acde] b - [bcde] a"
     gcrules prove "[[Aa,Ab,Ac,Bd,Be,Cf]] == [Aabc][ABde][ABCf]" --json
-    gcrules prove "[bcd] == 0" --rank 3 --given "collinear(a, b, c), collinear(a, b, d)"
+    gcrules prove "collinear(b, c, d)" --rank 3 --given "collinear(a, b, c), collinear(a, b, d)"
+    gcrules prove "perpendicular(c \\/ orthocentre(a, b, c), ab)" --rank 3 --isotropic "i j"
 
     With --given only positions that satisfy the assumptions count, and the answer says what else was assumed not to
     vanish. (expand and straighten do without assumptions: their polynomials hold for all positions.)
@@ -66,9 +67,9 @@ def prove(
     3: not decided within the limit.
     """
     at = context_of(space, assumptions)
-    sides = parse_equation(argument_text(claim), context=at)
+    claimed = parse_claim(argument_text(claim), at)
     with working("proving"):
-        proof = decide(*sides, points=at.points, ideal=at.ideal, rank=at.rank, given=at.given, limit=limit)
+        proof = decide(claimed, at, limit=limit)
     if out.latex:
         out.write(
             "\n".join([proof.latex(), f"% {proof.verdict}: {proof.reason}", *(f"%{c}" for c in conditions(proof))])

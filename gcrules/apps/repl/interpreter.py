@@ -17,6 +17,7 @@ from dataclasses import replace
 
 from gcrules.algebra.expr import Expr
 from gcrules.algebra.language.parse_tree import read
+from gcrules.algebra.language.relations import RELATION_NAMES, Claimed, parse_claim
 from gcrules.algebra.language.rule_text import RuleText
 from gcrules.algebra.language.statements import Claim, Script, Show, Statement, parse_script
 from gcrules.algebra.language.syntax import Builder, Context
@@ -99,7 +100,7 @@ class Interpreter:
             begin = text.index(word) + piece.line - 1
             fault = InputError(f"`{word}` is a command of the shell", hint=f"in a shell: gcrules {text.strip()}")
             raise fault.located(source.text, filename, Span(begin, begin + len(word)))
-        elif "==" in text:
+        elif "==" in text or word in RELATION_NAMES:
             yield from self.equation(source)
         else:
             yield from self.shown(self.expression(source), source)
@@ -121,8 +122,8 @@ class Interpreter:
     def _can_be_read(self, source: Source) -> bool:
         """Whether a text is an expression or an equation: with long names a word may be both that and a command."""
         try:
-            if "==" in source.parsed:
-                self._sides(source)
+            if "==" in source.parsed or first_word(source.parsed) in RELATION_NAMES:
+                self._claimed(source)
             else:
                 self.expression(source)
         except GcrulesError:
@@ -160,18 +161,17 @@ class Interpreter:
             )
 
     def equation(self, source: Source) -> Answers:
-        """Decide an equation."""
-        left, right, context = self._sides(source)
+        """Decide an equation, or a relation."""
+        claimed, context = self._claimed(source)
         with source.placed():
             label = " ".join(source.parsed.split())
-            found = self._result(Claim(left, right, label, source.line, context), source, context)
+            found = self._result(Claim(claimed, label, source.line, context), source, context)
         yield answer_of(found, self.settings, brief=False)
 
-    def _sides(self, source: Source) -> tuple[Expr, Expr, Context]:
+    def _claimed(self, source: Source) -> tuple[Claimed, Context]:
         context = source.context(self.state.context, self.state.results)
         with source.placed():
-            left, right = read(source.parsed, "equation", source.filename, lambda tree: Builder(context).equation(tree))
-        return left, right, context
+            return parse_claim(source.parsed, context, source.filename), context
 
     def shown(self, e: Expr, source: Source) -> Answers:
         """Expand an expression."""

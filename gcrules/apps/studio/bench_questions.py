@@ -15,8 +15,8 @@ from __future__ import annotations
 from dataclasses import replace
 
 from gcrules.algebra.expr import Expr
+from gcrules.algebra.language.relations import Claimed, parse_claim
 from gcrules.algebra.language.statements import Claim, Rewrite, Show, parse_script
-from gcrules.algebra.language.syntax import parse_equation
 from gcrules.algebra.language.text import text
 from gcrules.apps.repl.interpreter import Interpreter
 from gcrules.apps.repl.reading import Source, first_word, is_blank
@@ -48,8 +48,8 @@ def of_equation(repl: Interpreter, source: Source) -> Question:
     """An equation alone, which is decided."""
     context = source.context(repl.state.context, repl.state.results)
     with source.placed():
-        sides = parse_equation(source.parsed, context=context)
-    return _sides(repl, *sides)
+        claimed = parse_claim(source.parsed, context)
+    return _claimed(repl, claimed)
 
 
 def of_name(repl: Interpreter, name: str, e: Expr) -> Question:
@@ -67,7 +67,7 @@ def of_statement(repl: Interpreter, source: Source) -> Question | None:
         asked = next(iter(parse_script(source.parsed, source.filename, context).statements), None)
     match asked:
         case Claim():
-            return _sides(repl, asked.left, asked.right)
+            return _claimed(repl, asked.claimed)
         case Show():
             return _of(repl, "expand", asked.expr)
         case Rewrite():
@@ -92,7 +92,10 @@ def _of(repl: Interpreter, function: str, e: Expr) -> Question:
     return Question(function, _written(repl, e), repl.state)
 
 
-def _sides(repl: Interpreter, left: Expr, right: Expr) -> Question:
+def _claimed(repl: Interpreter, claimed: Claimed) -> Question:
+    if claimed.relation:
+        return Question("prove", claimed.relation, repl.state)
+    ((left, right),) = claimed.equations
     return Question(
         "prove", f"{_written(repl, left)} == {_written(repl, right)}", repl.state, f"{latex(left)} = {latex(right)}"
     )

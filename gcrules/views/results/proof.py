@@ -14,9 +14,10 @@ _SIGNS = {"proved": "=", "refuted": "\\neq", "undecided": "\\stackrel{?}{=}"}
 def as_text(proof: Proof, *, unicode: bool = False) -> str:
     """The verdict in words, with the counterexample if there is one."""
     left, right = (expression_text(e, unicode=unicode) for e in (proof.left, proof.right))
-    lines = [f"{proof.verdict}: {left} == {right}", f"  {proof.reason}"]
-    if proof.counterexample is not None and proof.values is not None:
+    lines = [f"{proof.verdict}: {proof.relation or f'{left} == {right}'}", f"  {proof.reason}"]
+    if proof.counterexample is not None:
         lines += [f"  {name} = ({', '.join(map(str, c))})" for name, c in proof.counterexample.items()]
+    if proof.values is not None and not proof.relation:
         lines += [f"  left side  = {number_text(proof.values[0])}", f"  right side = {number_text(proof.values[1])}"]
     return "\n".join([*lines, *conditions(proof)])
 
@@ -38,5 +39,7 @@ def conditions(proof: Proof) -> list[str]:
 
 
 def as_latex(proof: Proof) -> str:
-    """The sides with the sign that the verdict calls for, without dollar signs."""
+    """The sides with the sign that the verdict calls for, or the relation; without dollar signs."""
+    if proof.relation:
+        return f"\\text{{{proof.relation.replace('_', chr(92) + '_')}}}"
     return f"{formulas.latex(proof.left)} {_SIGNS[proof.verdict]} {formulas.latex(proof.right)}"

@@ -1,0 +1,287 @@
+r"""Relations of points, lines and planes: collinear(a, b, c), incident(p, X), concyclic(a, b, c, d) …
+
+They are assumed by `given` and claimed by `claim`, and so are equations LHS == RHS.
+
+>>> found = parse_claim("collinear(a, b, c)", Context(rank=3))
+>>> [(str(left), str(right)) for left, right in found.equations], found.relation
+([('[abc]', '0')], 'collinear(a, b, c)')
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from itertools import combinations
+
+from gcrules.algebra import conics, metric
+from gcrules.algebra import expr as ex
+from gcrules.algebra.assumptions.incidences import MAX_CONDITIONS, equations
+from gcrules.algebra.expr import ZERO, Expr
+from gcrules.algebra.language.parse_tree import Node, read, span_of
+from gcrules.algebra.language.syntax import Builder, Context
+from gcrules.algebra.language.words import FLAT, POINT, SEGMENT, Requirement, Word, ends
+from gcrules.algebra.metric import Infinity
+from gcrules.algebra.names import step_name
+from gcrules.algebra.space import Assumption, SourcePlace, Space
+from gcrules.core.dataclass import dataclass
+from gcrules.core.errors import InputError, StepError
+
+__all__ = [
+    "INCIDENCES",
+    "RELATIONS",
+    "RELATION_NAMES",
+    "Claimed",
+    "Relation",
+    "parse_claim",
+    "read_assumptions",
+    "read_claim",
+]
+
+_Equations = list[Expr]
+
+
+@dataclass(frozen=True, slots=True)
+class Relation(Word):
+    """A word of `given` and `claim`, for the expressions that vanish where it holds.
+
+    `whole` gives all of them, `chain` as many as say the same where the first of the points are in general position.
+    """
+
+    whole: Callable[..., _Equations] = lambda *_: []
+    chain: Callable[..., _Equations] | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Claimed:
+    """Equations that are claimed together; `relation` is how they were written if that was one word.
+
+    The claim is about positions at which nothing `required` vanishes, which is told, nor the expressions of `nonzero`.
+    """
+
+    equations: tuple[tuple[Expr, Expr], ...]
+    relation: str = ""
+    required: tuple[Requirement, ...] = ()
+    nonzero: tuple[Expr, ...] = ()
+
+
+def parse_claim(text: str, context: Context | None = None, filename: str = "<input>") -> Claimed:
+    """Read `LHS == RHS` or a relation. Raises SyntaxFault, StepError and InputError with line and column."""
+    at = context or Context()
+    shown = " ".join(text.split())
+    return read(text, "claimed", filename, lambda tree: read_claim(tree.children[0], Builder(at), shown))
+
+
+def read_claim(tree: Node, builder: Builder, text: str) -> Claimed:
+    """The claim of a parse tree; `text` is how it was written."""
+    infinity = builder.context.infinity
+    apart = (infinity.flat,) if infinity else ()
+    if tree.data == "equation":
+        sides = builder.equation(tree)
+        return Claimed((sides,), "", builder.requirements(), apart)
+    kind, args = _arguments(tree, builder)
+    if kind in INCIDENCES:
+        found = equations(Assumption(kind, args, text, role="claim"), builder.rank)
+    else:
+        found = tuple(_expanded(RELATIONS[kind], args, builder.context)[0])
+    claimed: tuple[tuple[Expr, Expr], ...] = tuple((e, ZERO) for e in found) or ((ZERO, ZERO),)
+    lines = tuple(a for a in args if a.step > 1)
+    return Claimed(claimed, text, builder.requirements(), (*apart, *lines))
+
+
+def read_assumptions(
+    tree: Node, builder: Builder, text: str, place: SourcePlace | None = None
+) -> tuple[Assumption, ...]:
+    """The assumptions of a parse tree: several where a relation is more than one equation.
+
+    `text` is how it was written, `place` where. Raises StepError, InputError.
+    """
+    if tree.data == "equal":
+        left, right = builder.equation(tree.children[0])
+        zero = left if right == ZERO else right if left == ZERO else ex.sub(left, right, rank=builder.rank)
+        return (Assumption("zero", (zero,), text, place, exists=_existing(builder)),)
+    kind, args = _arguments(tree, builder)
+    if kind in INCIDENCES:
+        return (Assumption(kind, args, text, place, exists=_existing(builder)),)
+    whole, chain = _expanded(RELATIONS[kind], args, builder.context)
+    exists = (*_existing(builder), *(a for a in args if a.step > 1))
+    also = tuple(e for e in whole if e not in chain)
+    return tuple(Assumption("zero", (e,), text, place, also=also, exists=exists) for e in chain)
+
+
+def _existing(builder: Builder) -> tuple[Expr, ...]:
+    infinity = builder.context.infinity
+    return (*((infinity.flat,) if infinity else ()), *(r.expr for r in builder.requirements()))
+
+
+def _arguments(tree: Node, builder: Builder) -> tuple[str, tuple[Expr, ...]]:
+    """The name of a relation, and its arguments, which it takes."""
+    token, *parts = tree.children
+    kind = str(token)
+    args = tuple(map(builder.value, parts))
+    if kind in INCIDENCES:
+        INCIDENCES[kind](args, parts, builder.rank)
+    else:
+        word = RELATIONS[kind]
+        builder.check(word, args, parts)
+    return kind, args
+
+
+def _expanded(word: Relation, args: Sequence[Expr], at: Space) -> tuple[_Equations, _Equations]:
+    """All equations of a relation, and those of its chain."""
+    given = [ends(a) if kind == SEGMENT else a for a, kind in zip(args, word.kinds(len(args)), strict=True)]
+    where = (at.infinity,) if word.metric else ()
+    whole = word.whole(*where, *given)
+    if len(whole) > MAX_CONDITIONS:
+        raise InputError(f"{len(args)} arguments are more than {word.usage} can take", hint="say it of fewer at a time")
+    return whole, word.chain(*where, *given) if word.chain else whole
+
+
+# --- relations of incidence, which the prover knows by name ---------------------------------------------------------
+
+
+def _points_only(number: int) -> Callable[[tuple[Expr, ...], list[Node], int], None]:
+    """A check that all arguments are points, at least so many."""
+
+    def check(args: tuple[Expr, ...], trees: list[Node], rank: int) -> None:
+        for arg, tree in zip(args, trees, strict=True):
+            if arg.step != 1:
+                hint = "separate the points with commas" if isinstance(arg, ex.Join) else None
+                what = f"{step_name(arg.step, rank)} where a point is expected"
+                raise StepError(what, span=span_of(tree), hint=hint)
+        if len(args) < number:
+            found = "1 point is" if len(args) == 1 else f"{len(args)} points are"
+            raise InputError(f"{found} always so; at least {number} are expected")
+
+    return check
+
+
+def _steps_between(number: int) -> Callable[[tuple[Expr, ...], list[Node], int], None]:
+    """At least `number` extensors that are neither scalars nor the whole space."""
+
+    def check(args: tuple[Expr, ...], trees: list[Node], rank: int) -> None:
+        for arg, tree in zip(args, trees, strict=True):
+            if not 1 <= arg.step < rank:
+                raise StepError(f"{step_name(arg.step, rank)} where an extensor is expected", span=span_of(tree))
+        if len(args) < number:
+            raise InputError(f"at least {number} extensors are expected, found {len(args)}")
+
+    return check
+
+
+def _pair(args: tuple[Expr, ...], trees: list[Node], rank: int) -> None:
+    _steps_between(2)(args, trees, rank)
+    if len(args) != 2:
+        raise InputError(f"incident(X, Y) has two extensors, found {len(args)}")
+
+
+INCIDENCES: Mapping[str, Callable[[tuple[Expr, ...], list[Node], int], None]] = {
+    "collinear": _points_only(3),
+    "coplanar": _points_only(4),
+    "concurrent": _steps_between(2),
+    "incident": _pair,
+}
+"""Relations of points, lines and planes in any rank, each with the check of its arguments."""
+
+
+# --- relations that are written out ---------------------------------------------------------------------------------
+
+
+def _any_of(number: int, scalar: Callable[..., Expr], *, metric: bool = True) -> Callable[..., _Equations]:
+    """A scalar of any so many of the points."""
+
+    def whole(*args: object) -> _Equations:
+        head, points = (args[:1], args[1:]) if metric else ((), args)
+        return [scalar(*head, *some) for some in combinations(points, number)]
+
+    return whole
+
+
+def _beside(number: int, scalar: Callable[..., Expr], *, metric: bool = True) -> Callable[..., _Equations]:
+    """A scalar of the first points, one fewer than so many, with each of the others."""
+
+    def chain(*args: object) -> _Equations:
+        head, points = (args[:1], args[1:]) if metric else ((), args)
+        return [scalar(*head, *points[: number - 1], p) for p in points[number - 1 :]]
+
+    return chain
+
+
+def _equidistant(at: Infinity, o: Expr, first: Expr, *others: Expr) -> _Equations:
+    return [metric.equidistant(at, o, first, p) for p in others]
+
+
+def _equal_distance(at: Infinity, first: tuple[Expr, Expr], *others: tuple[Expr, Expr]) -> _Equations:
+    return [metric.equal_distances(at, first, pair) for pair in others]
+
+
+def _one(scalar: Callable[..., Expr]) -> Callable[..., _Equations]:
+    return lambda *args: [scalar(*args)]
+
+
+_PLANE, _SPACE, _BOTH = (3,), (4,), (3, 4)
+
+RELATIONS: Mapping[str, Relation] = {
+    w.name: w
+    for w in (
+        Relation(
+            "parallel(ab, cd)",
+            "two lines have one direction, in space also a line and a plane; two planes meet at infinity",
+            (FLAT, FLAT),
+            _BOTH,
+            whole=_one(metric.parallel),
+        ),
+        Relation(
+            "perpendicular(ab, cd)",
+            "two lines are at right angles, in space also planes, or a line and a plane",
+            (FLAT, FLAT),
+            _BOTH,
+            whole=_one(metric.perpendicular),
+        ),
+        Relation(
+            "concyclic(a, b, c, d, …)",
+            "the points are on a circle, or on a line",
+            (POINT,) * 4,
+            _PLANE,
+            open=True,
+            whole=_any_of(4, metric.concyclic),
+            chain=_beside(4, metric.concyclic),
+        ),
+        Relation(
+            "cospherical(a, b, c, d, e, …)",
+            "the points are on a sphere, or in a plane",
+            (POINT,) * 5,
+            _SPACE,
+            open=True,
+            whole=_any_of(5, metric.cospherical),
+            chain=_beside(5, metric.cospherical),
+        ),
+        Relation(
+            "equidistant(o, a, b, …)",
+            "o is as far from a as from b and the others",
+            (POINT,) * 3,
+            _BOTH,
+            open=True,
+            whole=_equidistant,
+        ),
+        Relation(
+            "equal_distance(ab, cd, …)",
+            "a is as far from b as c from d",
+            (SEGMENT, SEGMENT),
+            _BOTH,
+            open=True,
+            whole=_equal_distance,
+        ),
+        Relation(
+            "on_conic(a, b, c, d, e, f, …)",
+            "the points are on a conic, which may be two lines",
+            (POINT,) * 6,
+            _PLANE,
+            metric=False,
+            open=True,
+            whole=_any_of(6, conics.on_conic, metric=False),
+            chain=_beside(6, conics.on_conic, metric=False),
+        ),
+    )
+}
+"""Relations that are equations of brackets, joins and meets, by their names, which grammar.lark lists too."""
+
+RELATION_NAMES = (*INCIDENCES, *RELATIONS)
