@@ -198,9 +198,13 @@ def perpendicular(at: Infinity, one: Expr, other: Expr) -> Expr:
 
 
 def concyclic(at: Infinity, a: Expr, b: Expr, c: Expr, d: Expr) -> Expr:
-    """At c and d the line ab is seen at equal angles (of lines). By isotropic points this is the equation of a conic
-    through a, b, c, d, i and j; it also holds where a, b, c, d are on a line.
+    """At c and d the line ab is seen at equal angles (of lines); it also holds where a, b, c, d are on a line. With
+    isotropic points i and j half of this is shorter: a, b, c, d, i and j are on a conic.
     """
+    if at.kind == "isotropic":
+        i, j = map(Point, at.points)
+        one = (at.bracket(a, b, c), at.bracket(a, d, i), at.bracket(b, d, j), at.weight(c))
+        return at.sum(one, (Number(-1), at.bracket(a, b, d), at.bracket(a, c, i), at.bracket(b, c, j), at.weight(d)))
     sights = [dot(at, at.join(a, x), at.join(b, x)) for x in (c, d)]
     return at.sum(
         (at.bracket(a, b, c), at.weight(c), sights[1]), (Number(-1), at.bracket(a, b, d), at.weight(d), sights[0])

@@ -21,6 +21,7 @@ from gcrules.algebra.language.statements import parse_assumption
 from gcrules.algebra.language.syntax import Context
 from gcrules.algebra.language.syntax import parse as _parse
 from gcrules.algebra.language.text import Names, split_names
+from gcrules.algebra.language.words import METRICS, with_infinity
 from gcrules.algebra.prove import Proof
 from gcrules.algebra.shortening.limits import MAX_MONOMIALS
 from gcrules.algebra.shortening.limits import SECONDS as SECONDS_TO_SHORTEN
@@ -108,9 +109,16 @@ parse = public(_parse)
 transversals = public(_transversals)
 
 
-def _expression(e: str | Expr, rank: int | None, points: Names, ideal: Names) -> Expr:
-    context = Context(rank or 4, split_names(points), split_names(ideal))
-    return e if isinstance(e, Expr) else _parse(e, context=context)
+def _where(rank: int | None, points: Names, ideal: Names, isotropic: Names, orthonormal: Names) -> Context:
+    """Where expressions are read."""
+    at = Context(rank or 4, split_names(points), split_names(ideal))
+    for kind, names in zip(METRICS, (isotropic, orthonormal), strict=True):
+        at = with_infinity(at, kind, found) if (found := split_names(names)) else at
+    return at
+
+
+def _expression(e: str | Expr, at: Context) -> Expr:
+    return e if isinstance(e, Expr) else _parse(e, context=at)
 
 
 @public
@@ -120,16 +128,19 @@ def expand(
     rank: int | None = None,
     points: Names = (),
     ideal: Names = (),
+    isotropic: Names = (),
+    orthonormal: Names = (),
     limit: int = MAX_TERMS,
 ) -> BracketPolynomial | ExtensorPolynomial:
     """Expand an expression into brackets (step 0) or Σ (bracket polynomial) · extensor (any other step).
 
     `rank` is that of the expression (4 for text that is read); `points` declares long names and the tableau order,
-    `ideal` the points at infinity, as sequences or as text ("left right"). Raises SyntaxFault or StepError for text
-    that does not make sense or another rank, LimitReached beyond `limit` terms.
+    `ideal` the points at infinity, as sequences or as text ("left right"). Words such as midpoint(a, b) need points
+    at infinity that are `isotropic`, or `orthonormal` directions. Raises SyntaxFault or StepError for text that does
+    not make sense or another rank, LimitReached beyond `limit` terms.
     """
-    expression = _expression(e, rank, points, ideal)
-    return _expand(expression, points=split_names(points), ideal=split_names(ideal), rank=rank, limit=limit)
+    at = _where(rank, points, ideal, isotropic, orthonormal)
+    return _expand(_expression(e, at), points=at.points, ideal=at.ideal, rank=rank, limit=limit)
 
 
 @public
@@ -139,13 +150,15 @@ def straighten(
     rank: int | None = None,
     points: Names = (),
     ideal: Names = (),
+    isotropic: Names = (),
+    orthonormal: Names = (),
     limit: int = MAX_TERMS,
 ) -> BracketPolynomial | ExtensorPolynomial:
     """The normal form of standard tableaux; arguments and errors as for `expand`."""
     if isinstance(e, (BracketPolynomial, ExtensorPolynomial)):
         return _straighten(e, limit=limit)
-    expression = _expression(e, rank, points, ideal)
-    return _straighten(expression, points=split_names(points), ideal=split_names(ideal), rank=rank, limit=limit)
+    at = _where(rank, points, ideal, isotropic, orthonormal)
+    return _straighten(_expression(e, at), points=at.points, ideal=at.ideal, rank=rank, limit=limit)
 
 
 @public
@@ -155,6 +168,8 @@ def factor(
     rank: int | None = None,
     points: Names = (),
     ideal: Names = (),
+    isotropic: Names = (),
+    orthonormal: Names = (),
     all: bool = False,
     cofactor: bool = False,
     limit: int = MAX_EXTENSORS,
@@ -167,11 +182,11 @@ def factor(
     where there is none. Raises InputError for zero and for what is not homogeneous in the points, LimitReached beyond
     `limit` extensors or `seconds`.
     """
-    given = e if isinstance(e, (BracketPolynomial, ExtensorPolynomial)) else _expression(e, rank, points, ideal)
+    at = _where(rank, points, ideal, isotropic, orthonormal)
     answer: Factorization = decided(
-        given,
-        points=split_names(points),
-        ideal=split_names(ideal),
+        e if isinstance(e, (BracketPolynomial, ExtensorPolynomial)) else _expression(e, at),
+        points=at.points,
+        ideal=at.ideal,
         rank=rank,
         limit=limit,
         seconds=seconds,
@@ -188,6 +203,8 @@ def shorten(
     rank: int | None = None,
     points: Names = (),
     ideal: Names = (),
+    isotropic: Names = (),
+    orthonormal: Names = (),
     limit: int = MAX_MONOMIALS,
     seconds: float = SECONDS_TO_SHORTEN,
 ) -> Shortening:
@@ -197,9 +214,14 @@ def shorten(
     with fewer terms equals it; `bound` says why) and `minimal` (whether these agree). After `seconds` what was found is
     the answer. Raises InputError for extensors, LimitReached beyond `limit` bracket monomials of the multidegree.
     """
-    given = e if isinstance(e, (BracketPolynomial, ExtensorPolynomial)) else _expression(e, rank, points, ideal)
+    at = _where(rank, points, ideal, isotropic, orthonormal)
     answer: Shortening = shortened(
-        given, points=split_names(points), ideal=split_names(ideal), rank=rank, limit=limit, seconds=seconds
+        e if isinstance(e, (BracketPolynomial, ExtensorPolynomial)) else _expression(e, at),
+        points=at.points,
+        ideal=at.ideal,
+        rank=rank,
+        limit=limit,
+        seconds=seconds,
     )
     return answer
 
@@ -212,6 +234,8 @@ def prove(
     rank: int | None = None,
     points: Names = (),
     ideal: Names = (),
+    isotropic: Names = (),
+    orthonormal: Names = (),
     given: str | Iterable[str] = (),
     limit: int = MAX_TERMS,
 ) -> Proof:
@@ -222,7 +246,7 @@ def prove(
     proof lists what else was assumed not to vanish. Raises InputError for assumptions that are not resolved.
     """
     written_in = common_rank(rank, *(e for e in (claim, right) if isinstance(e, Expr)))
-    at = Context(written_in, split_names(points), split_names(ideal))
+    at = _where(written_in, points, ideal, isotropic, orthonormal)
     for written in [given] if isinstance(given, str) else given:
         at = parse_assumption(written, at)
     if right is None:
@@ -241,14 +265,17 @@ def rewrite(
     rank: int | None = None,
     points: Names = (),
     ideal: Names = (),
+    isotropic: Names = (),
+    orthonormal: Names = (),
 ) -> Rewriting:
     """Apply rules, the first that fires each time, until all stay silent; every application is a step of the answer.
 
     `rules` are names of rewriting rules (of the engine and of plugins), rules, or names of `.gca` files. Raises
     InputError for a rule that is none or that is wrong, LimitReached where rewriting does not end.
     """
-    expression = _expression(e, rank, points, ideal)
-    space = Space(common_rank(rank, expression), split_names(points), split_names(ideal))
+    at = _where(rank, points, ideal, isotropic, orthonormal)
+    expression = _expression(e, at)
+    space = Space(common_rank(rank, expression), at.points, at.ideal)
     return _rewrite(expression, _rewriting_rules(rules), space)
 
 
@@ -270,7 +297,7 @@ def _rewriting_rules(rules: Iterable[str | RewriteRule]) -> list[RewriteRule]:
 @public
 def evaluate(e: str | Expr, points: dict[str, Any], *, rank: int | None = None, modulus: int | None = None) -> Any:
     """The value of an expression at points given by homogeneous coordinates (exact numbers, or arrays of floats)."""
-    return _evaluate(_expression(e, rank, tuple(points), ()), points, modulus=modulus)
+    return _evaluate(_expression(e, Context(rank or 4, tuple(points))), points, modulus=modulus)
 
 
 @public

@@ -108,7 +108,7 @@ _RULES = listed(
 )
 _THRESHOLD = ANYTHING  # whoever reads it says what is missing: the unit
 
-_SPACE = {"rank": optional(WHOLE), "points": NAMES, "ideal": NAMES}
+_SPACE = {"rank": optional(WHOLE), "points": NAMES, "ideal": NAMES, "isotropic": NAMES, "orthonormal": NAMES}
 _LIMITED = {**_SPACE, "limit": COUNT}
 
 SIGNATURES: dict[str, dict[str, ArgumentKind]] = {

@@ -257,10 +257,10 @@ RELATIONS = ("collinear(a, b, c)", "[abcd] + coplanar(a, b, c, d)", "concurrent(
 
 @pytest.mark.parametrize("text", RELATIONS)
 @pytest.mark.parametrize(("command", "more"), COMMANDS)
-def test_assumptions_are_no_expressions(command: str, more: str, text: str) -> None:
+def test_relations_are_no_expressions(command: str, more: str, text: str) -> None:
     done = run(command, text + more)
     assert done.exit_code == 2
-    assert "is an assumption, not an expression" in done.stderr
+    assert "is a relation, not an expression" in done.stderr
     assert "not closed" not in done.stderr
 
 

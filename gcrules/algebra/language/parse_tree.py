@@ -39,8 +39,14 @@ def read(text: str, start: str, filename: str, build: Callable[[Node], _T]) -> _
         return build(_tree(text, start))
     except GcrulesError as fault:
         if isinstance(fault, (SyntaxFault, StepError)) and fault.span is not None and fault.source in (None, text):
-            fault.hint = call_hint(text, fault.span.start, () if start in _CLAIMS else _relations()) or fault.hint
+            relations = () if start in _CLAIMS and not _inside(text, start) else _relations()
+            fault.hint = call_hint(text, fault.span.start, relations) or fault.hint
         raise fault.located(text, filename) from None
+
+
+def _inside(text: str, start: str) -> bool:
+    """Whether a relation in a claim can only be a part of an expression."""
+    return start == "claimed" and not text.lstrip().startswith(tuple(_relations()))
 
 
 @cache
@@ -59,6 +65,7 @@ def _grammar(scripts: bool) -> Lark:
     )
 
 
+@cache
 def _relations() -> list[str]:
     return words_of(next(t.pattern.value for t in _grammar(False).terminals if t.name == "RELATION"))
 

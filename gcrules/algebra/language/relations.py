@@ -9,8 +9,8 @@ They are assumed by `given` and claimed by `claim`, and so are equations LHS == 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
-from itertools import combinations
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from itertools import combinations, islice
 
 from gcrules.algebra import conics, metric
 from gcrules.algebra import expr as ex
@@ -23,7 +23,7 @@ from gcrules.algebra.metric import Infinity
 from gcrules.algebra.names import step_name
 from gcrules.algebra.space import Assumption, SourcePlace, Space
 from gcrules.core.dataclass import dataclass
-from gcrules.core.errors import InputError, StepError
+from gcrules.core.errors import GcrulesError, InputError, StepError
 
 __all__ = [
     "INCIDENCES",
@@ -36,7 +36,7 @@ __all__ = [
     "read_claim",
 ]
 
-_Equations = list[Expr]
+_Equations = Iterable[Expr]
 
 
 @dataclass(frozen=True, slots=True)
@@ -65,9 +65,16 @@ class Claimed:
 
 def parse_claim(text: str, context: Context | None = None, filename: str = "<input>") -> Claimed:
     """Read `LHS == RHS` or a relation. Raises SyntaxFault, StepError and InputError with line and column."""
-    at = context or Context()
-    shown = " ".join(text.split())
-    return read(text, "claimed", filename, lambda tree: read_claim(tree.children[0], Builder(at), shown))
+    builder, shown = Builder(context or Context()), " ".join(text.split())
+
+    def claimed(tree: Node) -> Claimed:
+        try:
+            return read_claim(tree.children[0], builder, shown)
+        except GcrulesError as fault:
+            fault.span = fault.span or span_of(tree)
+            raise
+
+    return read(text, "claimed", filename, claimed)
 
 
 def read_claim(tree: Node, builder: Builder, text: str) -> Claimed:
@@ -125,14 +132,14 @@ def _arguments(tree: Node, builder: Builder) -> tuple[str, tuple[Expr, ...]]:
     return kind, args
 
 
-def _expanded(word: Relation, args: Sequence[Expr], at: Space) -> tuple[_Equations, _Equations]:
+def _expanded(word: Relation, args: Sequence[Expr], at: Space) -> tuple[list[Expr], list[Expr]]:
     """All equations of a relation, and those of its chain."""
     given = [ends(a) if kind == SEGMENT else a for a, kind in zip(args, word.kinds(len(args)), strict=True)]
     where = (at.infinity,) if word.metric else ()
-    whole = word.whole(*where, *given)
+    whole = list(islice(word.whole(*where, *given), MAX_CONDITIONS + 1))
     if len(whole) > MAX_CONDITIONS:
         raise InputError(f"{len(args)} arguments are more than {word.usage} can take", hint="say it of fewer at a time")
-    return whole, word.chain(*where, *given) if word.chain else whole
+    return whole, list(word.chain(*where, *given)) if word.chain else whole
 
 
 # --- relations of incidence, which the prover knows by name ---------------------------------------------------------
@@ -190,7 +197,7 @@ def _any_of(number: int, scalar: Callable[..., Expr], *, metric: bool = True) ->
 
     def whole(*args: object) -> _Equations:
         head, points = (args[:1], args[1:]) if metric else ((), args)
-        return [scalar(*head, *some) for some in combinations(points, number)]
+        return (scalar(*head, *some) for some in combinations(points, number))
 
     return whole
 

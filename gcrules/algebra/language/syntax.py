@@ -27,7 +27,7 @@ from gcrules.algebra.scalars import MAX_EXPONENT, superbracket
 from gcrules.algebra.space import Space, shortened
 from gcrules.core.budget import checkpoint
 from gcrules.core.dataclass import dataclass
-from gcrules.core.errors import GcrulesError, StepError, SyntaxFault
+from gcrules.core.errors import GcrulesError, InputError, StepError, SyntaxFault
 from gcrules.core.frozen import FrozenMap
 
 __all__ = ["Builder", "Context", "parse", "parse_equation"]
@@ -199,6 +199,9 @@ class Builder:
 
     def construction(self, tree: Node) -> Expr:
         token, *parts = tree.children
+        if str(token) in self.context.declared():
+            hint = f"write a space behind the name: {token} (…)"
+            raise InputError(f"{token} is declared here, and a word of the language", span=span_of(token), hint=hint)
         word, args = CONSTRUCTIONS[str(token)], tuple(map(self.value, parts))
         self.check(word, args, parts)
         made, may_vanish = constructed(word, args, self.context)

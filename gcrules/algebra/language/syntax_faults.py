@@ -58,6 +58,7 @@ _BETWEEN = {
     **dict.fromkeys(("superbracket", "pure"), ("[[{}]]", "the superbracket")),
 }
 """Functions of other notations, and how their values are written."""
+_NO_EXPRESSION = "{}(…) is a relation, not an expression: `prove` and `claim` decide it, `given` assumes it"
 _LAST_WORD = re.compile(r"(?<![A-Za-z0-9_'])[A-Za-z][A-Za-z0-9_']*\Z")
 _LONGEST = 30  # characters of a word that may be a relation misspelt
 
@@ -82,7 +83,8 @@ def syntax_fault(found: object, text: str, literals: Mapping[str, str], relation
         span = Span(len(text.rstrip()), len(text.rstrip()))
         accepted = set(getattr(found, "accepts", None) or ())
         what = "the input ends too early" if text.strip() else "the input is empty"
-    hint = next((h for pattern, h in _HINTS if pattern.match(text, span.start)), None)
+    hint = _equated(text, span.start, relations)
+    hint = hint or next((h for pattern, h in _HINTS if pattern.match(text, span.start)), None)
     hint = hint or _misspelt(text, span.start, words_of(literals["CONSTRUCTION"]), relations)
     if hint is None and "RPAR" in accepted and _unclosed(text[: span.start], "()"):
         hint = "a parenthesis is not closed"
@@ -110,7 +112,7 @@ def call_hint(text: str, at: int, relations: Collection[str]) -> str | None:
             continue
         arguments = [a.strip() for a in _apart(text[begin:end])]
         if word in relations:
-            return f"{word}(…) is a relation, not an expression: `prove` and `claim` decide it, `given` assumes it"
+            return _NO_EXPRESSION.format(word)
         if word in _BETWEEN:
             form, what = _BETWEEN[word]
             return f"{what} is written {form.format(', '.join(arguments) if all(arguments) else '…')}"
@@ -145,22 +147,35 @@ def _apart(arguments: str) -> list[str]:
 
 def _misspelt(text: str, at: int, constructions: Collection[str], relations: Collection[str]) -> str | None:
     """The word that is meant where a comma stands in parentheses behind one like it: colinear(a, b, c)."""
-    if not text.startswith(",", at):
+    word = _called(text, at) if text.startswith(",", at) else None
+    if word is None or len(word) > _LONGEST:
         return None
+    known = [*relations, *constructions]
+    near = get_close_matches(word.lower(), known, n=1, cutoff=0.7)
+    if word in known:
+        return None
+    if near:
+        return f"did you mean {near[0]}(…)?"
+    return f"{word}(…) is not a relation; the relations are {listed(list(relations))}" if relations else None
+
+
+def _equated(text: str, at: int, relations: Collection[str]) -> str | None:
+    """Advice where == stands behind a relation."""
+    before = text[:at].rstrip()
+    if not text.startswith("==", at) or not before.endswith(")"):
+        return None
+    word = _called(text, len(before) - 1)
+    return _NO_EXPRESSION.format(word) if word in relations else None
+
+
+def _called(text: str, at: int) -> str | None:
+    """The word before the parenthesis that is open at a place."""
     open_at, depth = at, 1
     while depth and open_at:
         open_at -= 1
         depth += (text[open_at] == ")") - (text[open_at] == "(")
     before = _LAST_WORD.search(text[:open_at].rstrip())
-    if depth or before is None or len(before[0]) > _LONGEST:
-        return None
-    known = [*relations, *constructions]
-    near = get_close_matches(before[0].lower(), known, n=1, cutoff=0.7)
-    if before[0] in known:
-        return None
-    if near:
-        return f"did you mean {near[0]}(…)?"
-    return f"{before[0]}(…) is not a relation; the relations are {listed(list(relations))}" if relations else None
+    return None if depth or before is None else before[0]
 
 
 def _unclosed(text: str, pair: str) -> bool:

@@ -37,7 +37,7 @@ _seconds = time_limit()
 @click.command(cls=ExpressionCommand)
 @click.argument("claim", metavar="CLAIM")
 @given_option
-@space_options()
+@space_options(metric=True)
 @_limit
 @_seconds
 @proof_options
@@ -82,7 +82,7 @@ def prove(
 
 @click.command(cls=ExpressionCommand)
 @click.argument("expression", metavar="EXPR")
-@space_options()
+@space_options(metric=True)
 @_limit
 @_seconds
 @output_options()
@@ -95,16 +95,16 @@ def expand(expression: str, space: SpaceOptions, limit: int, out: Output) -> Non
 
     "-" reads standard input. The result is text of the language again.
     """
-    e = read_expression(expression, space)
+    e, at = read_expression(expression, space)
     with working("expanding"):
-        found = expanded(e, points=space.points, ideal=space.ideal, rank=space.rank, limit=limit)
+        found = expanded(e, points=at.points, ideal=at.ideal, rank=at.rank, limit=limit)
     out.show(_Polynomial(found, short=out.terminal))
 
 
 @click.command(cls=ExpressionCommand)
 @click.argument("expression", metavar="EXPR")
 @click.option("--steps", is_flag=True, help="Show every syzygy that is used (scalars only).")
-@space_options()
+@space_options(metric=True)
 @_limit
 @_seconds
 @output_options()
@@ -117,9 +117,9 @@ def straighten(expression: str, steps: bool, space: SpaceOptions, limit: int, ou
 
     The tableau order is that of --points, else sorted; points at infinity come first. "-" reads standard input.
     """
-    e = read_expression(expression, space)
+    e, at = read_expression(expression, space)
     with working("straightening"):
-        found = expanded(e, points=space.points, ideal=space.ideal, rank=space.rank, limit=limit)
+        found = expanded(e, points=at.points, ideal=at.ideal, rank=at.rank, limit=limit)
         if not steps:
             out.show(_Polynomial(straightened(found, limit=limit), short=out.terminal))
             return

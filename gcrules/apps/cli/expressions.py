@@ -8,6 +8,7 @@ from typing import TypeVar
 from gcrules.algebra.expr import Expr
 from gcrules.algebra.language.statements import parse_assumption
 from gcrules.algebra.language.syntax import Context, parse
+from gcrules.algebra.language.words import with_infinity
 from gcrules.apps.cli.files import read_stdin, working
 from gcrules.apps.cli.options import SpaceOptions
 
@@ -24,14 +25,17 @@ def argument_text(argument: str) -> str:
 def context_of(space: SpaceOptions, assumptions: tuple[str, ...] = ()) -> Context:
     """Where expressions are read: rank, points, points at infinity, and what is assumed of them."""
     at = Context(space.rank, space.points, space.ideal)
+    for kind, names in space.metric:
+        at = with_infinity(at, kind, names)
     for written in assumptions:
         at = parse_assumption(written, at)
     return at
 
 
-def read_expression(argument: str, space: SpaceOptions) -> Expr:
-    """The expression of an argument, or of standard input for "-"."""
-    return parse(argument_text(argument), context=context_of(space))
+def read_expression(argument: str, space: SpaceOptions) -> tuple[Expr, Context]:
+    """The expression of an argument, or of standard input for "-", and where it was read."""
+    at = context_of(space)
+    return parse(argument_text(argument), context=at), at
 
 
 def searched(
@@ -44,13 +48,13 @@ def searched(
     **options: bool,
 ) -> _Answer:
     """The answer of a search about an expression; how it goes is shown."""
-    e = read_expression(argument, space)
+    e, at = read_expression(argument, space)
     with working(task):
         return search(
             e,
-            points=space.points,
-            ideal=space.ideal,
-            rank=space.rank,
+            points=at.points,
+            ideal=at.ideal,
+            rank=at.rank,
             limit=limit,
             seconds=seconds,
             **options,

@@ -21,7 +21,7 @@ __all__ = ["factor"]
 @click.option("--cofactor", is_flag=True, help="Where there is none, look for one that equals a cofactor times EXPR.")
 @limit_option(MAX_EXTENSORS, "Give up beyond this many extensors.")
 @time_limit(SECONDS, "Give up after this time.", itself=True)
-@space_options()
+@space_options(metric=True)
 @proof_options
 @output_options(full="Show every expression, not only the simplest.")
 @click.pass_context

@@ -9,6 +9,7 @@ from typing import Any
 
 import click
 
+from gcrules.algebra.language.words import METRICS
 from gcrules.apps.cli.limits import Seconds
 from gcrules.apps.cli.naming import offering
 from gcrules.apps.cli.output import decorated
@@ -38,27 +39,32 @@ given_option = click.option(
     "assumptions",
     multiple=True,
     metavar="ASSUMPTIONS",
-    help='Assume them: "collinear(a, b, c), incident(p, X)", coplanar, concurrent, "LHS == RHS", "ideal i j".',
+    help='Assume them: "collinear(a, b, c), incident(p, X)", other relations, "LHS == RHS", "ideal i j".',
 )
 
 
 @dataclass(frozen=True)
 class SpaceOptions:
-    """The rank, the declared points and the points at infinity."""
+    """The rank, the declared points and the points at infinity; `metric` are those by which right angles are known."""
 
     rank: int
     points: tuple[str, ...]
     ideal: tuple[str, ...]
+    metric: tuple[tuple[str, tuple[str, ...]], ...] = ()
 
 
-def space_options(*, rank: bool = True) -> Callable[[_Command], _Command]:
-    """--rank, --points, --ideal; the command receives them as `space`."""
+def space_options(*, rank: bool = True, metric: bool = False) -> Callable[[_Command], _Command]:
+    """--rank, --points, --ideal; the command receives them as `space`.
+
+    With `metric` also --isotropic and --orthonormal, which the metric words of expressions need.
+    """
 
     def decorate(command: _Command) -> _Command:
         @wraps(command)
         def with_space(**options: Any) -> Any:
-            points, ideal = (_names(options.pop(key)) for key in ("points", "ideal"))
-            return command(space=SpaceOptions(options.pop("rank", 4), points, ideal), **options)
+            points, ideal, *found = (_names(options.pop(key, "")) for key in ("points", "ideal", *METRICS))
+            known = tuple((kind, names) for kind, names in zip(METRICS, found, strict=True) if names)
+            return command(space=SpaceOptions(options.pop("rank", 4), points, ideal, known), **options)
 
         decorators = [
             *(
@@ -73,10 +79,17 @@ def space_options(*, rank: bool = True) -> Callable[[_Command], _Command]:
                 help='Names of points in tableau order; declares names of several letters: "left right top base".',
             ),
             click.option("--ideal", default="", metavar="NAMES", help='Points at infinity: "i j k".'),
+            *(click.option(f"--{k}", default="", metavar="NAMES", help=h) for k, h in _METRIC.items() if metric),
         ]
         return decorated(with_space, decorators)
 
     return decorate
+
+
+_METRIC = {
+    "isotropic": 'The isotropic points of the plane, for words such as midpoint(a, b): "i j".',
+    "orthonormal": 'Directions at right angles and of one length, for such words: "i j k", in the plane "i j".',
+}
 
 
 def _names(text: str) -> tuple[str, ...]:

@@ -20,7 +20,7 @@ __all__ = ["shorten"]
 @click.argument("expression", metavar="EXPR")
 @limit_option(MAX_MONOMIALS, "Give up beyond this many bracket monomials.")
 @time_limit(SECONDS, "Search for no longer than this; what was found is the answer.", itself=True)
-@space_options()
+@space_options(metric=True)
 @proof_options
 @output_options()
 def shorten(
