@@ -126,30 +126,25 @@ def test_dependent_points_are_placed_in_all_ways() -> None:
     assert " <> " not in statement(script, pappus.name.replace(" ", "_"))
 
 
-ON_CONICS = {
-    "butterfly",
-    "circumcentre",
-    "involution",
-    "pencils",
-    "radical-axes",
-    "reim",
-    "simson",
-    "steiner",
-    "thales",
-}
-"""Theorems on points of conics that have auxiliary points, or no proof file at all."""
+WITHOUT_PROOFS = {"butterfly", "pencils", "steiner", "thales"}
+"""Theorems that have no proof file, and so no script."""
 
 
 def test_theorems_of_the_examples_in_the_plane_and_in_space_have_scripts() -> None:
     for path in sorted((EXAMPLES / "theorems").glob("*.gca")):
-        if path.stem not in {*ON_CONICS, "double-six"}:  # which takes a minute
+        if path.stem not in {*WITHOUT_PROOFS, "double-six"}:  # which takes a minute
             found = ProofFile(path.stem, tuple(t for t in of_example(path) if t.rank in (3, 4)))
             assert coq.without_script(found) == {}
 
 
-def test_auxiliary_points_are_a_reason_to_have_no_script() -> None:
-    (simson,) = of_example(EXAMPLES / "theorems" / "simson.gca")
-    assert "auxiliary points" in coq.without_script(ProofFile("Simson", (simson,)))[simson.name]
+def test_auxiliary_points_are_meets_that_the_proof_names_and_the_theorem_does_not() -> None:
+    script = coq_script(example("simson"), "Simson")
+    assert statement(script, "simson_0").startswith("forall i j c d a b : vector plane,\n  infinite plane i ->\n")
+    proof = script[script.index("Theorem simson_0") :]
+    assert proof.count("destruct (plane_is_point _ ") == 3
+    assert proof.count("follows_sound plane h_at 2 9") > 3
+    assert re.search(r"\(Number \(0\)\) \[\] h_ideal", proof), "a point lies on a side of its own hexagon"
+    assert "[exchange_of row_" in proof, "the equation of the conic up to exchange relations"
 
 
 def test_lean_has_the_relations_as_hypotheses() -> None:
@@ -181,10 +176,35 @@ def test_coq_refuses_a_claim_with_another_sign(tmp_path: Path) -> None:
 @pytest.mark.needs("coqc")
 def test_coq_replays_theorems_under_assumptions_without_axioms(tmp_path: Path) -> None:
     names = ["pappus", "midpoints", "desargues-space", "desargues-space-converse", "pencil", "pencil-converse"]
-    found = [on_one_line(), *(t for name in names for t in example(name))]
+    on_conics = ["simson", "circumcentre", "involution"]
+    found = [on_one_line(), *(t for name in (*names, *on_conics) for t in example(name))]
     done = run(coq_script(found, "Under assumptions"), tmp_path)
     assert done.returncode == 0, done.stderr
-    assert done.stdout.count("Closed under the global context") == len(found) == 8
+    assert done.stdout.count("Closed under the global context") == len(found) == 11
+
+
+@pytest.mark.needs("coqc")
+@pytest.mark.parametrize(
+    ("said", "instead"),
+    [
+        ("", ""),
+        ("(number plane (-1)) · (bracket (i ∨ j ∨ d))", "(number plane (1)) · (bracket (i ∨ j ∨ d))"),
+        ("\n  (j ∨ ((j ∨ c) ∧ (a ∨ b))) <> number plane 0 ->", "\n  (j ∨ c) <> number plane 0 ->"),
+        ("((bracket (b ∨ c ∨ j)) · i)", "((number plane (-1)) · (bracket (b ∨ c ∨ j)) · i)"),
+    ],
+    ids=["as it is", "another sign in what is given", "what may vanish is another", "another sign in the claim"],
+)
+def test_coq_refuses_a_theorem_on_a_circle_with_another_sign(said: str, instead: str, tmp_path: Path) -> None:
+    script = without_proofs_of_coordinates(coq_script(example("simson"), "Simson"))
+    start, end = script.index("Theorem simson_0"), script.index("Proof.", script.index("Theorem simson_0"))
+    assert said in script[start:end]
+    done = run(script[:start] + script[start:end].replace(said, instead) + script[end:] if said else script, tmp_path)
+    if not said:
+        assert done.returncode == 0, done.stderr
+        return
+    assert done.returncode != 0
+    line = int(re.search(r'File "./theorems.v", line ([0-9]+)', done.stderr)[1])
+    assert line > script[:start].count("\n"), done.stderr
 
 
 @pytest.mark.needs("coqc")

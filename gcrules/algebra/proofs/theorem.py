@@ -20,6 +20,7 @@ from gcrules.algebra.expand import MAX_TERMS
 from gcrules.algebra.expr import Expr, Point, Superbracket, common_rank, points_of, subexpressions
 from gcrules.algebra.proofs.coverage import Flat, flats, is_plain
 from gcrules.algebra.proofs.relations import MAX_RELATIONS, Relation, relations
+from gcrules.algebra.proofs.sequences import Sequences
 from gcrules.algebra.proofs.written import Written
 from gcrules.algebra.prove import difference_of
 from gcrules.algebra.space import Assumption, Space
@@ -147,6 +148,8 @@ def theorem(
     if len(found) > 1:
         raise InputError(f"the assumptions allow {len(found)} kinds of positions, of which no proof is written")
     c = found[0].construction
+    wanted = Sequences(c.nonzero, {}, rank)
+    c = replace(c, meets=FrozenMap((n, wanted.of(e)) for n, e in c.meets.items()))
     places, proof = _shortest(c.closed_terms(difference, limit, as_defined=True), len(c.order), c.at_infinity)
     order = tuple(c.order[i] for i in places)
     return Theorem(

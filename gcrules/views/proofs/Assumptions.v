@@ -66,10 +66,11 @@ Qed.
 
 Definition nothing (A : list term) : bool := match collected A with [] => true | _ => false end.
 
-(* closed by further points, x is y or its negative *)
-Definition follows (d ideal n : nat) (x y : expression) : bool :=
+(* closed by further points, x is y or its negative and the sum of relations *)
+Definition follows (d ideal n : nat) (x y : expression) (relations : list relation) : bool :=
+  let rest := flat_map (multiplied d ideal) relations in
   Nat.leb ideal n && points_below n x && points_below n y &&
-  match both (fun A B => both (fun C D => nothing (C ++ D) || nothing (C ++ negated D))
+  match both (fun A B => both (fun C D => nothing (C ++ negated D ++ rest) || nothing (C ++ D ++ rest))
                            (closed d ideal n A) (closed d ideal n B))
              (expand d ideal x) (expand d ideal y) with
   | Some (Some b) => b
@@ -102,11 +103,11 @@ Proof.
   intros at_ A H. unfold nothing in H. rewrite <- collected_value. destruct (collected A); [reflexivity|discriminate].
 Qed.
 
-Theorem follows_sound : forall at_ ideal n x y,
+Theorem follows_sound : forall at_ ideal n x y relations,
   (forall i, (i < ideal)%nat -> infinite G (at_ i)) -> value G at_ y = number G 0 ->
-  follows (rank G) ideal n x y = true -> value G at_ x = number G 0.
+  follows (rank G) ideal n x y relations = true -> value G at_ x = number G 0.
 Proof.
-  intros at_ ideal n x y Hi Y H. rewrite number_0 in *. unfold follows in H.
+  intros at_ ideal n x y relations Hi Y H. rewrite number_0 in *. unfold follows in H. cbv zeta in H.
   rewrite !andb_true_iff in H. destruct H as [[[Hn Hx] Hy] H]. apply Nat.leb_le in Hn.
   destruct (expand (rank G) ideal x) as [A|] eqn:EA; [|discriminate].
   destruct (expand (rank G) ideal y) as [B|] eqn:EB; [|discriminate]. cbn [both] in H.
@@ -118,9 +119,10 @@ Proof.
     assert (Z : terms_value G e D = zero G).
     { apply (closed_zero e ideal n B D Hie ED). rewrite <- (expand_value G e ideal Hie y B EB).
       rewrite <- (value_agrees G at_ e n y He Hy). exact Y. }
-    apply orb_true_iff in H. destruct H as [H|H]; apply (nothing_value e) in H; rewrite vals_app in H.
-    - rewrite Z, plus_zero_r in H. exact H.
-    - rewrite negated_value, Z, scale_zero, plus_zero_r in H. exact H. }
+    apply orb_true_iff in H. destruct H as [H|H]; apply (nothing_value e) in H;
+      rewrite !vals_app, (relations_value G e ideal Hie relations), plus_zero_r in H.
+    - rewrite negated_value, Z, scale_zero, plus_zero_r in H. exact H.
+    - rewrite Z, plus_zero_r in H. exact H. }
   rewrite (expand_value G at_ ideal Hi x A EA).
   destruct (closed_value at_ ideal n A C Hi EC) as (m & Hm & V).
   destruct (Nat.eqb m 0) eqn:E0; [rewrite <- V; apply CZ; reflexivity|].

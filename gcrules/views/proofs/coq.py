@@ -72,16 +72,12 @@ def without_script(file: ProofFile) -> dict[str, str]:
 def _why_not(t: Theorem) -> str:
     if t.rank not in SPACES:
         return f"it is in rank {t.rank}, and scripts are written in ranks 3 and 4"
-    if t.meets:
-        return "it has auxiliary points, of which the library has no lemma"
-    if any(m.relations for p in t.placed for flat in p.flats for m in flat.because):
-        return "one of its assumptions is used with exchange relations, of which the library has no lemma"
     found = assumed_proof(t) if t.given else ""
     return found if isinstance(found, str) else ""
 
 
 def _relations(t: Theorem) -> Iterable[Any]:
-    return (r for v in _proof(t).variants for r in v.relations) if t.given else t.to_json()["relations"]
+    return _proof(t).relations if t.given else t.to_json()["relations"]
 
 
 def _proof(t: Theorem) -> AssumedProof:

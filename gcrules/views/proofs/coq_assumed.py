@@ -14,7 +14,7 @@ from itertools import chain, product
 from math import lcm
 from typing import Any
 
-from gcrules.algebra.expr import Expr, Join, Meet, subexpressions
+from gcrules.algebra.proofs.sequences import Sequences
 from gcrules.algebra.proofs.theorem import Theorem, with_roles
 from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import LimitReached
@@ -38,15 +38,10 @@ def assumed_proof(t: Theorem) -> AssumedProof | str:
 
 
 def _aligned(t: Theorem) -> Theorem:
-    """With meets in the sequence in which they are said not to vanish, as that another one does not is no identity."""
-    said = {_key(part): part for e in t.nonzero for part in subexpressions(e) if isinstance(part, Meet)}
-    placed = tuple(replace(p, within=said.get(_key(p.within), p.within)) for p in t.placed)
+    """With meets in the sequence in which they are said not to vanish."""
+    wanted = Sequences(t.nonzero, t.meets, t.rank)
+    placed = tuple(replace(p, within=wanted.of(p.within)) for p in t.placed)
     return t if placed == t.placed else with_roles(replace(t, placed=placed), {})
-
-
-def _key(e: Expr) -> Any:
-    """The same for joins and for meets of the same parts in any sequence."""
-    return (type(e).__name__, *sorted(map(_key, e.args))) if isinstance(e, Join | Meet) else (str(e),)
 
 
 class AssumedProof:
@@ -77,9 +72,16 @@ class AssumedProof:
         return lcm(*sides, *(v.denominator for v in self.variants))
 
     @property
+    def relations(self) -> Iterator[Any]:
+        """All that it uses."""
+        yield from self.facts.relations
+        for v in self.variants:
+            yield from v.relations
+
+    @property
     def renamed(self) -> dict[str, str]:
         """The points that have other names in Coq."""
-        return {p: self.statement.coq[p] for p in self.statement.points if self.statement.coq[p] != p}
+        return {p: self.statement.coq[p] for p in self.statement.own if self.statement.coq[p] != p}
 
     def text(self, name: str) -> str:
         """The theorem with its proof."""
@@ -95,12 +97,13 @@ class AssumedProof:
             [
                 *(line for n, v in enumerate(self.variants) for line in v.definitions(f"{name}_case_{n}", factor)),
                 "",
-                f"Theorem {name} : forall {' '.join(stated.points)} : vector {s.space},",
+                f"Theorem {name} : forall {s.named(s.own)} : vector {s.space},",
                 *(f"  {one} ->" for those in assumed.values() for one in those),
                 f"  {sides[0]}",
                 f"  = {sides[1]}.",
                 "Proof.",
-                f"  intros {' '.join([*stated.points, *introduced])}.",
+                f"  intros {' '.join([s.named(s.own), *introduced])}.",
+                *self.facts.auxiliary(),
                 f"  pose ({s.prefix}at := fun place => nth place [{'; '.join(stated.points)}] {stated.points[0]}).",
                 f"  assert ({s.prefix}ideal : forall i, (i < {s.ideal})%nat -> infinite {s.space} ({s.prefix}at i)).",
                 "  { let n := fresh in let below := fresh in intros n below;",

@@ -6,10 +6,13 @@ A fact is that something vanishes, that it does not, or of which step it is.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
+from math import prod
 from typing import Any
 
+from gcrules.algebra.bracket import sorted_row
+from gcrules.views.proofs.coq_relations import denominator, relation_texts
 from gcrules.views.proofs.coq_statement import CannotWrite, Statement, combination, joined, pairs
 
 __all__ = ["NO_RULE", "Facts"]
@@ -25,6 +28,7 @@ class Facts:
         self.stated, self.says = statement.stated, statement.says
         self.lines: list[str] = []
         self.known: dict[str, str] = {}
+        self.relations: list[Any] = []
         self.flats: dict[tuple[str, str], Any] = {
             (p["name"], self.tree.key(self.tree.opened(flat["flat"]))): flat
             for p in statement.placed
@@ -40,12 +44,32 @@ class Facts:
         self.lines += [f"  assert ({name} : {statement}).", "  {", *(f"    {line}" for line in proof), "  }"]
         return name
 
-    def _follows(self, e: Any, because: Any, rewritten: Iterable[str]) -> list[str]:
-        """The proof that an expression vanishes since another one of the same value does."""
+    def auxiliary(self) -> Iterator[str]:
+        """The lines that give meets the names of auxiliary points, before anything is derived."""
+        s, own = self.statement, self.statement.among(self.statement.own)
+        for n, (point, e) in enumerate(s.meets.items()):
+            step = f"{s.prefix}meet_{n}"
+            yield f"  assert ({step} : pure {self.space} 1 {own.statement(e)})."
+            yield f"  {{ refine (of_step_sound {self.space} (fun place => nth place [{'; '.join(own.points)}]"
+            yield f"      {own.points[0]}) 0 1 {own.data(e)} (below_0 _ _) _). vm_cast_no_check (eq_refl true). }}"
+            yield f"  destruct ({self.space}_is_point _ {step}) as [{s.coq[point]} {self._named(point)}]."
+
+    def _named(self, auxiliary: str) -> str:
+        return f"{self.statement.prefix}is_{self.statement.coq[auxiliary]}"
+
+    def _of_auxiliary(self, e: Any, sign: str, fact: str) -> str:
+        """A fact about meets, as one about the auxiliary points that they are."""
+        names = sorted(self.tree.names(e).intersection(self.statement.meets))
+        rewritten = " ".join(f"rewrite <- {self._named(n)}." for n in names)
+        return self._new(self.says(e, sign), [f"{rewritten} exact {fact}."])
+
+    def _follows(self, e: Any, because: Any, rewritten: Iterable[str], relations: Sequence[Any] = ()) -> list[str]:
+        """The proof that an expression vanishes since another one of the same value, up to relations, does."""
         h, stated = self.statement.prefix, self.stated
+        separated = "; ".join(relation_texts(relations))
         return [
             f"refine (follows_sound {self.space} {h}at {self.statement.ideal} {len(stated.points)}",
-            f"  {stated.data(e)} {stated.data(because)} {h}ideal _ _).",
+            f"  {stated.data(e)} {stated.data(because)} [{separated}] {h}ideal _ _).",
             f"- change ({self.says(because, '=')}). {''.join(f'rewrite {r}. ' for r in rewritten)}vanishes.",
             "- vm_cast_no_check (eq_refl true).",
         ]
@@ -68,14 +92,43 @@ class Facts:
         ]
         return self._new(statement, proof)
 
-    def multiple_of_given(self, e: Any, index: int, number: Any) -> str:
-        """The fact that an expression vanishes, as a multiple of something given."""
-        factor = Fraction(number)
-        if factor.denominator != 1:
+    def multiple_of_given(self, e: Any, index: int | None = None, number: Any = 0, relations: Any = ()) -> str:
+        """The fact that an expression vanishes, as it stands or as a multiple of something given and of relations."""
+        statement, factor = self.says(e, "="), Fraction(number)
+        if statement in self.known:
+            return self.known[statement]
+        if factor.denominator != 1 or denominator(relations) != 1:
             raise CannotWrite("it holds under assumptions of which fractions are used")
+        opened = self.statement.written_out(e)
+        if opened != e:
+            return self._of_auxiliary(e, "=", self.multiple_of_given(opened, index, number, relations))
+        if index is None:
+            return self.vanishing(e, ["number", 0], [])
         because = self.statement.given[index]
-        because = because if abs(factor) == 1 else ["product", ["number", int(factor)], because]
-        return self.vanishing(e, because, [f"{self.statement.prefix}given_{index}"])
+        because = because if factor == 1 else ["product", ["number", int(factor)], because]
+        given = [f"{self.statement.prefix}given_{index}"]
+        return self._new(statement, self._follows(e, because, given, self._numbered(relations)))
+
+    def _numbered(self, relations: Any) -> list[Any]:
+        """Relations of the points that the theorem names, by the places that all points have."""
+        data = self.statement.data
+        names = [*data["points"], *(p["name"] for p in data["placed"])]
+        place = [self.stated.place.get(n, -1) for n in names if n not in self.statement.meets]
+
+        def row(points: Sequence[int]) -> list[int]:
+            return [place[i] for i in points]
+
+        def term(c: Any, *rows: Sequence[int]) -> list[Any]:
+            """Its rows in order, with the sign that they then have."""
+            sign = prod(sorted_row(row(points))[0] for points in rows)
+            return [sign * Fraction(c), *sorted(sorted(row(points)) for points in rows)]
+
+        found = [
+            [row(first), row(second), count, [term(*one) for one in multiplier]]
+            for first, second, count, multiplier in relations
+        ]
+        self.relations += found
+        return found
 
     def lies(self, name: str, e: Any) -> str:
         """The fact that a point lies on an extensor: their join vanishes."""
@@ -143,6 +196,10 @@ class Facts:
         statement = self.says(e, "<>")
         if statement in self.known:
             return self.known[statement]
+        opened = self.statement.written_out(e)
+        if opened != e:
+            fact = self.not_zero(opened)
+            return self._of_auxiliary(e, "<>", fact) if fact else None
         wanted = Counter(map(self.tree.key, self.tree.args(e)))
         h = self.statement.prefix
         for index, whole in enumerate(self.statement.nonzero):

@@ -7,7 +7,7 @@ from fractions import Fraction
 from math import lcm
 from typing import Any
 
-__all__ = ["denominator", "named_rows", "written_relations"]
+__all__ = ["denominator", "named_rows", "relation_texts", "written_relations"]
 
 _TOGETHER = 100  # relations in one definition
 
@@ -23,12 +23,18 @@ def denominator(relations: Iterable[Any]) -> int:
     return lcm(*(Fraction(c).denominator for _, _, _, multiplier in relations for c, *_ in multiplier))
 
 
-def written_relations(name: str, relations: Sequence[Any], factor: int) -> list[str]:
-    """The relations times a factor, as definitions of which the last has the name of them all."""
+def relation_texts(relations: Iterable[Any], factor: int = 1) -> list[str]:
+    """The relations times a factor."""
     written = []
     for first, second, count, multiplier in relations:
         parts = [f"times_brackets ({Fraction(c) * factor}) [{'; '.join(map(_row, rows))}]" for c, *rows in multiplier]
         written.append(f"exchange_of {_row(first)} {_row(second)} {count} [{'; '.join(parts)}]")
+    return written
+
+
+def written_relations(name: str, relations: Sequence[Any], factor: int) -> list[str]:
+    """The relations times a factor, as definitions of which the last has the name of them all."""
+    written = relation_texts(relations, factor)
     blocks = [written[i : i + _TOGETHER] for i in range(0, len(written), _TOGETHER)]
     lines = []
     for i, block in enumerate(blocks):

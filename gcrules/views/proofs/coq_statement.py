@@ -28,6 +28,8 @@ class Statement:
         self.placed: list[dict[str, Any]] = self.data["placed"]
         fresh = [f for p in self.placed for f in p["fresh"]]
         self.points = [n for n in self.data["points"] if n not in fresh] + [p["name"] for p in self.placed]
+        self.meets = {n: self.tree.opened(e) for n, e in self.data.get("meets", ())}
+        self.own = [n for n in self.points if n not in self.meets]
         names = [*self.points, *fresh]
         self.coq = dict(zip(names, point_names(names), strict=True))
         self.prefix = "h_"
@@ -45,6 +47,12 @@ class Statement:
             raise CannotWrite("it holds under an assumption for all points")
         if any(self.stated.whole(e)[1] != 1 for e in (*self.given, *self.nonzero)):
             raise CannotWrite("it holds under assumptions that have fractions")
+
+    def written_out(self, e: Any) -> Any:
+        """An expression with the meets that auxiliary points are."""
+        if isinstance(e, str):
+            return self.meets.get(e, e)
+        return e if e[0] == "number" else [e[0], *(x if isinstance(x, int) else self.written_out(x) for x in e[1:])]
 
     def scalar(self, number: object) -> str:
         """The point of which a scalar is a coordinate."""
