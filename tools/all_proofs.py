@@ -2,8 +2,8 @@
 """Write the proofs of the catalog, of all robots and of the theorems in the examples, and have others check them.
 
 `make proofs` runs it: checkers/check_proof.py checks every file, checkers/recompute.py the absences of all classes
-(that no expression of joins and meets exists, and no shorter polynomial), and Coq, where it is installed, all theorems
-in ranks 3 and 4. Exit code 1 where a check fails.
+(that no expression of joins and meets exists, and no shorter polynomial), and Coq, where it is installed, all theorems.
+Exit code 1 where a check fails.
 """
 
 from __future__ import annotations

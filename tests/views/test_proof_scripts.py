@@ -97,9 +97,36 @@ def test_names_that_coq_cannot_have_are_others() -> None:
     assert script.startswith("(* ( * x * ) *)")
 
 
-def test_other_ranks_are_refused() -> None:
-    with pytest.raises(InputError, match="rank 2"):
-        coq_script([proved("on a line", "[ab] * [cd] - [ac] * [bd] + [ad] * [bc] == 0", rank=2)], "On a line")
+def in_other_ranks() -> list[Theorem]:
+    return [
+        proved("on a line", "[ab] * [cd] - [ac] * [bd] + [ad] * [bc] == 0", rank=2),
+        proved("one line", "[[ab]] == [ab]", rank=2),
+        *of_example(EXAMPLES / "theorems" / "relations-5.gca"),
+        proved("a meet", r"abc /\ defg == [adefg] bc - [bdefg] ac + [cdefg] ab", rank=5),
+        proved("at infinity", "[ijklm] == 0", rank=5, ideal=tuple("ijklm")),
+        proved("in rank six", r"ab /\ cdefg == [acdefg] * b - [bcdefg] * a", rank=6),
+    ]
+
+
+def test_other_ranks_have_extensors_of_their_own() -> None:
+    script = coq_script(in_other_ranks(), "Other ranks")
+    assert "Definition rank_5 : geometry := of_rank 4 ltac:(discriminate).\n" in script
+    assert script.count(" : geometry := of_rank ") == 3
+    assert "(bracket (a ∨ b))" in statement(script, "one_line")
+    assert "infinite rank_5 i ->" in statement(script, "at_infinity")
+    assert "lifted" not in coq_script(theorems(), "In the plane and in space")
+
+
+def test_theorems_under_assumptions_in_other_ranks_are_refused() -> None:
+    (found,) = gc.proof_file(gc.prove("[ab] == 0", given="[ac] == 0, [bc] == 0", rank=2)).theorems
+    with pytest.raises(InputError, match="under assumptions in rank 2"):
+        coq_script([found], "On a line")
+
+
+def test_names_of_the_library_are_not_those_of_theorems() -> None:
+    names = ["super", "rank", "term", "replay_sound"]
+    script = coq_script([proved(n, "[abcd] == [cdab]") for n in names], "Names")
+    assert [f"Theorem {n}_2 :" in script for n in names] == [True] * 4
 
 
 def test_assumptions_are_hypotheses_of_the_theorem() -> None:
@@ -160,6 +187,29 @@ def test_coq_replays_theorems_without_axioms(tmp_path: Path) -> None:
     done = run(coq_script(theorems(), "Four theorems"), tmp_path)
     assert done.returncode == 0, done.stderr
     assert done.stdout.count("Closed under the global context") == 4
+
+
+@pytest.mark.needs("coqc")
+def test_coq_replays_theorems_in_other_ranks_without_axioms(tmp_path: Path) -> None:
+    script = coq_script(found := in_other_ranks(), "Other ranks")
+    done = run(script, tmp_path)
+    assert done.returncode == 0, done.stderr
+    assert done.stdout.count("Closed under the global context") == len(found) == 8
+
+
+@pytest.mark.needs("coqc")
+def test_coq_refuses_a_claim_in_rank_5_with_another_sign(tmp_path: Path) -> None:
+    script = coq_script([proved("a meet", r"abc /\ defg == [adefg] bc - [bdefg] ac + [cdefg] ab", rank=5)], "A meet")
+    start, end = script.index("(* ---- determinants *)"), script.index("(* ---- brackets by the numbers")
+    script = script[:start] + re.sub(r"Proof\..*?Qed\.", "Admitted.", script[start:end], flags=re.DOTALL) + script[end:]
+    assert run(script, tmp_path).returncode == 0
+    wrong = script.replace("(number rank_5 (-1))", "(number rank_5 (1))").replace("(Number (-1))", "(Number (1))")
+    assert wrong != script
+    done = run(wrong, tmp_path)
+    assert done.returncode != 0
+    assert int(re.search(r'File "./theorems.v", line ([0-9]+)', done.stderr)[1]) > script[
+        : script.index("Theorem a_meet")
+    ].count("\n")
 
 
 @pytest.mark.needs("coqc")

@@ -2,7 +2,8 @@ r"""Theorems as a script of Coq (Rocq), which replays their proofs down to coord
 
 The script starts with `GrassmannCayley.v`: extensors by coordinates over any commutative ring, formal polynomials in
 brackets, and the proof that what is replayed with them holds. A theorem is then a statement on points, and a
-computation. Under assumptions (`coq_assumed`) `Assumptions.v` follows it, by which points are placed over a field.
+computation. Under assumptions (`coq_assumed`) `Assumptions.v` follows it, by which points are placed over a field. In
+ranks other than 3 and 4 there is `Ranks.v`, which defines extensors of any rank.
 
 >>> from gcrules.algebra.language.syntax import parse_equation
 >>> from gcrules.algebra.proofs.proof_file import ProofFile
@@ -26,13 +27,15 @@ from gcrules.algebra.proofs.proof_file import ProofFile
 from gcrules.algebra.proofs.theorem import Theorem
 from gcrules.core.errors import InputError
 from gcrules.views.proofs.coq_assumed import AssumedProof, assumed_proof
-from gcrules.views.proofs.coq_expressions import RESERVED, SPACES, Expressions, multiple
+from gcrules.views.proofs.coq_expressions import RESERVED, SPACES, Expressions, geometry, multiple
 from gcrules.views.proofs.coq_relations import denominator, named_rows, written_relations
 
 __all__ = ["script", "without_script"]
 
-_NAMED = re.compile(
-    r"^ *(?:Definition|Fixpoint|Lemma|Theorem|Variable|Hypothesis|Record|Inductive|Section) (\w+)", re.MULTILINE
+_NAMED = re.compile(  # the fields of a record among them
+    r"^(?: *(?:Definition|Fixpoint|Lemma|Theorem|Variable|Hypothesis|Record|Inductive|Section|Notation) "
+    r"|  (?=\w+ : ))(\w+)",
+    re.MULTILINE,
 )
 
 
@@ -45,8 +48,11 @@ def script(file: ProofFile) -> str:
     if not written:
         why = "; ".join(f"{name}: {reason}" for name, reason in left_out.items())
         raise InputError(f"no theorem can be written for Coq: {why}")
-    parts = ["GrassmannCayley.v", *(["Assumptions.v"] if any(t.given for t in written) else [])]
-    libraries = [files("gcrules.views.proofs").joinpath(part).read_text(encoding="utf-8") for part in parts]
+    others = sorted({t.rank for t in written}.difference(SPACES))
+    parts = {"GrassmannCayley.v": True, "Ranks.v": others, "Assumptions.v": any(t.given for t in written)}
+    library = files("gcrules.views.proofs")
+    libraries = [library.joinpath(part).read_text(encoding="utf-8") for part, wanted in parts.items() if wanted]
+    libraries += map(_of_rank, others)
     named = dict(zip(_names((t.name for t in written), libraries), written, strict=True))
     relations = [r for t in written for r in _relations(t)]
     return "\n".join(
@@ -64,14 +70,22 @@ def script(file: ProofFile) -> str:
     )
 
 
+def _of_rank(rank: int) -> str:
+    name = geometry(rank)
+    return (
+        f"Definition {name} : geometry := of_rank {rank - 1} ltac:(discriminate).\n"
+        f"Definition origin_of_{name} : vector {name} := origin {rank}.\n"
+    )
+
+
 def without_script(file: ProofFile) -> dict[str, str]:
     """The names of the theorems that no script has, with the reasons."""
     return {t.name: why for t in file.theorems if (why := _why_not(t))}
 
 
 def _why_not(t: Theorem) -> str:
-    if t.rank not in SPACES:
-        return f"it is in rank {t.rank}, and scripts are written in ranks 3 and 4"
+    if t.given and t.rank not in SPACES:
+        return f"it holds under assumptions in rank {t.rank}, and scripts have those in ranks 3 and 4"
     found = assumed_proof(t) if t.given else ""
     return found if isinstance(found, str) else ""
 
@@ -119,7 +133,7 @@ def _names(texts: Iterable[str], libraries: Iterable[str]) -> list[str]:
 
 
 def _theorem(name: str, t: dict[str, Any]) -> str:
-    space = SPACES[t["rank"]]
+    space = geometry(t["rank"])
     expressions = Expressions(name, t)
     (left, left_factor), (right, right_factor) = map(expressions.whole, t["claim"])
     both = lcm(left_factor, right_factor, denominator(t["relations"]))

@@ -8,9 +8,9 @@ from fractions import Fraction
 from math import lcm
 from typing import Any
 
-__all__ = ["RESERVED", "SPACES", "Expressions", "multiple", "nested", "point_names"]
+__all__ = ["RESERVED", "SPACES", "Expressions", "geometry", "multiple", "nested", "point_names"]
 
-SPACES = {3: "plane", 4: "space"}
+SPACES = {3: "plane", 4: "space"}  # with coordinates of their own in the library, and theorems under assumptions
 RESERVED = frozenset(  # words of Coq, and names that statements and proofs use
     re.findall(
         r"\w+",
@@ -21,6 +21,11 @@ RESERVED = frozenset(  # words of Coq, and names that statements and proofs use
 )
 _SIGNS = {"join": " ∨ ", "meet": " ∧ ", "sum": " + ", "product": " · "}
 _CONSTRUCTORS = {"join": "Join", "meet": "Meet", "sum": "Sum", "product": "Join"}
+
+
+def geometry(rank: int) -> str:
+    """What Coq calls the space of a rank."""
+    return SPACES.get(rank, f"rank_{rank}")
 
 
 def multiple(e: Any, factor: int) -> Any:
@@ -62,27 +67,32 @@ class Expressions:
             factor *= further
         return [kind, *(part for part, _ in found)], factor
 
+    def plain(self, e: Any) -> Any:
+        """A superbracket as what it is: on a line one bracket, in the plane the meet of three lines."""
+        instead = {2: "bracket", 3: "meet"}.get(self.rank)
+        return [instead, *e[1:]] if e[0] == "superbracket" and instead else e
+
     def statement(self, e: Any) -> str:
         """An expression on points."""
         if isinstance(e, str):
             return self.points[self.place[e]] if e in self.place else defined(e)
-        kind, *parts = e
+        kind, *parts = self.plain(e)
         if kind == "number":
-            return f"(number {SPACES[self.rank]} ({parts[0]}))"
+            return f"(number {geometry(self.rank)} ({parts[0]}))"
         if kind == "power":
             return f"(power {self.statement(parts[0])} {parts[1]})"
         written = [self.statement(part) for part in parts]
         if kind == "bracket":
             return f"(bracket ({_SIGNS['join'].join(written)}))"
-        if kind == "superbracket" and self.rank == 4:
+        if kind == "superbracket":
             return f"(superbracket {' '.join(written)})"
-        return f"({_SIGNS['meet' if kind == 'superbracket' else kind].join(written)})"
+        return f"({_SIGNS[kind].join(written)})"
 
     def data(self, e: Any) -> str:
         """An expression as it is computed with."""
         if isinstance(e, str):
             return f"(Point {self.place[e]})" if e in self.place else f"{self.name}_{defined(e)}"
-        kind, *parts = e
+        kind, *parts = self.plain(e)
         if kind == "number":
             return f"(Number ({parts[0]}))"
         if kind == "power":
@@ -90,9 +100,9 @@ class Expressions:
         written = [self.data(part) for part in parts]
         if kind == "bracket":
             return f"(Bracket {nested('Join', written)})"
-        if kind == "superbracket" and self.rank == 4:
+        if kind == "superbracket":
             return f"(Superbracket {' '.join(written)})"
-        return nested("Meet" if kind == "superbracket" else _CONSTRUCTORS[kind], written)
+        return nested(_CONSTRUCTORS[kind], written)
 
 
 def nested(constructor: str, parts: Sequence[str]) -> str:
@@ -109,7 +119,7 @@ def defined(name: str) -> str:
 def point_names(points: Sequence[str]) -> list[str]:
     taken: list[str] = []
     for i, p in enumerate(points):
-        fits = re.fullmatch(r"(?!part_|plane_|space_)[A-Za-z][A-Za-z0-9_']*", p) and p not in RESERVED
+        fits = re.fullmatch(r"(?!part_|plane_|space_|rank_)[A-Za-z][A-Za-z0-9_']*", p) and p not in RESERVED
         name = p if fits else f"point_{i}"
         while name in taken or (name != p and name in points):
             name += "_"

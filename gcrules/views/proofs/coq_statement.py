@@ -6,7 +6,7 @@ from collections.abc import Iterable, Sequence
 from typing import Any
 
 from gcrules.algebra.proofs.theorem import Theorem
-from gcrules.views.proofs.coq_expressions import SPACES, Expressions, point_names
+from gcrules.views.proofs.coq_expressions import Expressions, geometry, point_names
 
 __all__ = ["CannotWrite", "Statement", "Tree", "combination", "joined", "pairs"]
 
@@ -23,7 +23,7 @@ class Statement:
 
     def __init__(self, t: Theorem) -> None:
         self.data = t.to_json()
-        self.rank, self.space, self.ideal = t.rank, SPACES[t.rank], t.ideal
+        self.rank, self.space, self.ideal = t.rank, geometry(t.rank), t.ideal
         self.tree = Tree(self.data)
         self.placed: list[dict[str, Any]] = self.data["placed"]
         fresh = [f for p in self.placed for f in p["fresh"]]
