@@ -17,18 +17,19 @@ import signal
 import subprocess
 import tempfile
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import count
 from typing import Any
 
 from gcrules.algebra.assumptions.assumed import equations, resolve
+from gcrules.algebra.decide import decide
 from gcrules.algebra.evaluate import Evaluator
 from gcrules.algebra.expr import Expr, points_of
 from gcrules.algebra.language.statements import Claim
-from gcrules.algebra.language.syntax import Context, parse
-from gcrules.algebra.prove import Proof, difference_of, prove
+from gcrules.algebra.language.syntax import parse
+from gcrules.algebra.prove import difference_of
 
-__all__ = ["SYSTEMS", "Answer", "Emitted", "Ideal", "ideal_of", "proof_of", "text_of"]
+__all__ = ["SYSTEMS", "Answer", "Emitted", "Ideal", "ideals_of", "text_of"]
 
 MEMORY = 4 << 30  # bytes that a system may have
 
@@ -91,22 +92,20 @@ class Answer:
     megabytes: float
 
 
-def proof_of(claim: Claim) -> Proof:
-    """The answer of gcrules."""
-    space = claim.context
-    return prove(claim.left, claim.right, points=space.points, ideal=space.ideal, rank=space.rank, given=space.given)
-
-
-def ideal_of(claim: Claim, proof: Proof) -> Ideal:
-    """A claim that gcrules has proved."""
-    space = claim.context
-    difference = difference_of(claim.left, claim.right, space.rank)
-    context = Context(rank=space.rank, points=space.points, ideal=space.ideal)
-    nonzero = tuple(parse(text, context=context) for text in proof.assumed)
+def ideals_of(claim: Claim) -> list[Ideal]:
+    """Those of the equations of a claim, which gcrules proves."""
+    space, claimed = claim.context, claim.claimed
+    told = tuple(parse(text, context=replace(space, given=())) for text in decide(claim.claimed, space).assumed)
+    nonzero = (*told, *claimed.nonzero)
     hypotheses = tuple(e for a in space.given for e in equations(a, space.rank))
-    names = points_of(difference, *hypotheses, *nonzero)
-    free = resolve(space, names, (difference,)).free if space.given else names
-    return Ideal(space.rank, _coordinates(names, free, space.ideal, space.rank), hypotheses, nonzero, difference)
+    found = []
+    for left, right in claimed.equations:
+        difference = difference_of(left, right, space.rank)
+        names = points_of(difference, *hypotheses, *nonzero)
+        free = resolve(space, names, (difference,)).free if space.given else names
+        points = _coordinates(names, free, space.ideal, space.rank)
+        found.append(Ideal(space.rank, points, hypotheses, nonzero, difference))
+    return found
 
 
 def _coordinates(

@@ -69,7 +69,7 @@ def test_a_catalog_that_cannot_be_read_says_where(text: str, words: str, line: i
     (found,) = checked_view([opened(text)])["files"]
     assert found["fault"] is not None
     assert words in found["fault"]["message"]
-    assert found["fault"].get("place", {}).get("line") == line  # type: ignore[attr-defined]
+    assert found["fault"].get("place", {}).get("line") == line
 
 
 def test_a_class_is_at_work_in_analyses_and_named() -> None:
