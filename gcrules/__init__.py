@@ -22,6 +22,7 @@ TYPE_CHECKING = False  # the command line begins here, and hears no signals whil
 if TYPE_CHECKING:
     from typing import Any
 
+    from gcrules.api.discovery import Discoveries, discover
     from gcrules.api.functions import (
         Analysis,
         BracketPolynomial,
@@ -95,6 +96,7 @@ __all__ = [
     "Analysis",
     "BracketPolynomial",
     "Condition",
+    "Discoveries",
     "Expr",
     "ExtensorPolynomial",
     "Factorization",
@@ -122,6 +124,7 @@ __all__ = [
     "box_map",
     "certify",
     "compiled",
+    "discover",
     "evaluate",
     "expand",
     "export",
@@ -188,6 +191,7 @@ _ELSEWHERE = {
         ),
         "gcrules.api.poses",
     ),
+    **dict.fromkeys(("Discoveries", "discover"), "gcrules.api.discovery"),
     **dict.fromkeys(("ProofFile", "proof_file"), "gcrules.api.proofs"),
     "studio": "gcrules.apps.notebook.studio",
     "view": "gcrules.apps.notebook.view",  # these two show a robot in an app

@@ -39,6 +39,7 @@ COMMANDS = {
     "analyze",
     "catalog",
     "cite",
+    "discover",
     "expand",
     "factor",
     "prove",

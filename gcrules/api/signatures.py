@@ -172,6 +172,13 @@ SIGNATURES: dict[str, dict[str, ArgumentKind]] = {
         "about": _ABOUT,
         "engine": optional(TEXT),
     },
+    "discover": {
+        "script": either("the name of a .gca file, or its text", TEXT, FILE),
+        "relations": TEXTS,
+        "limit": COUNT,
+        "candidates": COUNT,
+        "seconds": DURATION,
+    },
     "evaluate": {"e": _EXPR, "points": _POINTS, "rank": optional(WHOLE), "modulus": optional(COUNT)},
     "expand": {"e": _EXPR, **_LIMITED},
     "export": {"source": _SOURCE, "language": TEXT, "coordinates": optional(_VARIABLES), "about": _ABOUT},

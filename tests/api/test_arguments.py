@@ -121,6 +121,7 @@ RIGHT: dict[str, dict[str, Any]] = {
     "box_map": {"source": PLATFORM, "over": ["x -1:1"], "tiles": 1, "boxes": 1},
     "certify": {"source": PLATFORM, "over": ["x -1:1"], "boxes": 1},
     "compiled": {"source": PLATFORM, "engine": "numpy"},
+    "discover": {"script": "rank 3", "seconds": 0.0},
     "evaluate": {"e": "[ab]", "points": {"a": (1, 0), "b": (0, 1)}, "rank": 2},
     "expand": {"e": "[abcd]"},
     "export": {"source": PLATFORM},

@@ -86,6 +86,7 @@ STAGES: dict[str, Callable[[], object]] = {
     "a robot": lambda: analyze_robot(read_robot("3-rps")),  # not what is remembered of it
     "factor": lambda: gc.factor(SHORT),
     "shorten": lambda: gc.shorten(SHORT),
+    "discover": lambda: gc.discover("rank 3 given collinear(a, b, c), collinear(d, e, f)"),
 }
 
 

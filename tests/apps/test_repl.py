@@ -59,6 +59,7 @@ def fault(repl: Interpreter, text: str) -> GcrulesError:
         (":steps [aefg][bcdh]", "shown", "[aefg][bcdh] = "),
         (":factor [abfc][acde][bdef] + [abfd][acbe][cdef]", "shown", "abc ∧ aef ∧ bdf ∧ cde"),
         (":shorten [abcd][efgh] - [abcd][efhg]", "shown", "2[abcd][efgh]"),
+        (":discover", "shown", "nothing new among"),
         (":transversals Aa Ab Bc Cd De Ef", "shown", "the robot is singular exactly when the two ratios agree"),
         (r":latex ab /\ cde", "shown", r"ab \wedge cde"),
         (f":analyze {OCTAHEDRON}", "shown", "the four planes abc, aef, bdf and cde meet in a point"),

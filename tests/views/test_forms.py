@@ -55,6 +55,7 @@ RESULTS: dict[str, Callable[[], Any]] = {
     "ExtensorPolynomial": lambda: gc.expand(r"ab /\ cde"),
     "SuperbracketForm": lambda: gc.superbracket("ab af cb cd ed ef"),
     "Proof": lambda: gc.prove("[abcd] == [abdc]"),
+    "Discoveries": lambda: gc.discover("rank 3 let x = ab /\\ cd"),
     "Factorization": lambda: gc.factor("[abcd][abce]"),
     "Shortening": lambda: gc.shorten("[abcd][efgh]"),
     "Condition": lambda: gc.analyze("ab af cb cd ed ef").condition,

@@ -52,6 +52,7 @@ COMMANDS = {
         "Compare the turns about two lines that meet four legs.",
     ),
     "shorten": ("gcrules.apps.cli.shorten:shorten", "Find the shortest bracket polynomial that equals a scalar."),
+    "discover": ("gcrules.apps.cli.discover:discover", "Find the theorems of a construction, and prove them."),
     "run": ("gcrules.apps.cli.scripts:run", "Run a script of statements and report every claim."),
     "rewrite": ("gcrules.apps.cli.scripts:rewrite", "Rewrite an expression by rules, step by step."),
     "repl": ("gcrules.apps.cli.repl:repl", "Type expressions and statements, and get an answer to each."),

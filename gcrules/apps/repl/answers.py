@@ -36,6 +36,7 @@ _ELSEWHERE = (
     ("--limit (in Python limit=...)", ":limit N"),
     ("--seconds (in Python within(seconds=...))", ":seconds S"),
     ("--seconds (in Python seconds=...)", ":seconds S"),
+    ("raise the limit with --candidates (in Python candidates=...)", "gcrules discover takes a higher limit"),
     ("leave out --steps", "use :straighten"),
 )
 

@@ -9,6 +9,7 @@ from math import inf, nan
 from os.path import expanduser
 
 from gcrules.algebra.bracket import BracketPolynomial
+from gcrules.algebra.discovery.limits import SECONDS as SECONDS_TO_DISCOVER
 from gcrules.algebra.expand import expand
 from gcrules.algebra.expr import Expr, points_of
 from gcrules.algebra.factoring.limits import SECONDS as SECONDS_TO_FACTOR
@@ -42,6 +43,8 @@ from gcrules.views.formulas.latex import latex
 
 __all__ = ["HANDLERS", "Request"]
 
+discover = deferred("gcrules.algebra.discovery.discover:discover")
+relations = deferred("gcrules.algebra.discovery.discover:asked")
 factor = deferred("gcrules.algebra.factoring.factorize:factor")
 shorten = deferred("gcrules.algebra.shortening.shorten:shorten")
 transversals = deferred("gcrules.conditions.transversals:transversals")
@@ -152,6 +155,18 @@ def _whole(repl: PromptSession, found: Shown, verdict: str, note: str = "") -> A
         text = found.latex() if settings.latex else found.text(unicode=settings.unicode)
     shown = text.rstrip("\n")
     return Answer(shown if settings.latex else shown + note, verdict, wraps=False)
+
+
+def _discover(repl: PromptSession, request: Request) -> Iterator[Answer]:
+    settings, argument = repl.settings, request.argument.partition("#")[0]
+    with request.placed():
+        found = discover(
+            repl.state.context,
+            relations=relations(argument),
+            limit=settings.limit,
+            seconds=min(SECONDS_TO_DISCOVER, settings.seconds),
+        )
+    yield _whole(repl, found, "undecided" if found.verdict == "undecided" else "shown")
 
 
 def _prove(repl: PromptSession, request: Request) -> Iterator[Answer]:
@@ -369,6 +384,7 @@ HANDLERS: Mapping[str, Callable[[PromptSession, Request], Iterator[Answer]]] = {
     "shorten": _shorten,
     "transversals": _transversals,
     "prove": _prove,
+    "discover": _discover,
     "latex": _latex,
     "unicode": _unicode,
     "limit": _limit,

@@ -60,7 +60,7 @@ def _arguments(takes: str, words: tuple[str, ...], argument: str, state: PromptS
         yield from _starting(argument.lstrip(":"), dict.fromkeys(TOPICS, ""))
     elif takes == "rule":
         yield from _starting(argument, {r.id: r.sentence for r in state.rules})
-    elif takes == "switch":
+    elif takes in ("switch", "words"):
         yield from _starting(argument, dict.fromkeys(words, ""))
     elif takes in ("expression", "equation", "legs", "latex"):
         yield from _starting(argument, dict.fromkeys(words, ""))

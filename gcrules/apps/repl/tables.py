@@ -6,6 +6,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 
+from gcrules.algebra.discovery.limits import RELATIONS as DISCOVERED
 from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import InputError
 from gcrules.core.hints import near
@@ -61,7 +62,18 @@ class Command:
 
 _SWITCH = ("on", "off")
 
-QUESTIONS = ("expand", "straighten", "steps", "factor", "shorten", "transversals", "prove", "analyze", "latex")
+QUESTIONS = (
+    "expand",
+    "straighten",
+    "steps",
+    "factor",
+    "shorten",
+    "transversals",
+    "prove",
+    "discover",
+    "analyze",
+    "latex",
+)
 """The commands that ask something of algebra; the others are about the session."""
 
 COMMANDS: Mapping[str, Command] = {
@@ -76,6 +88,13 @@ COMMANDS: Mapping[str, Command] = {
         Command("shorten", ":shorten [EXPR]", "the bracket polynomial of a scalar with the fewest terms", "expression"),
         Command("transversals", ":transversals LEGS", "compare the turns about two lines that meet four legs", "legs"),
         Command("prove", ":prove LHS == RHS", "decide an equation, as an equation alone does", "equation"),
+        Command(
+            "discover",
+            ":discover [RELATION]",
+            "what holds of the points so far, and is not trivial",
+            "words",
+            DISCOVERED,
+        ),
         Command("latex", ":latex [EXPR|on|off]", "LaTeX of an expression, or of all answers", "latex", _SWITCH),
         Command("unicode", ":unicode [on|off]", "Unicode mathematics in answers and while typing", "switch", _SWITCH),
         Command("limit", ":limit [N]", "give up beyond this many terms", "number"),

@@ -77,7 +77,7 @@ def of_statement(repl: Interpreter, source: Source) -> Question | None:
 
 def of_command(repl: Interpreter, source: Source, name: str, argument: str) -> Question | None:
     """A question of the prompt, of the last result where nothing stands behind it; None where that is no question."""
-    if name in ("transversals", "analyze"):
+    if name in ("transversals", "analyze", "discover"):
         return Question(name, argument.partition("#")[0].strip(), repl.state)
     if name == "prove":
         return None if is_blank(argument) else of_equation(repl, source)

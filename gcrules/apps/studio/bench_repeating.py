@@ -177,6 +177,16 @@ def _analyzed(question: Question, rules: Rules) -> Repeated:
     return {"shell": shell, "python": python, "files": [*before.files, *before.catalogs]}
 
 
+def _discovered(question: Question, rules: Rules) -> Repeated:
+    """The script is what is declared, assumed and named."""
+    lines = [*_declared(question.state, ("points", "ideal", "given", "let"))]
+    named = question.text.replace(",", " ").split()
+    options = [Option("--relation", "relations", tuple(named))] if named else []
+    words = " ".join(["gcrules discover -", *(word for option in options for word in option.words())])
+    python = Call("", "discover", tuple(options)).direct("\n".join(lines))
+    return {"shell": _given_to(words, lines), "python": python, "files": []}
+
+
 # --- the prompt ----------------------------------------------------------------------------------------------------
 
 
@@ -198,11 +208,15 @@ def prompt_lines(lines: Sequence[str], rules: Rules | None = None) -> str:
     """The prompt that is given these lines, ended by a word that is none of them: whatever they hold, the shell runs
     nothing of it.
     """
-    lines = [pasted(line) for whole in lines for line in whole.split("\n")]
-    end = next(word for n in count() if (word := f"END{n or ''}") not in {line.strip() for line in lines})
     before = rules or Rules()
     options = "".join(f" {word}" for option in before.options for word in option.words())
-    return "\n".join([f"gcrules repl{options} <<'{end}'", *lines, end])
+    return _given_to(f"gcrules repl{options}", lines)
+
+
+def _given_to(command: str, lines: Sequence[str]) -> str:
+    lines = [pasted(line) for whole in lines for line in whole.split("\n")]
+    end = next(word for n in count() if (word := f"END{n or ''}") not in {line.strip() for line in lines})
+    return "\n".join([f"{command} <<'{end}'", *lines, end])
 
 
 def _parsed(question: Question, more: str = "") -> str:
@@ -229,5 +243,6 @@ _LINES: Mapping[str, Callable[[Question, Rules], Repeated]] = {
     **dict.fromkeys(("expand", "straighten", "steps", "factor", "shorten", "prove", "transversals"), _plain),
     "rewrite": _rewritten,
     "analyze": _analyzed,
+    "discover": _discovered,
 }
 """What writes the lines of each question; the prompt takes all others."""

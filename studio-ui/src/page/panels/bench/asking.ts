@@ -31,6 +31,7 @@ export const OPERATIONS: readonly Operation[] = [
   { id: "shorten", title: "Shorten", words: "The fewest terms", line: ask("shorten") },
   { id: "rewrite", title: "Rewrite", words: "By the rules of this text", line: ({ expression }) => (expression === "" ? null : `rewrite ${expression}`) },
   { id: "prove", title: "Prove", words: "Decide the equation, or write its other side", line: ({ expression, equation }) => (equation !== "" ? `:prove ${equation}` : expression === "" ? null : `${expression} == `) },
+  { id: "discover", title: "Discover", words: "What holds of the points so far, and is not trivial, proved", line: () => ":discover" },
   { id: "transversals", title: "Transversals", words: "Compare the turns about two lines that meet four legs", line: ({ legs }) => (legs === "" ? null : `:transversals ${legs}`) },
   { id: "analyze", title: "Analyze", words: "When and why a robot on these six legs is singular", line: ({ legs }) => (legs === "" ? null : `:analyze ${legs}`) },
   { id: "latex", title: "LaTeX", words: "As it stands, for a paper", line: ask("latex") },

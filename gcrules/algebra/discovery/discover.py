@@ -1,0 +1,208 @@
+r"""All incidences of a construction that hold and are not trivial, each proved or left undecided.
+
+They are found at random positions modulo a prime, whole lines, planes and conics at a time; what follows at once from
+what is given, from what names mean or from what was proved before is left out; the rest is proved by normal forms.
+
+>>> from gcrules.algebra.language.statements import parse_script
+>>> script = parse_script(r"rank 3  let x = bc' /\ b'c  let y = ca' /\ c'a  let z = ab' /\ a'b"
+...                       "  given collinear(a, b, c), collinear(a', b', c')")
+>>> for found in discover(script.context).found:
+...     print(found.verdict, found.claim)
+proved collinear(x, y, z)
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from functools import partial
+from typing import Any
+
+from gcrules.algebra.assumptions.assumed import PositionKind, kinds
+from gcrules.algebra.assumptions.building import merged
+from gcrules.algebra.assumptions.frame import zero_by
+from gcrules.algebra.assumptions.nondegeneracy import words
+from gcrules.algebra.discovery.exceptions import failing
+from gcrules.algebra.discovery.figure import Figure, Position, figure_of
+from gcrules.algebra.discovery.incidences import Incidence, candidates, incidences
+from gcrules.algebra.discovery.known import Known, learn, unknown
+from gcrules.algebra.discovery.limits import MAX_CANDIDATES, RELATIONS, SECONDS
+from gcrules.algebra.discovery.result import Discoveries, Discovery, KindOfPositions
+from gcrules.algebra.expand import MAX_TERMS
+from gcrules.algebra.expr import Expr
+from gcrules.algebra.language.syntax import Context
+from gcrules.algebra.language.text import text
+from gcrules.core.budget import report
+from gcrules.core.dataclass import dataclass
+from gcrules.core.errors import InputError, LimitReached
+from gcrules.core.hints import near
+
+__all__ = ["asked", "discover"]
+
+_SAMPLES = 3
+
+
+def asked(relations: str | Iterable[str]) -> tuple[str, ...]:
+    """The relations that are named, as one text or several; all if none is. Raises InputError for what is none."""
+    named = tuple(relations.replace(",", " ").split() if isinstance(relations, str) else relations)
+    for name in named:
+        if name not in RELATIONS:
+            hint = near(name, RELATIONS) or f"relations are {', '.join(RELATIONS)}"
+            raise InputError(f"{name!r} is not a relation that is looked for", hint=hint)
+    return named or RELATIONS
+
+
+def discover(
+    at: Context,
+    *,
+    relations: Sequence[str] = RELATIONS,
+    limit: int = MAX_TERMS,
+    most: int = MAX_CANDIDATES,
+    seconds: float = SECONDS,
+) -> Discoveries:
+    """The incidences of the points that a script declares, assumes something of or defines by `let`, and of the lines
+    and planes that it defines.
+
+    A proof that takes more than `limit` terms leaves an incidence undecided. For `seconds` positions are looked for at
+    which what was found fails. Raises InputError in ranks other than 3 and 4, and for assumptions that are not
+    resolved, as `prove` does; LimitReached for more than `most` candidates.
+    """
+    if at.rank not in (3, 4):
+        hint = "they are looked for in the plane (rank 3) and in space (rank 4)"
+        raise InputError(f"incidences are not looked for in rank {at.rank}", hint=hint)
+    figure = figure_of(at)
+    number = candidates(len(figure.points), len(figure.flats), at.rank)
+    if number > most:
+        raise LimitReached(
+            f"{len(figure.points)} points and {len(figure.flats)} named lines and planes give {number:,}"
+            f" candidates, more than {most:,}",
+            hint="raise the limit with --candidates (in Python candidates=...), or leave points out",
+        )
+    search = _Search(figure, limit)
+    search.run()
+    return search.answer([r for r in RELATIONS if r in relations], number, seconds)
+
+
+class _Kind:
+    """A kind of positions with the figure at some of its positions, and what is known of it."""
+
+    def __init__(self, kind: PositionKind, figure: Figure, limit: int) -> None:
+        self.kind, self.construction, self.limit = kind, kind.construction, limit
+        seed = ("discover", *map(str, figure.bound.values()), *map(str, kind.where))
+        values = (kind.construction.random_points((*seed, k)) for k in range(_SAMPLES))
+        self.position, *self.others = (Position(figure, v) for v in values)
+        self.known = Known(self.position)
+        self.known.begin(figure.space.given, kind.where)
+        self.found: dict[Incidence, _Verdict] = {}
+        self.trivial = 0
+
+    def look(self) -> None:
+        """Find what holds at all these positions, and is not trivial."""
+        for relation in RELATIONS:
+            for whole in incidences(self.position, relation):
+                i = unknown(whole, self.known)
+                if i is None:
+                    self.trivial += 1
+                    continue
+                report(i.text(self.position))
+                verdict = self.verdict(i)
+                if verdict.word == "proved":
+                    learn(i, self.known)
+                if verdict.word != "refuted":
+                    self.found[i] = verdict
+
+    def verdict(self, i: Incidence) -> _Verdict:
+        """Whether an incidence holds at all positions of this kind."""
+        if i not in self.found:
+            self.found[i] = self._decided(i.equations(self.position))
+        return self.found[i]
+
+    def _decided(self, equations: Sequence[Expr]) -> _Verdict:
+        if not all(p.zero(e) for p in (self.position, *self.others) for e in equations):
+            return _Verdict("refuted")
+        for e in equations:
+            try:
+                zero = zero_by(self.construction, e, partial(self._in_brackets, e), self.limit)
+            except LimitReached as limited:
+                return _Verdict("undecided", limited.message)
+            if not zero:
+                return _Verdict("refuted")
+        return _Verdict("proved")
+
+    def _in_brackets(self, e: Expr, most: int) -> bool:
+        return self.construction.is_zero(e, limit=most)
+
+    def told(self, tried: Iterable[Expr]) -> KindOfPositions:
+        figure, nonzero = self.position.figure, self.construction.nonzero
+        names = figure.space.declared()
+        return KindOfPositions(
+            tuple(text(e, names=names) for e in self.kind.where),
+            tuple(text(e, names=names) for e in nonzero),
+            tuple(words(e, names) for e in nonzero),
+            tuple(text(e, names=names) for e in tried),
+            tuple(sorted((str(a), str(b)) for a, b in merged(self.construction))),
+            tuple(n for n in (*figure.points, *figure.flats) if n in self.position.vanishing),
+        )
+
+
+@dataclass(frozen=True)
+class _Verdict:
+    word: str
+    reason: str = ""
+
+
+class _Search:
+    """The search in one figure."""
+
+    def __init__(self, figure: Figure, limit: int) -> None:
+        self.figure = figure
+        own = tuple(n for n in figure.points if n not in figure.bound)
+        self.kinds = [_Kind(k, figure, limit) for k in kinds(figure.space, own)]
+
+    def run(self) -> None:
+        for kind in self.kinds:
+            kind.look()
+
+    def answer(self, relations: Sequence[str], number: int, seconds: float) -> Discoveries:
+        at = self.figure.space
+        told = dict.fromkeys(i for k in self.kinds for i in k.found if i.relation in relations)
+        verdicts = {i: [k.verdict(i) for k in self.kinds] for i in told}
+        fails: dict[Incidence, dict[str, None]] = {i: {} for i in told}
+        shown = []
+        for k in self.kinds:
+            proved = [i for i in told if k.verdict(i).word == "proved"]
+            tried, failed = failing(at, k.kind, [i.equations(k.position) for i in proved], seconds / len(self.kinds))
+            shown.append(k.told(tried))
+            for i, es in zip(proved, failed, strict=True):
+                fails[i].update(dict.fromkeys(text(e, names=at.declared()) for e in es))
+        found = [self.discovery(i, verdicts[i], tuple(fails[i])) for i in told]
+        return Discoveries(
+            found=tuple(sorted(found, key=_order)),
+            kinds=tuple(shown),
+            points=self.figure.points,
+            flats=self.figure.flats,
+            relations=tuple(relations),
+            candidates=number,
+            trivial=sum(k.trivial for k in self.kinds),
+            samples=_SAMPLES,
+            rank=at.rank,
+            ideal=at.ideal,
+            given=at.given,
+        )
+
+    def discovery(self, i: Incidence, verdicts: Sequence[_Verdict], fails: tuple[str, ...]) -> Discovery:
+        position = next(k.position for k, v in zip(self.kinds, verdicts, strict=True) if v.word != "refuted")
+        names = tuple(n for n in (*self.figure.points, *self.figure.flats) if n in i.involved)
+        return Discovery(
+            relation=i.relation,
+            claim=i.text(position),
+            names=names,
+            defined=sum(n in self.figure.bound for n in names),
+            equations=tuple(text(e, names=self.figure.space.declared()) for e in i.equations(position)),
+            verdicts=tuple(v.word for v in verdicts),
+            fails=fails,
+            reason=next((v.reason for v in verdicts if v.reason), ""),
+        )
+
+
+def _order(d: Discovery) -> tuple[Any, ...]:
+    return -d.defined, len(d.names), RELATIONS.index(d.relation), d.claim
