@@ -45,7 +45,10 @@ def by_singular(frame: Frame) -> float | None:
     return max(int(ticks), 1) / TICKS / TIMES
 
 
-@pytest.mark.parametrize(("name", "number"), [("double-six", 3), ("miquel", 2), ("five-lines", 0), ("gallucci", 0)])
+@pytest.mark.parametrize(
+    ("name", "number"),
+    [("double-six", 3), ("miquel", 2), ("five-lines", 0), ("gallucci", 0), ("radical-axes", 0), ("simson", 0)],
+)
 def test_a_theorem(timed: Callable[..., Any], name: str, number: int) -> None:
     """The expansion alone: the construction is the same for all."""
     script = parse_script((THEOREMS / f"{name}.gca").read_text(encoding="utf-8"), name)

@@ -20,6 +20,7 @@ from sympy import QQ, ring
 from gcrules.algebra.assumptions.assumed import kinds
 from gcrules.algebra.assumptions.construction import Construction
 from gcrules.algebra.assumptions.frame import Frame, frame_of, zero_by
+from gcrules.algebra.bracket import tableau_order
 from gcrules.algebra.decide import decide
 from gcrules.algebra.evaluate import PRIME, vanishes
 from gcrules.algebra.expand import expand
@@ -29,7 +30,7 @@ from gcrules.algebra.language.syntax import Context, parse, parse_equation
 from gcrules.algebra.parts import substitute
 from gcrules.algebra.prove import difference_of, prove
 from gcrules.algebra.sparse import Polynomial, Ring
-from gcrules.algebra.straightening.straighten import straighten
+from gcrules.algebra.straightening.straighten import is_zero, straighten
 from gcrules.core.errors import InputError, LimitReached
 
 # --- polynomials ----------------------------------------------------------------------------------------------------
@@ -130,9 +131,83 @@ def test_other_degrees_are_left_to_brackets(text: str, rank: int) -> None:
     assert frame_of(anywhere(e, rank), e) is None
 
 
-def test_points_at_infinity_are_left_to_brackets() -> None:
-    e = parse("[abi][cdj] - [abj][cdi]", rank=3)
-    assert frame_of(Construction(3, tuple("ijabcd"), tuple("ij"), points=tuple("ijabcd")), e) is None
+# --- points at infinity ---------------------------------------------------------------------------------------------
+
+
+def with_ideal(e: Expr, ideal: tuple[str, ...], rank: int) -> Construction:
+    order = tableau_order(points_of(e), (), ideal)
+    return Construction(rank, order, tuple(n for n in order if n in ideal), points=order)
+
+
+@settings(max_examples=200)
+@given(st.randoms(use_true_random=False), st.integers(2, 4))
+def test_sums_of_products_of_brackets_with_points_at_infinity(rng: random.Random, rank: int) -> None:
+    """As at random points, and as brackets decide; any number of points at infinity, true or false claims."""
+    names = "abcdefgh"[: rank + rng.randint(1, 4)]
+    ideal = tuple(rng.sample(names, rng.randint(1, len(names) - 1)))
+    products = [
+        mul(Number(rng.choice((1, -1, 2))), *(Bracket(tuple(map(Point, rng.sample(names, rank)))) for _ in range(3)))
+        for _ in range(rng.randint(1, 4))
+    ]
+    e = add(*products, rank=rank)
+    zero = sub(e, straighten(expand(e, rank=rank, ideal=ideal)).to_expr(), rank=rank)
+    for claim in (e, zero, add(zero, products[0], rank=rank)):
+        if claim != ZERO:
+            frame = frame_of(with_ideal(claim, ideal, rank), claim)
+            assert frame is not None
+            scaled_as_it_says(frame, rng)
+            found = frame.is_zero()
+            assert found == vanishes(claim, rank=rank, ideal=ideal)
+            assert found == is_zero(claim, rank=rank, ideal=ideal)
+
+
+@settings(max_examples=100)
+@given(st.data(), st.integers(2, 4))
+def test_any_expression_with_points_at_infinity(data: st.DataObject, rank: int) -> None:
+    e = data.draw(expressions(rank, depth=2, names=tuple("abcdefg")))
+    ideal = tuple(data.draw(st.sets(st.sampled_from("abcdefg"), max_size=5)))
+    try:
+        assert decided(with_ideal(e, ideal, rank), e) in (None, vanishes(e, rank=rank, ideal=ideal))
+    except LimitReached:
+        return
+
+
+@pytest.mark.parametrize(
+    ("text", "ideal", "rank", "base", "at_infinity", "zero"),
+    [
+        # Fewer than the rank: they are points like the others.
+        ("[abi][cdj] - [abj][cdi]", "ij", 3, 3, "", False),
+        ("[abi][cdj] - [abj][cdi] - [cdj][abi] + [abj][cdi]", "ij", 3, 3, "", True),
+        # Three points at infinity are on a line, four are in a plane.
+        ("[ijk][abc]", "ijk", 3, 3, "k", True),
+        ("[aij][bjk] - [ajk][bij]", "ijk", 3, 3, "k", True),
+        ("[aij][bjk] + [ajk][bij]", "ijk", 3, 3, "k", False),
+        ("[ijka][lbcd] - [ijla][kbcd] + [ikla][jbcd] - [jkla][ibcd]", "ijkl", 4, 4, "l", True),
+        ("[ijka][lbcd] - [ijla][kbcd] + [ikla][jbcd] + [jkla][ibcd]", "ijkl", 4, 4, "l", False),
+        ("[ijkl][abcd] + [ijkm][abcd]", "ijklm", 4, 4, "lm", True),
+    ],
+)
+def test_points_at_infinity(text: str, ideal: str, rank: int, base: int, at_infinity: str, zero: bool) -> None:
+    e = parse(text, rank=rank)
+    if not points_of(e):
+        assert zero
+        return
+    frame = frame_of(with_ideal(e, tuple(ideal), rank), e)
+    assert frame is not None
+    assert len(frame.base) == base
+    assert len(frame.at_infinity) == len(at_infinity)
+    assert set(ideal[: rank - 1]) <= {*frame.base, *frame.at_infinity}
+    assert frame.is_zero() == zero == vanishes(e, rank=rank, ideal=ideal)
+
+
+def test_their_last_coordinate_is_zero() -> None:
+    e = parse("[ajk][bil] - [bjk][ail]", rank=3)
+    frame = frame_of(with_ideal(e, tuple("ijkl"), 3), e)
+    assert frame is not None
+    (known,), others = frame.base[2:], frame.others
+    assert {known, *others[:1]} == {"a", "b"}
+    assert frame.others[1:] == frame.at_infinity
+    assert frame.numbers == 3 + 2 * 2
 
 
 def test_scaling_takes_no_value_that_matters() -> None:
@@ -241,7 +316,7 @@ def test_examples_are_decided_in_a_frame_too(name: str) -> None:
     claim = CLAIMS[name]
     at = claim.context
     for left, right in claim.claimed.equations:
-        assert agree(at, difference_of(left, right, at.rank), at.rank) or at.ideal
+        assert agree(at, difference_of(left, right, at.rank), at.rank)
 
 
 # --- which way ------------------------------------------------------------------------------------------------------

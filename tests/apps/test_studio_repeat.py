@@ -231,7 +231,7 @@ def test_the_shell_runs_nothing_of_what_stands_on_the_bench(text: str) -> None:
     ("text", "call"),
     [
         (":factor [abcd] [efgh]", 'gc.factor("[abcd] [efgh]")'),
-        (":discover", 'gc.discover("")'),
+        (":discover", ""),
         (":sh [abcd]", 'gc.shorten("[abcd]")'),
         (":prove [abcd] == -[bacd]", 'gc.prove("[abcd] == -[bacd]")'),
         (":transversals Aa Ab Bc Cd De Ef", 'gc.transversals("Aa Ab Bc Cd De Ef")'),

@@ -5,6 +5,11 @@ when it vanishes on a dense set of them, for instance where d of the free points
 meets and brackets, up to powers of the determinant. Hence, where all terms of F have the same degree in all free points
 together, these d points may be taken to be e1, …, ed: what F is elsewhere follows, and nothing is assumed.
 
+Points at infinity lie in one hyperplane, but so do any d − 1 points: where F has no more of them than that, a linear
+map brings any positions of all points to such positions, and nothing is lost when they are points like the others. Of
+more than that d − 1 are among the basis, which then has one point that is not at infinity, and the last coordinate of
+the others at infinity is 0. They are taken for the basis first.
+
 What is left are the parameters and the coordinates of the other free points. Where F is homogeneous in a point, or in
 several together, scaling these multiplies each of them by a power of the factor, its weight. If the weights of some of
 them are linearly independent, there are factors (in an algebraically closed field) that make all of these 1 wherever
@@ -48,9 +53,10 @@ Degrees = Mapping[str, int]
 class Frame:
     """Coordinates in which the free points of `base` are e1, e2, …
 
-    The coordinates of `others`, free points too, and the parameters of `steps` are numbered in this order. Each row of
-    `scalings` are exponents of them: where each is multiplied by this power of one factor, the expression is multiplied
-    by a power of it. So `ones` of them may be taken to be 1.
+    The coordinates of `others`, free points too, and the parameters of `steps` are numbered in this order; the last of
+    the others are `at_infinity`, whose last coordinate is 0 and has no number. Each row of `scalings` are exponents of
+    them: where each is multiplied by this power of one factor, the expression is multiplied by a power of it. So `ones`
+    of them may be taken to be 1.
     """
 
     rank: int
@@ -61,6 +67,7 @@ class Frame:
     numbers: int
     scalings: tuple[tuple[Fraction, ...], ...]
     degree: int
+    at_infinity: tuple[str, ...] = ()
 
     @cached_property
     def ones(self) -> frozenset[int]:
@@ -70,7 +77,8 @@ class Frame:
     @property
     def unit(self) -> str | None:
         """The point all of whose coordinates are 1."""
-        return self.others[0] if self.others and self.ones.issuperset(range(self.rank)) else None
+        finite = self.others[: len(self.others) - len(self.at_infinity)]
+        return finite[0] if finite and self.ones.issuperset(range(self.rank)) else None
 
     @property
     def variables(self) -> tuple[int, ...]:
@@ -95,7 +103,8 @@ class Frame:
         for i, name in enumerate(self.base):
             points[name] = tuple(int(i == j) for j in range(self.rank))
         for name in self.others:
-            points[name] = tuple(next(given) for _ in range(self.rank))
+            last = () if name not in self.at_infinity else (0,)
+            points[name] = (*(next(given) for _ in range(self.rank - len(last))), *last)
         at = Evaluator(points, self.rank, modulus)
         for step in self.steps:
             points[step.name] = tuple(coordinates(step, at, lambda: next(given)))
@@ -103,18 +112,16 @@ class Frame:
 
 
 def frame_of(c: Construction, e: Expr) -> Frame | None:
-    """Coordinates in which an expression can be decided; None where points are at infinity, or where its terms have
-    different degrees.
-    """
+    """Coordinates in which an expression can be decided; None where its terms have different degrees."""
     steps = _needed(c, e)
     size = c.size(e)
     named = {*points_of(e), *(n for s in steps for part in s.parts for n in points_of(part))}
     free = [n for n in c.order if n in named]
-    if not free or not named.isdisjoint(c.ideal) or size.bits > MAX_COEFFICIENT_BITS:
+    if not free or size.bits > MAX_COEFFICIENT_BITS:
         return None
     often = _occurrences(free, steps, e)
     free.sort(key=lambda n: -often[n])
-    base, others = tuple(free[: c.rank]), tuple(free[c.rank :])
+    base, others, at_infinity = _divided(free, c)
     degrees = _DegreesOf(free)
     parameters = [degrees.step(s) for s in steps]
     degrees.of(e)
@@ -122,7 +129,9 @@ def frame_of(c: Construction, e: Expr) -> Frame | None:
     together = _together(free, made, degrees.uneven)
     if together is None:
         return None
-    weights = [{p: Fraction(1), b: Fraction(1)} for p in others for b in base]
+    weights = [
+        {p: Fraction(1), b: Fraction(1)} for p in others for b in (base[: c.rank - 1] if p in at_infinity else base)
+    ]
     for own in chain.from_iterable(parameters):
         # Where a point of the base was scaled, a map that multiplies one coordinate of all points brings it back.
         share = sum((k * own.get(n, 0) for n, k in together.items()), Fraction(0)) / c.rank
@@ -134,7 +143,19 @@ def frame_of(c: Construction, e: Expr) -> Frame | None:
         tuple(sum((k * w.get(n, 0) for k, n in zip(some, scaled, strict=True) if k), Fraction(0)) for w in weights)
         for some in kernel(rows, len(scaled))
     )
-    return Frame(c.rank, e, base, others, steps, len(weights), scalings, _SLACK * size.degree)
+    return Frame(c.rank, e, base, others, steps, len(weights), scalings, _SLACK * size.degree, at_infinity)
+
+
+def _divided(free: Sequence[str], c: Construction) -> tuple[tuple[str, ...], tuple[str, ...], tuple[str, ...]]:
+    """The basis, the other points, and those of them that are at infinity, which come last. Of each kind those that
+    come first here are in the basis.
+    """
+    ideal = [n for n in free if n in c.ideal]
+    finite = [n for n in free if n not in c.ideal]
+    known = min(len(ideal), c.rank - 1)
+    more = c.rank - known
+    at_infinity = tuple(ideal[known:])
+    return (*ideal[:known], *finite[:more]), (*finite[more:], *at_infinity), at_infinity
 
 
 def _together(free: Sequence[str], made: Sequence[str], uneven: Iterable[Degrees]) -> Mapping[str, Fraction] | None:
