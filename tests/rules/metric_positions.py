@@ -71,9 +71,25 @@ def parallel_pappus(rng: random.Random) -> Position:
     return found | {"i": i, "j": j}
 
 
-def tetrahedron(rng: random.Random) -> Position:
-    corners = weighted(rng, {n: vector(*drawn(rng, 3), 1) for n in "abcd"})
-    return corners | {n: vector(*drawn(rng, 3), 0) for n in "ijk"}
+def space(names: str) -> Callable[[random.Random], Position]:
+    """Any points in space, and any three directions, which a linear map makes orthonormal."""
+    return lambda rng: (
+        weighted(rng, {n: vector(*drawn(rng, 3), 1) for n in names.split()})
+        | {n: vector(*drawn(rng, 3), 0) for n in "ijk"}
+    )
+
+
+def monge(rng: random.Random) -> Position:
+    """Radii in one direction, of any lengths."""
+    centres, u = {n: finite(rng) for n in "abc"}, at_infinity(rng)
+    ends = {e: mixed((1, centres[n]), (rng.randint(1, 9), u)) for e, n in zip("pqr", "abc", strict=True)}
+    return weighted(rng, centres | ends) | {"i": at_infinity(rng), "j": at_infinity(rng)}
+
+
+def miquel_triangle(rng: random.Random) -> Position:
+    points = {n: finite(rng) for n in "abcm"}
+    share = Fraction(rng.randint(1, 9), 11)
+    return weighted(rng, points | {"d": mixed((share, points["b"]), (1 - share, points["c"]))}) | ISOTROPIC
 
 
 def circle(rng: random.Random) -> Position:
@@ -162,14 +178,19 @@ METRIC: Mapping[str, Callable[[random.Random], Position]] = {
     "bisectors": euclidean("a b c"),
     "butterfly": butterfly,
     "circumcentre": circle,
+    "diagonal-triangle": lambda rng: {n: drawn(rng, 3) for n in "abcde"},
     "euler-line": euclidean("a b c"),
     "feet": euclidean("a b c"),
     "medians": affine("a b c"),
     "midpoints": midpoints,
     "newton-gauss": affine("a b c d"),
     "miquel": miquel,
+    "miquel-triangle": miquel_triangle,
+    "monge": monge,
     "nine-points": euclidean("a b c"),
+    "opposite-on-sphere": space("a b c d"),
     "orthocentre": euclidean("a b c"),
+    "orthocentric": euclidean("a b c"),
     "orthologic": euclidean("a b c a' b' c'"),
     "ortholine": euclidean("a b c d"),
     "pappus-parallel": parallel_pappus,
@@ -177,10 +198,11 @@ METRIC: Mapping[str, Callable[[random.Random], Position]] = {
     "reflected-orthocentre": euclidean("a b c"),
     "reim": reim,
     "simson": circle,
-    "tetrahedron-bimedians": tetrahedron,
-    "tetrahedron-medians": tetrahedron,
+    "tetrahedron-bimedians": space("a b c d"),
+    "tetrahedron-medians": space("a b c d"),
     "thales": thales,
     "thomsen": thomsen,
+    "three-perpendiculars": space("a b c p"),
     "trapezium": trapezium,
     "varignon": affine("a b c d"),
 }

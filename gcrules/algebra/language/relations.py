@@ -52,7 +52,7 @@ class Relation(Word):
 
 @dataclass(frozen=True, slots=True)
 class Claimed:
-    """Equations that are claimed together; `relation` is how they were written if that was one word.
+    """Equations that are claimed together; `relation` is how they were written if that was one word, of `args`.
 
     The claim is about positions at which nothing `required` vanishes, which is told, nor the expressions of `nonzero`.
     """
@@ -61,6 +61,7 @@ class Claimed:
     relation: str = ""
     required: tuple[Requirement, ...] = ()
     nonzero: tuple[Expr, ...] = ()
+    args: tuple[Expr, ...] = ()
 
 
 def parse_claim(text: str, context: Context | None = None, filename: str = "<input>") -> Claimed:
@@ -91,7 +92,7 @@ def read_claim(tree: Node, builder: Builder, text: str) -> Claimed:
         found = tuple(_expanded(RELATIONS[kind], args, builder.context)[0])
     claimed: tuple[tuple[Expr, Expr], ...] = tuple((e, ZERO) for e in found) or ((ZERO, ZERO),)
     lines = tuple(a for a in args if a.step > 1)
-    return Claimed(claimed, text, builder.requirements(), (*apart, *lines))
+    return Claimed(claimed, text, builder.requirements(), (*apart, *lines), args)
 
 
 def read_assumptions(

@@ -168,7 +168,7 @@ class _Reader:
         builder = Builder(at)
         bound = {**at.bound, name: builder.value(body)}
         required = {**at.required, name: found} if (found := builder.requirements()) else at.required
-        self.context = replace(at, bound=bound, required=required)
+        self.context = replace(at, bound=bound, required=required, finite=frozenset(builder.finite))
 
     def _claim(self, item: Node) -> None:
         label, body = item.children

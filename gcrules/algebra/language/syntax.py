@@ -39,10 +39,13 @@ MAX_WORD = 1_000
 
 @dataclass(frozen=True, slots=True)
 class Context(Space):
-    """What names mean: a space, and the names bound by `let`, each with what its words require not to vanish."""
+    """What names mean: a space, and the names bound by `let`, each with what its words require not to vanish; which of
+    what these made is `finite` then.
+    """
 
     bound: Mapping[str, Expr] = FrozenMap()
     required: Mapping[str, tuple[Requirement, ...]] = FrozenMap()
+    finite: frozenset[Expr] = frozenset()
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "bound", FrozenMap(self.bound))
@@ -103,7 +106,7 @@ class Builder:
         self.rank = context.rank
         self.level = 0
         self.made: dict[Expr, str] = {}  # what words make, as it is called
-        self.finite: set[Expr] = set()  # those of it that are, if what they are made of is
+        self.finite = set(context.finite)  # those of it that are, if what they are made of is
         self.required: dict[Expr, Requirement] = {}  # what must not vanish so that it exists
         self.parts = 0  # size of the names bound by `let` that were written out
         self.sizes: dict[str, tuple[int, int]] = {}

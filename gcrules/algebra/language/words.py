@@ -209,8 +209,7 @@ CONSTRUCTIONS: Mapping[str, Construction] = {
         ),
         Construction(
             "perpendicular_through(c, ab)",
-            "the perpendicular from c to ab; in space the plane through c perpendicular to a line, or the line through "
-            "c perpendicular to a plane",
+            "the perpendicular through c; in space of a line a plane, and of a plane a line",
             (POINT, FLAT),
             _BOTH,
             build=metric.perpendicular_through,

@@ -11,6 +11,7 @@ import os
 import re
 from collections.abc import Iterable, Iterator, Mapping
 
+from gcrules.algebra.language.words import CONSTRUCTIONS
 from gcrules.apps.repl.help import TOPICS
 from gcrules.apps.repl.reading import first_word, split_command
 from gcrules.apps.repl.state import PromptState
@@ -80,8 +81,10 @@ def _words(before: str, state: PromptState) -> Iterator[Completion]:
             yield from _starting("", _COMMANDS)
     elif start == "rule":
         yield from _starting(word, {w: "" for w in RULE_WORDS if word})
-    if word and (start == "given" or re.search(r"\bif\b", before)) and start != word:
+    if word and (start in ("given", "claim") or re.search(r"\bif\b", before)) and start != word:
         yield from _starting(word, dict.fromkeys(RELATIONS, ""))
+    elif len(word) > 1:
+        yield from _starting(word, {f"{n}(": CONSTRUCTIONS[n].meaning for n in CONSTRUCTIONS})
     yield from _names(before, state)
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 
-from gcrules.apps.repl.tables import COMMANDS, KEYS, OPERATIONS, STATEMENTS, SYMBOLS
+from gcrules.apps.repl.tables import COMMANDS, KEYS, OPERATIONS, STATEMENTS, SYMBOLS, WORDS
 from gcrules.core.errors import InputError
 from gcrules.core.hints import near
 
@@ -16,7 +16,8 @@ _MORE: Mapping[str, str] = {
     "given": (
         "given collinear(a, b, c), coplanar(a, b, d, e)\n"
         "given incident(p, abc), concurrent(ab, cd, ef)\n"
-        "given [abcd] == 0"
+        "given [abcd] == 0\n"
+        "given isotropic i j, concyclic(a, b, c, d)"
     ),
     "let": "let p = ab /\\ cde",
     "claim": 'claim "two forms": ab /\\ cd == [abcd]\nAn equation without `claim` is decided too, but not saved.',
@@ -58,7 +59,7 @@ def _overview() -> str:
             "",
             *_table("Commands", ((c.usage, c.help) for c in COMMANDS.values())),
             "",
-            "More: :help expressions, :help keys, :help symbols, :help and the name of a statement or command",
+            "More: :help expressions, words, keys, symbols, or the name of a statement or command",
         ]
     )
 
@@ -75,6 +76,12 @@ def _about(usage: str, line: str, name: str) -> str:
 
 TOPICS: Mapping[str, str] = {
     "expressions": "\n".join(_table("Expressions, from the tightest operation to the loosest", OPERATIONS)),
+    "words": "\n".join(
+        [
+            *_table("Words with arguments", WORDS.values()),
+            "Metric ones need `isotropic i j` in the plane, or orthonormal directions: `orthonormal i j k` in space.",
+        ]
+    ),
     "keys": "\n".join(_table("Keys", KEYS)),
     "symbols": "\n".join(
         [*_table("Names that Tab turns into a sign", SYMBOLS.items()), "While typing, /\\ becomes ∧ and \\/ becomes ∨."]

@@ -11,7 +11,7 @@ import re
 from collections.abc import Collection, Iterator
 
 from gcrules.apps.repl.reading import first_word, split_command
-from gcrules.apps.repl.tables import COMMANDS, RELATIONS, RULE_WORDS, STATEMENTS, meant
+from gcrules.apps.repl.tables import COMMANDS, RELATIONS, RULE_WORDS, STATEMENTS, WORDS, meant
 
 __all__ = ["KINDS", "tokens"]
 
@@ -57,13 +57,13 @@ def tokens(text: str, names: Collection[str] = ()) -> Iterator[tuple[str, str]]:
     for found in _TOKEN.finditer(text, at):
         kind = found.lastgroup or ""
         if kind == "word":
-            kind = _kind(found[0], statement, names)
+            kind = _kind(found[0], statement, names, text.startswith("(", found.end()) and found[0] in WORDS)
         yield "" if kind == "other" else kind, found[0]
 
 
-def _kind(word: str, statement: bool, names: Collection[str]) -> str:
+def _kind(word: str, statement: bool, names: Collection[str], called: bool) -> str:
     if statement and (word in STATEMENTS or word in RULE_WORDS):
         return "keyword"
-    if statement and word in RELATIONS:
+    if (statement and word in RELATIONS) or called:
         return "relation"
     return "name" if word in names else "point"

@@ -17,7 +17,7 @@ from dataclasses import replace
 
 from gcrules.algebra.expr import Expr
 from gcrules.algebra.language.parse_tree import read
-from gcrules.algebra.language.relations import RELATION_NAMES, Claimed, parse_claim
+from gcrules.algebra.language.relations import Claimed, parse_claim
 from gcrules.algebra.language.rule_text import RuleText
 from gcrules.algebra.language.statements import Claim, Script, Show, Statement, parse_script
 from gcrules.algebra.language.syntax import Builder, Context
@@ -29,6 +29,7 @@ from gcrules.apps.repl.reading import (
     bare_command,
     first_word,
     is_blank,
+    is_claim,
     pieces,
     split_command,
     spoken_command,
@@ -100,7 +101,7 @@ class Interpreter:
             begin = text.index(word) + piece.line - 1
             fault = InputError(f"`{word}` is a command of the shell", hint=f"in a shell: gcrules {text.strip()}")
             raise fault.located(source.text, filename, Span(begin, begin + len(word)))
-        elif "==" in text or word in RELATION_NAMES:
+        elif is_claim(text):
             yield from self.equation(source)
         else:
             yield from self.shown(self.expression(source), source)
@@ -122,7 +123,7 @@ class Interpreter:
     def _can_be_read(self, source: Source) -> bool:
         """Whether a text is an expression or an equation: with long names a word may be both that and a command."""
         try:
-            if "==" in source.parsed or first_word(source.parsed) in RELATION_NAMES:
+            if is_claim(source.parsed):
                 self._claimed(source)
             else:
                 self.expression(source)

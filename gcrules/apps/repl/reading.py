@@ -15,6 +15,7 @@ from dataclasses import replace
 
 from gcrules.algebra.expr import Expr, points_of
 from gcrules.algebra.language.parse_tree import read, span_of
+from gcrules.algebra.language.relations import RELATION_NAMES
 from gcrules.algebra.language.syntax import Context
 from gcrules.algebra.language.text import text as text_of
 from gcrules.apps.repl.tables import COMMANDS, RULE_WORDS, STATEMENTS, meant
@@ -28,6 +29,7 @@ __all__ = [
     "bare_command",
     "first_word",
     "is_blank",
+    "is_claim",
     "pieces",
     "split_command",
     "spoken_command",
@@ -72,6 +74,11 @@ def first_word(text: str) -> str:
     """The first word, comments left out; empty where the text begins with anything else."""
     found = _FIRST_WORD.match(text)
     return (found[1] if found else None) or ""
+
+
+def is_claim(text: str) -> bool:
+    """Whether a text that is no statement claims something: an equation, or a relation."""
+    return "==" in text or first_word(text) in RELATION_NAMES
 
 
 def split_command(text: str) -> tuple[str, int] | None:

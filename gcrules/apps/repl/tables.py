@@ -7,6 +7,9 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 
 from gcrules.algebra.discovery.limits import RELATIONS as DISCOVERED
+from gcrules.algebra.language.relations import RELATION_NAMES
+from gcrules.algebra.language.relations import RELATIONS as METRIC_RELATIONS
+from gcrules.algebra.language.words import CONSTRUCTIONS, METRICS
 from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import InputError
 from gcrules.core.hints import near
@@ -21,6 +24,7 @@ __all__ = [
     "SHELL",
     "STATEMENTS",
     "SYMBOLS",
+    "WORDS",
     "Command",
     "command",
     "meant",
@@ -36,9 +40,11 @@ STATEMENTS: Mapping[str, tuple[str, str]] = {
     "rank": ("rank N", "the rank, before everything else; 4 if left out"),
     "points": ("points NAMES", "long names, and the tableau order"),
     "ideal": ("ideal NAMES", "points at infinity"),
-    "given": ("given collinear(a, b, c), …", "what is assumed: coplanar, concurrent, incident, LHS == RHS too"),
+    "isotropic": ("isotropic i j", "in the plane: points at infinity on all circles, for metric words"),
+    "orthonormal": ("orthonormal i j k", "in space: directions at right angles, for metric words; in the plane two"),
+    "given": ("given collinear(a, b, c), …", "what is assumed: relations of points, lines and planes, LHS == RHS too"),
     "let": ("let NAME = EXPR", "a name for an expression"),
-    "claim": ('claim ["label":] LHS == RHS', "an equation to prove, and to save"),
+    "claim": ('claim ["label":] LHS == RHS', "an equation, or a relation, to prove and to save"),
     "show": ("show EXPR", "an expression to expand, and to save"),
     "rule": ('rule ID ["sentence"]: LHS => RHS [if …]', "a rule to prove and to rewrite by"),
     "rewrite": ("rewrite EXPR", "an expression rewritten by the rules so far"),
@@ -46,7 +52,11 @@ STATEMENTS: Mapping[str, tuple[str, str]] = {
 """How each statement is written and what it is."""
 
 RULE_WORDS = ("if", "source", "fires", "silent")
-RELATIONS = ("collinear", "coplanar", "concurrent", "incident", "ideal")
+RELATIONS = (*RELATION_NAMES, "ideal", *METRICS)
+WORDS: Mapping[str, tuple[str, str]] = {
+    w.name: (w.usage, w.meaning) for w in (*CONSTRUCTIONS.values(), *METRIC_RELATIONS.values())
+}
+"""How each word with arguments is written and what it is, but for the relations of incidence."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -87,7 +97,7 @@ COMMANDS: Mapping[str, Command] = {
         Command("factor", ":factor [EXPR]", "one expression of joins and meets that equals a scalar", "expression"),
         Command("shorten", ":shorten [EXPR]", "the bracket polynomial of a scalar with the fewest terms", "expression"),
         Command("transversals", ":transversals LEGS", "compare the turns about two lines that meet four legs", "legs"),
-        Command("prove", ":prove LHS == RHS", "decide an equation, as an equation alone does", "equation"),
+        Command("prove", ":prove LHS == RHS", "decide an equation or a relation, as one alone does", "equation"),
         Command(
             "discover",
             ":discover [RELATION]",
@@ -131,7 +141,8 @@ OPERATIONS: tuple[tuple[str, str], ...] = (
     ("[abcd], [(ab /\\ cde), f, gh]", "bracket: the determinant of points, or of extensors"),
     ("[[ab, cd, ef, gh, ij, kl]]", "superbracket of six lines"),
     ("[.a d e f][.b g h i]", "dotted points: the signed sum over all ways to share them out"),
-    ("LHS == RHS", "an equation, proved or refuted"),
+    ("midpoint(a, b), foot(c, ab), …", "points, lines and planes that words make; more with :help words"),
+    ("LHS == RHS, collinear(a, b, c), …", "an equation or a relation, proved or refuted"),
     ("%, %%, …", "the last result, the one before it, …"),
 )
 

@@ -18,7 +18,7 @@ from gcrules.algebra.language.text import SHORT_NAME
 from gcrules.apps.repl.answers import Answer, bound_text
 from gcrules.apps.repl.interpreter import Interpreter
 from gcrules.apps.repl.reading import InputPiece as Input
-from gcrules.apps.repl.reading import Source, first_word, pieces, statements
+from gcrules.apps.repl.reading import Source, first_word, is_claim, pieces, statements
 from gcrules.apps.repl.state import PromptState, Settings
 from gcrules.apps.repl.tables import STATEMENTS, meant
 from gcrules.apps.studio.bench_questions import Question, of_command, of_equation, of_expression, of_name, of_statement
@@ -179,7 +179,7 @@ def _results(repl: Interpreter, given: Input, place: Span, before: Rules) -> Ite
     if first_word(given.text) in STATEMENTS:
         for part in _statements(source):
             yield from _statement(repl, part, place, before)
-    elif "==" in given.text:
+    elif is_claim(given.text):
         question = of_equation(repl, source)
         for answer in repl.equation(source):
             yield _Result(_said(repl, place, before, answer, question))

@@ -94,7 +94,8 @@ def _of(repl: Interpreter, function: str, e: Expr) -> Question:
 
 def _claimed(repl: Interpreter, claimed: Claimed) -> Question:
     if claimed.relation:
-        return Question("prove", claimed.relation, repl.state)
+        name = claimed.relation.partition("(")[0].strip()
+        return Question("prove", f"{name}({', '.join(_written(repl, a) for a in claimed.args)})", repl.state)
     ((left, right),) = claimed.equations
     return Question(
         "prove", f"{_written(repl, left)} == {_written(repl, right)}", repl.state, f"{latex(left)} = {latex(right)}"

@@ -19,6 +19,7 @@ from dataclasses import replace
 from itertools import count
 
 from gcrules.algebra.language.syntax import Context
+from gcrules.algebra.language.words import METRICS
 from gcrules.apps.repl.reading import first_word
 from gcrules.apps.repl.state import PromptState
 from gcrules.apps.studio.bench_questions import Question
@@ -95,22 +96,31 @@ def answer_lines(question: Question, rules: Rules, limit: int | None = None) -> 
 
 
 def _space(question: Question) -> list[Option]:
-    """The rank, the points with long names, and those at infinity; what is assumed, where it is asked under it."""
+    """The rank, the points with long names, and those at infinity; what is assumed, where it is asked under it.
+
+    By what right angles are known is an option of what reads expressions, and an assumption of what reads legs.
+    """
     at = question.state.context
-    named = [("points", at.points), ("ideal", at.ideal)]
+    known, of_legs = at.infinity, question.function in ("transversals", "analyze")
+    ideal = tuple(n for n in at.ideal if known is None or n not in known.points)
+    named = [("points", at.points), ("ideal", ideal)]
+    if known is not None and not of_legs:
+        named.append((known.kind, known.points))
     rank = [Option("--rank", "rank", at.rank)] if at.rank != Context().rank else []
     names = [Option(f"--{word}", word, " ".join(names)) for word, names in named if names]
-    given = [Option("--given", "given", tuple(map(str, at.given)))] if at.given else []
+    assumed = tuple(dict.fromkeys([str(known)] * (known is not None and of_legs) + [*map(str, at.given)]))
+    given = [Option("--given", "given", assumed)] if assumed else []
     return [*rank, *names, *(given if question.function in _UNDER_ASSUMPTIONS else [])]
 
 
+_NAMING = ("points", "ideal", *METRICS)
 _UNDER_ASSUMPTIONS = ("prove", "transversals", "rewrite", "analyze")
 _LIMITED = ("expand", "straighten", "steps", "prove")
 
 
 def _declared(state: PromptState, words: Sequence[str]) -> Iterator[str]:
     """What stands before a question: what the bench begins with, and its statements that begin so."""
-    written = "\n".join(s for s in state.statements if first_word(s) in ("points", "ideal"))
+    written = "\n".join(s for s in state.statements if first_word(s) in _NAMING)
     ranked = [s for s in state.statements if first_word(s) == "rank"]
     yield from ranked
     known = set(written.replace(",", " ").split())
@@ -151,7 +161,7 @@ def _with_own(question: Question, rules: Rules) -> Rules:
     """The rules of the text in a file of their own, with all that they may name."""
     if not any(first_word(s) == "rule" for s in question.state.statements):
         return rules
-    lines = _declared(question.state, ("points", "ideal", "given", "let", "rule"))
+    lines = _declared(question.state, (*_NAMING, "given", "let", "rule"))
     taken = {file["name"] for file in rules.files}
     name = next(n for number in count() if (n := f"bench-rules{number or ''}.gca") not in taken)
     own: RepeatedFile = {"name": name, "text": "".join(f"{line}\n" for line in lines)}
@@ -179,7 +189,7 @@ def _analyzed(question: Question, rules: Rules) -> Repeated:
 
 def _discovered(question: Question, rules: Rules) -> Repeated:
     """The script is what is declared, assumed and named."""
-    lines = [*_declared(question.state, ("points", "ideal", "given", "let"))]
+    lines = [*_declared(question.state, (*_NAMING, "given", "let"))]
     named = question.text.replace(",", " ").split()
     options = [Option("--relation", "relations", tuple(named))] if named else []
     words = " ".join(["gcrules discover -", *(word for option in options for word in option.words())])
@@ -193,7 +203,7 @@ def _discovered(question: Question, rules: Rules) -> Repeated:
 def _prompted(question: Question, rules: Rules) -> Repeated:
     """What only the prompt takes: it is given what is declared, of which it says nothing, and the question."""
     asked = _ASKED.get(question.function, "{}").format(question.text)
-    words = ["points", "ideal", *(["given"] if question.function == "rule" else [])]
+    words = [*_NAMING, *(["given"] if question.function == "rule" else [])]
     if question.function == "rule" and any(re.search(rf"\b{n}\b", asked) for n in question.state.context.bound):
         words.append("let")
     lines = [*_declared(question.state, words), *asked.split("\n")]

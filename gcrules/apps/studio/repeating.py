@@ -10,7 +10,7 @@ from typing import Any
 from gcrules.algebra.language.syntax import Context
 from gcrules.algebra.language.text import SHORT_NAME
 from gcrules.apps.repl.interpreter import Interpreter
-from gcrules.apps.repl.reading import InputPiece, first_word, is_blank
+from gcrules.apps.repl.reading import InputPiece, first_word, is_blank, is_claim
 from gcrules.apps.repl.state import PromptState
 from gcrules.apps.repl.tables import STATEMENTS, meant
 from gcrules.apps.studio.bench import context_of
@@ -258,7 +258,7 @@ _FUNCTIONS = ("expand", "straighten", "factor", "shorten", "transversals", "prov
 def _evaluated(text: str, declared: Mapping[str, Sequence[str]], context: Context) -> str:
     """The call of an expression, an equation or a question alone; nothing where no function answers it."""
     called = Interpreter(PromptState(context)).called(InputPiece(text))
-    function = "prove" if "==" in text else "expand"
+    function = "prove" if is_claim(text) else "expand"
     if called is not None:
         function = next(iter(meant(called[0])), "")
         text = text[called[1] :].strip()

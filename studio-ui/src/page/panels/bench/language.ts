@@ -2,7 +2,7 @@
 import { HighlightStyle, StreamLanguage, syntaxHighlighting, type StringStream } from "@codemirror/language";
 import { tags } from "@lezer/highlight";
 
-const STATEMENTS = new Set(["rank", "points", "ideal", "let", "claim", "show", "given", "rewrite", "rule"]);
+const STATEMENTS = new Set(["rank", "points", "ideal", "isotropic", "orthonormal", "let", "claim", "show", "given", "rewrite", "rule"]);
 const CLAUSES = new Set(["if", "source", "fires", "silent", "collinear", "coplanar", "concurrent", "incident"]);
 const WORD = /^[A-Za-zȦȧḂḃĊċḊḋĖėḞḟĠġḢḣİṀṁṄṅȮȯṖṗṘṙṠṡṪṫẆẇẊẋẎẏŻż][\w'\u0307ȦȧḂḃĊċḊḋĖėḞḟĠġḢḣİṀṁṄṅȮȯṖṗṘṙṠṡṪṫẆẇẊẋẎẏŻż]*(\.\.\.|…)?/;
 const SIGNS: readonly [RegExp, string][] = [
