@@ -13,9 +13,10 @@ from dataclasses import replace
 from typing import Any
 
 from gcrules.algebra.evaluate import vanishes
-from gcrules.algebra.expr import Expr, mul
+from gcrules.algebra.expr import Expr, add, mul
 from gcrules.algebra.factoring.result import Factorization
 from gcrules.algebra.proofs.absence import no_expression, no_shorter
+from gcrules.algebra.proofs.multiples import cofactor
 from gcrules.algebra.proofs.proof_file import Absence, LeftOut, ProofFile
 from gcrules.algebra.proofs.theorem import Theorem, theorem
 from gcrules.algebra.prove import Proof, difference_of
@@ -99,7 +100,11 @@ def _proved(title: str, claims: Iterable[_Said]) -> ProofFile:
                 theorem(claim.name, claim.left, claim.right, ideal=claim.ideal, rank=claim.rank, given=given)
             )
         except (InputError, LimitReached) as fault:
-            left_out.append(LeftOut(claim.name, fault.message))
+            stronger = _multiple_of_given(claim)
+            if stronger is None:
+                left_out.append(LeftOut(claim.name, fault.message))
+            else:
+                theorems.append(stronger)
     if not theorems:
         why = "; ".join(map(str, left_out)) or "it claims nothing"
         raise InputError(f"{title}: there is no proof to write: {why}")
@@ -107,6 +112,23 @@ def _proved(title: str, claims: Iterable[_Said]) -> ProofFile:
     alone = (LeftOut(one.name, f"'{one.theorem}' is not proved in the file") for one in absences)
     left_out += [out for out, one in zip(alone, absences, strict=True) if one.theorem not in names]
     return ProofFile(title, tuple(theorems), tuple(left_out), tuple(one for one in absences if one.theorem in names))
+
+
+def _multiple_of_given(claim: _Claim) -> Theorem | None:
+    """The identity of which a claim under assumptions is a case: its sides differ by a multiple of something that is
+    given. None where there is none, or no proof of it.
+    """
+    difference = difference_of(claim.left, claim.right, claim.rank)
+    name = f"{claim.name}, up to a multiple of what is given"
+    for a in claim.given:
+        try:
+            found = cofactor(difference, a.args[0], claim.rank, claim.ideal) if a.kind == "zero" else None
+            if found is not None:
+                right = add(claim.right, mul(found, a.args[0]), rank=claim.rank)
+                return theorem(name, claim.left, right, ideal=claim.ideal, rank=claim.rank)
+        except (InputError, LimitReached):
+            continue
+    return None
 
 
 def _everywhere(claim: _Claim) -> bool:
