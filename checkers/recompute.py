@@ -32,12 +32,14 @@ Exit codes: 0 all absences are as stated, 1 one is not, 2 the file states none, 
 """
 
 import json
+import re
 import sys
 
 from recompute_expressions import no_expression, no_product
 from recompute_polynomials import NotSo, Steps, TooLarge, expect, read
 from recompute_terms import no_shorter
 
+NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]*'*(:[0-9]+)?")
 KINDS = {"no expression": no_expression, "no product": no_product, "no shorter polynomial": no_shorter}
 
 
@@ -45,11 +47,18 @@ def recomputed(absence, theorems, most):
     """What an absence says, as it was recomputed here."""
     (theorem,) = [one for one in theorems if one["name"] == absence["theorem"]]
     expect(theorem["ideal"] == 0 and "given" not in theorem, "points at infinity, or assumptions", TooLarge)
-    steps, rank = Steps(most), theorem["rank"]
-    terms = read(theorem["claim"][1], theorem["points"], dict(theorem["definitions"]), rank, steps)
+    steps, rank, points = Steps(most), theorem["rank"], [*theorem["points"]]
+    expect(all(map(NAME.fullmatch, points)), "points whose names are none")
+    terms = read(theorem["claim"][1], points, dict(theorem["definitions"]), rank, steps)
     claim, how = KINDS[absence["kind"]](absence, terms, rank, json.dumps(absence), steps)
     expect(absence["claim"] == claim, f"what is computed is another claim: {claim}", NotSo)
-    return f"{claim}: {how}"
+    return f"{claim}: {how}\n  of {text(terms)} (rank {rank})"
+
+
+def text(terms):
+    """A polynomial in brackets as people read it."""
+    signed = [(f"{'+' if c > 0 else ''}{c}", m) for m, c in terms.items()]
+    return " ".join(" ".join([number, *(f"[{' '.join(row)}]" for row in m)]) for number, m in signed)
 
 
 def once(pairs):

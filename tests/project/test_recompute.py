@@ -230,6 +230,18 @@ def test_a_definition_is_no_point(name: str, tmp_path: Path) -> None:
     assert "no bracket of points" in done.stderr
 
 
+def test_the_polynomial_is_printed(tmp_path: Path) -> None:
+    file = data(gc.shorten("1/2*[abc][def] - 3*[abd][cef]", rank=3))
+    done = run(file, tmp_path)
+    assert done.returncode == 0, done
+    assert "\n  of +1/2 [a b c] [d e f] -3 [a b d] [c e f] (rank 3)\n" in done.stdout
+    (theorem,) = file["theorems"]
+    named = {**theorem, "points": [*theorem["points"], "x]\nrecomputed"]}
+    done = run({**file, "theorems": [named]}, tmp_path)
+    assert done.returncode == 2
+    assert "names are none" in done.stderr
+
+
 @pytest.mark.parametrize(
     ("before", "after"),
     [
