@@ -19,6 +19,7 @@ from gcrules.mechanisms.analyze import analyze_robot
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.mechanisms.description.discovery import robots
 from gcrules.mechanisms.description.robot_file import parse_robot
+from gcrules.mechanisms.kinematics.arms import Alike, Arm, Spread, spreads
 from gcrules.mechanisms.kinematics.branch import Cells
 from gcrules.mechanisms.kinematics.chains import Chain
 from gcrules.mechanisms.kinematics.configurations import Configurations
@@ -29,7 +30,7 @@ from gcrules.mechanisms.kinematics.margin import margin
 from gcrules.mechanisms.kinematics.rigid_motions import exponential, rotations
 from gcrules.mechanisms.kinematics.solve import Solution, closed_near, free_coordinates, goal, solve
 from gcrules.mechanisms.kinematics.targets import Target, actuators_target, coordinates_target, pose_target
-from gcrules.mechanisms.kinematics.tubes import Arm, follows, keeps_rank, spreads
+from gcrules.mechanisms.kinematics.tubes import follows, keeps_rank
 from gcrules.mechanisms.load import read_robot
 from gcrules.poses.limbs.remark import home_remark
 from gcrules.poses.limbs.way_from_home import WayFromHome, way_from_home
@@ -367,12 +368,19 @@ def test_bounds_of_derivatives_hold(seed: int) -> None:
         bent = (slope(middle + step * e) - slope(middle - step * e)) / (2 * step)
         assert bent == pytest.approx(spread.second[:, k], abs=1e-5)
     reach = np.full(5, 0.15)
-    turned, moved = spread.third(reach)
+    turned, moved = third(spread, reach)
     for _ in range(40):
         d = rng.uniform(-1, 1, size=5) * reach
         rest = slope(middle + d) - spread.first - spread.second @ d
         assert (np.linalg.norm(rest[:3], axis=0) <= turned / 2 + 1e-6).all()
         assert (np.linalg.norm(rest[3:], axis=0) <= moved / 2 + 1e-6).all()
+
+
+def third(spread: Spread, reach: np.ndarray) -> np.ndarray:
+    """The bounds of third derivatives in the turn and in the shift."""
+    (alike,) = Alike.among([spread])
+    (found,) = alike.third(reach[None])
+    return found
 
 
 @pytest.mark.parametrize("seed", range(6))
@@ -390,7 +398,7 @@ def test_bounds_of_third_derivatives_are_sums_over_all_triples(seed: int) -> Non
         both = spread.turns[first] * spread.turns[second] * far[triple[0]] * far[triple[1]]
         turned[triple[2]] += both * spread.turns[last]
         moved[triple[2]] += both * speeds[last]
-    for found, wanted in zip(spread.third(far), (turned, moved), strict=True):
+    for found, wanted in zip(third(spread, far), (turned, moved), strict=True):
         assert found == pytest.approx(wanted, rel=1e-12)
 
 

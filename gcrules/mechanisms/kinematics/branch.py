@@ -18,6 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gcrules.core.dataclass import dataclass
+from gcrules.mechanisms.kinematics.arms import Arm, Spread, spreads
 from gcrules.mechanisms.kinematics.chains import Chain
 from gcrules.mechanisms.kinematics.configurations import Configurations
 from gcrules.mechanisms.kinematics.coordinates import coordinates, wrapped
@@ -26,7 +27,7 @@ from gcrules.mechanisms.kinematics.linkage import Linkage
 from gcrules.mechanisms.kinematics.loops import Joints
 from gcrules.mechanisms.kinematics.rigid_motions import Floats, crossed, rotations
 from gcrules.mechanisms.kinematics.targets import Target
-from gcrules.mechanisms.kinematics.tubes import Arm, Choice, Spread, follows, holds, keeps_rank, spreads
+from gcrules.mechanisms.kinematics.tubes import Choice, follows, holds, keeps_rank
 from gcrules.screws import RESIDUES
 from gcrules.screws.pose_text import SHIFTS, TURNS, VECTOR
 

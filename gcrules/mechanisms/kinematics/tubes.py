@@ -1,15 +1,9 @@
 r"""Bounds that prove where the solutions of loop equations are: derivatives of chains, and their tubes.
 
-Several chains lead to one platform; chain 0 is the one that the others are compared with. Λ(X) ∈ R⁶ takes the axial
-vector of the antisymmetric part and the shift of a motion X from the place where chain 0 has the platform. The
-equations are F(q) = (Λ(X_i(q)) − Λ(X_0(q)))_i = 0; every configuration in which the loops close satisfies them. Where a
-limb has loops of its own, they are compared likewise: two ways to one of its bodies, which may share coordinates. A
-chain is a product of exponentials, so its derivatives are products of the twists' matrices in the order of the chain:
-
-    ∂X/∂q_k = Ĵ_k X,   ∂²X/∂q_j∂q_k = Ĵ_j Ĵ_k X,   ∂³X/∂q_h∂q_j∂q_k = Ĵ_h Ĵ_j Ĵ_k X   for h ≤ j ≤ k,
-
-and |Λ| of the last one is at most |ω_h||ω_j||ω_k| in the turn and |ω_h||ω_j||v_k| in the shift, v_k the velocity of the
-platform's point. First and second derivatives are taken at the middle of a box of amounts, third ones are bounded.
+Several chains lead to one platform; chain 0 is the one that the others are compared with. The equations are
+F(q) = (Λ(X_i(q)) − Λ(X_0(q)))_i = 0, with Λ and its derivatives as in `arms`; every configuration in which the loops
+close satisfies them. Where a limb has loops of its own, they are compared likewise: two ways to one of its bodies,
+which may share coordinates.
 
 `follows`: let the amounts go straight from q(0) to q(1), x(t) between them, B an inverse of the derivatives M at the
 middle by the free amounts, K ≥ |1 − B M(q)| for all q in the box |q − x| ≤ ρ around the way, β ≥ |B F(x(t))|, all
@@ -37,18 +31,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from gcrules.core.dataclass import dataclass
-from gcrules.mechanisms.kinematics.chains import Chain, products
-from gcrules.mechanisms.kinematics.rigid_motions import (
-    Floats,
-    carried,
-    cross_matrix,
-    crossed,
-    exponential,
-    inverse,
-    lengths,
-)
+from gcrules.mechanisms.kinematics.arms import Alike, Spread
+from gcrules.mechanisms.kinematics.rigid_motions import Floats
 
-__all__ = ["Arm", "Choice", "Spread", "follows", "holds", "keeps_rank", "spreads"]
+__all__ = ["Choice", "follows", "holds", "keeps_rank"]
 
 Choice = NDArray[np.bool_]
 """Which coordinates of a chain are meant, (n,)."""
@@ -60,121 +46,6 @@ _ROUNDING = 1e-9  # room that is left for rounding, in parts of what is compared
 _DEPENDENT = 1e-7
 _TRIALS = 12
 _INFLATED = 1.1
-
-
-@dataclass(frozen=True, eq=False)
-class Arm:
-    """A chain to a body on its way, or several at once: `screws` (..., K, 6) about the platform's centre with lengths
-    in sizes, the coordinate that each motion `uses` with its sign, and the amounts (..., n) that the coordinates grow
-    by. They are those of one limb, its `block`; `reference` is the place of the arm that is compared with this one.
-    """
-
-    screws: Floats
-    uses: tuple[int, ...]
-    signs: Floats
-    amounts: Floats
-    block: int = 0
-    reference: int = 0
-
-    @classmethod
-    def several(cls, chains: Sequence[Chain], amounts: Sequence[Floats], centre: Floats, size: float) -> list[Arm]:
-        """The arms of chains with amounts in their own units, about a centre (..., 3): first those to the platform, in
-        the order of the chains, then two for each loop that a limb has of its own.
-        """
-        found = [
-            cls._of(c, a, centre, size, k, c.way(), 0) for k, (c, a) in enumerate(zip(chains, amounts, strict=True))
-        ]
-        for k, (chain, own) in enumerate(zip(chains, amounts, strict=True)):
-            for ends in chain.loops:
-                reference = len(found) + 1
-                found += [cls._of(chain, own, centre, size, k, chain.way(end), reference) for end in ends]
-        return found
-
-    @classmethod
-    def _of(
-        cls, chain: Chain, amounts: Floats, centre: Floats, size: float, block: int, way: Sequence[int], reference: int
-    ) -> Arm:
-        units = np.where(chain.turns, 1.0, size)
-        places, uses = list(way), tuple(chain.uses[k] for k in way)
-        w, v = chain.screws[..., places, :3], chain.screws[..., places, 3:]
-        moved = np.concatenate([w, (v + crossed(w, centre[..., None, :])) / size], axis=-1)
-        return cls(moved * units[list(uses), None], uses, chain.signs[places], amounts / units, block, reference)
-
-
-@dataclass(frozen=True, eq=False)
-class Spread:
-    """An arm in the middle of its way: derivatives of Λ by its coordinates, `first` (..., 6, n) and `second`
-    (..., 6, n, n), and of its motions how much they turn (0 or 1), how fast they move the platform's point, and to
-    which coordinate they belong, with its sign.
-    """
-
-    amounts: Floats
-    first: Floats
-    second: Floats
-    turns: Floats
-    speeds: Floats
-    parts: Floats  # (K, n), the absolute values of the signs
-    block: int = 0
-    reference: int = 0
-
-    def third(self, reach: Floats) -> tuple[Floats, Floats]:
-        """For each coordinate bounds of Σ |∂³Λ| reach reach in the turn and in the shift, over the box in which the
-        coordinates differ by no more than `reach` (..., n) from the middle.
-        """
-        d = reach @ self.parts.T
-        speeds = self.speeds.copy()
-        after = np.zeros(d.shape[:-1])
-        for k in range(speeds.shape[-1] - 1, -1, -1):  # motions after k carry the point away from its axis
-            speeds[..., k] += self.turns[..., k] * after
-            after = after + d[..., k] * speeds[..., k]
-        far = d * self.turns
-        up_to = np.cumsum(far, axis=-1)  # sums over all pairs of motions, sorted by which of three is the last one
-        pairs = d * speeds * (2 * up_to - far)
-        later = np.zeros(pairs.shape)
-        later[..., :-1] = np.cumsum(pairs[..., :0:-1], axis=-1)[..., ::-1]
-        moved = speeds * up_to**2 + self.turns * later
-        return (self.turns * up_to[..., -1:] ** 2) @ self.parts, moved @ self.parts
-
-
-def spreads(arms: Sequence[Arm]) -> tuple[Spread, ...]:
-    """The arms in the middle of their ways, seen from the place where their reference has the body."""
-    links = [products(exponential(a.screws, a.signs * a.amounts[..., list(a.uses)] / 2)) for a in arms]
-    back = {n: inverse(links[n][..., -1, :, :]) for n in {a.reference for a in arms}}
-    return tuple(
-        _spread(arm, own, own[..., -1, :, :] @ back[arm.reference]) for arm, own in zip(arms, links, strict=True)
-    )
-
-
-def _spread(arm: Arm, links: Floats, motion: Floats) -> Spread:
-    count = arm.screws.shape[-2]
-    twists = carried(links[..., :-1, :, :], arm.screws)
-    w = twists[..., :3]
-    hats = cross_matrix(w)
-    v = twists[..., 3:] + crossed(w, motion[..., None, :3, 3])
-    turned = hats @ motion[..., None, :3, :3]
-    first = np.concatenate([_axial(turned), v], axis=-1)
-    twice = hats[..., :, None, :, :] @ turned[..., None, :, :, :]
-    bent = np.concatenate([_axial(twice), crossed(w[..., :, None, :], v[..., None, :, :])], axis=-1)
-    j, k = np.indices((count, count))
-    bent = np.where((j <= k)[..., None], bent, np.swapaxes(bent, -3, -2))
-    parts = np.zeros((count, arm.amounts.shape[-1]))
-    parts[np.arange(count), list(arm.uses)] = arm.signs
-    return Spread(
-        arm.amounts,
-        np.swapaxes(first, -1, -2) @ parts,
-        parts.T @ np.moveaxis(bent, -1, -3) @ parts,
-        lengths(w),
-        lengths(v),
-        np.abs(parts),
-        arm.block,
-        arm.reference,
-    )
-
-
-def _axial(matrices: Floats) -> Floats:
-    """The axial vectors of antisymmetric parts."""
-    a = matrices
-    return np.stack([a[..., 2, 1] - a[..., 1, 2], a[..., 0, 2] - a[..., 2, 0], a[..., 1, 0] - a[..., 0, 1]], -1) / 2
 
 
 @dataclass(frozen=True, eq=False)
@@ -222,7 +93,16 @@ class _Equations:
 
     def third(self, reach: Sequence[Floats]) -> list[Floats]:
         """Of each chain bounds of its third derivatives over the box of this reach, (..., 2, n)."""
-        return [np.stack(c.third(reach[c.block]), axis=-2) for c in self.chains]
+        found = [np.empty(0)] * len(self.chains)
+        for alike in self._alike:
+            bounds = alike.third(np.stack([reach[self.chains[k].block] for k in alike.places]))
+            for k, own in zip(alike.places, bounds, strict=True):
+                found[k] = own
+        return found
+
+    @cached_property
+    def _alike(self) -> tuple[Alike, ...]:
+        return Alike.among(self.chains)
 
     def bent(self, reach: Sequence[Floats], third: Sequence[Floats]) -> Floats:
         """K (..., r, r) ≥ |1 − B M(q)| over the box of this reach."""
