@@ -45,7 +45,7 @@ export function Rules({ store, results, text, say, write }: Props) {
       <div class="body">
         <section aria-label="Files of rules and catalogs">
           <header>
-            <h3>Your rules</h3>
+            <h3>Your rules and catalogs</h3>
             <OpenFile accept=".gca,.txt,.yaml,.yml" testid="rules-file" title="Open a file of rules (.gca) or a catalog (.yaml)" class="quiet" buttonTestid="rules-open" size={14} take={(file) => void open(file)}>
               Open rules
             </OpenFile>
