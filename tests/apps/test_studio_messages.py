@@ -30,9 +30,11 @@ with warnings.catch_warnings():  # it says which client it will use one day
 from apps.studio_client import DRAWING, HOME, KNOWN, OCTAHEDRAL, TOKEN, Page
 from starlette.websockets import WebSocketDisconnect
 
+from gcrules.apps.studio import service as service_module
 from gcrules.apps.studio.app import MOST_PAGES
 from gcrules.apps.studio.pool import Pool
 from gcrules.apps.studio.protocol.methods import LONGEST
+from gcrules.apps.studio.service import Service
 from gcrules.apps.studio.wire import framed
 
 # --- messages that are no requests ---------------------------------------------------------------------------------
@@ -302,6 +304,46 @@ def test_a_worker_that_gives_up_goes_on_with_something_else() -> None:
             await pool.close()
 
     asyncio.run(run())
+
+
+def test_the_gallery_is_made_once_for_all_pages_and_again_after_a_fault(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A page that leaves while it is being made does not end the work that others wait for."""
+    jobs: list[str] = []
+
+    async def run() -> None:
+        service, go_on = Service(), asyncio.Event()
+
+        async def made(job: Any, seconds: float, tell: Any) -> tuple[Any, Any]:
+            jobs.append(job[0])
+            await go_on.wait()
+            if len(jobs) == 1:
+                raise EngineFault("no disk")
+            return {"classes": []}, None
+
+        monkeypatch.setattr(service.pool, "run", made)
+        monkeypatch.setattr(service_module, "_load", lambda alone: jobs.append("load"))
+
+        def asked() -> asyncio.Task[Any]:
+            return asyncio.ensure_future(service.answer("gallery", {}, lambda _: None))
+
+        await service.start()
+        first = asked()
+        await asyncio.sleep(0)  # it waits for the one that the start began
+        go_on.set()
+        with pytest.raises(EngineFault, match="no disk"):
+            await first
+        go_on.clear()
+        leaves, stays = asked(), asked()
+        while len([job for job in jobs if job == "gallery"]) < 2:
+            await asyncio.sleep(0)
+        leaves.cancel()
+        go_on.set()
+        assert await stays == {"classes": []}
+        assert await asked() == {"classes": []}
+        await service.close()
+
+    asyncio.run(run())
+    assert sorted(jobs) == ["gallery", "gallery", "load"]
 
 
 def test_closing_ends_workers_that_are_starting(monkeypatch: pytest.MonkeyPatch) -> None:
