@@ -11,7 +11,7 @@ from gcrules.algebra.assumptions.elimination import Turn, orders
 from gcrules.algebra.assumptions.incidences import Facts, IncidenceCondition, fault
 from gcrules.algebra.assumptions.placing import Aim, Failure, Placement, parallel
 from gcrules.algebra.assumptions.position_kinds import flats
-from gcrules.algebra.assumptions.strategies import ROADS, on_known_lines, on_pascal_line
+from gcrules.algebra.assumptions.strategies import FURTHER_ROADS, ROADS, on_known_lines, on_pascal_line
 from gcrules.algebra.evaluate import PRIME, Evaluator, random_points, random_rational_points
 from gcrules.algebra.expr import Expr, Meet, Point
 from gcrules.algebra.space import Space
@@ -50,7 +50,9 @@ def _attempted(aim: Aim) -> Construction | Failure:
         return Construction(rank, free, space.ideal, equations=aim.wanted, points=free, extensors=aim.extensors)
     failure: Failure | None = None
     best: Construction | None = None
-    for road in (*ROADS, on_known_lines) if aim.lines else ROADS:
+    for road in (*ROADS, *((on_known_lines,) if aim.lines else ()), *FURTHER_ROADS):
+        if road in FURTHER_ROADS and best is not None:
+            break
         try:
             found = road(space.given, rank)
             if found is not None:

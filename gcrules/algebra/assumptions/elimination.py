@@ -95,8 +95,11 @@ class _Search:
         """
         asked: dict[str, int] = {}
         over = 0
+        curved = [c for c in turn if name in c.through]
         for c in turn:
-            if name in c.within:
+            if [c] == curved == list(turn):
+                asked[c.cause.text] = 1
+            elif name in c.within:
                 codimension = 1 if c.exact else self.rank - c.within[name].step
                 asked[c.cause.text] = max(asked.get(c.cause.text, 0), codimension)
             else:

@@ -19,6 +19,7 @@ from itertools import combinations
 
 from gcrules.algebra import expr as ex
 from gcrules.algebra.assumptions.linear import hyperplane, is_extensor, simplified, weighted, weights
+from gcrules.algebra.assumptions.quadrics import Quadric
 from gcrules.algebra.evaluate import PRIME
 from gcrules.algebra.expr import ZERO, Bracket, Expr, Join, Meet, Number, Point, Power, Product, Sum, points_of
 from gcrules.algebra.names import point_key
@@ -49,7 +50,8 @@ MAX_CONDITIONS = 500
 
 @dataclass(frozen=True, eq=False)
 class IncidenceCondition:
-    """`equation` vanishes; `within[p]` is the extensor on which p then lies (`exact`: the value that p then has).
+    """`equation` vanishes; `within[p]` is the extensor on which p then lies (`exact`: the value that p then has), and
+    `through[p]` the quadric, of which points are known.
 
     Conditions are compared by identity.
     """
@@ -58,10 +60,12 @@ class IncidenceCondition:
     within: Mapping[str, Expr]
     cause: Assumption
     exact: bool = False
+    through: Mapping[str, Quadric] = FrozenMap()
     names: frozenset[str] = field(init=False)
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "within", FrozenMap(self.within))
+        object.__setattr__(self, "through", FrozenMap(self.through))
         object.__setattr__(self, "names", frozenset(points_of(self.equation)))
 
 

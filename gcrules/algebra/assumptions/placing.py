@@ -6,6 +6,7 @@ import random
 from collections.abc import Mapping, Sequence
 from dataclasses import field
 
+from gcrules.algebra import expr as ex
 from gcrules.algebra.assumptions.construction import Construction, ConstructionStep, Within, coordinates, step_on
 from gcrules.algebra.assumptions.incidences import Helper, IncidenceCondition
 from gcrules.algebra.assumptions.nondegeneracy import assumed, fewest
@@ -74,8 +75,9 @@ class Placement:
                 within = smaller
                 used.append(c)
         if within is None:
-            raise Failure(depth, conditions[0].cause, f"nothing is left on which {name} could lie")
-        step = step_on(within, rank, exact=used[0].exact)
+            step, used = self.on_quadric(depth, name, conditions)
+        else:
+            step = step_on(within, rank, exact=used[0].exact)
         self.put(step)
         for c in conditions:
             if not self.zero(c.equation):
@@ -88,6 +90,20 @@ class Placement:
         self.check(depth, step, used)
         self.steps.append(step)
         self.causes.append(tuple(used))
+
+    def on_quadric(
+        self, depth: int, name: str, conditions: tuple[IncidenceCondition, ...]
+    ) -> tuple[ConstructionStep, list[IncidenceCondition]]:
+        """The second point of a quadric on a line through one that is placed."""
+        for c in conditions:
+            for known in c.through[name].known if name in c.through else ():
+                if known in self.values:
+                    other = f"{name}:1"
+                    parts = c.through[name].parts(known, other)
+                    polar = c.through[name].polar(Point(known), Point(name))
+                    within = ex.add(*parts, rank=self.aim.space.rank)
+                    return ConstructionStep(name, within, parts, (other,), False, (polar,)), [c]
+        raise Failure(depth, conditions[0].cause, f"nothing is left on which {name} could lie")
 
     def smaller(self, within: Within, c: IncidenceCondition, exact: bool) -> Within | None:
         """Where a point lies that satisfies one more condition, if that can be told and is not nothing."""

@@ -15,6 +15,7 @@ do those of the line of Pascal of a conic, whose hexagon may have lines that are
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from dataclasses import replace
 from fractions import Fraction
 from itertools import combinations, pairwise, permutations, product
 from math import comb
@@ -26,6 +27,7 @@ from gcrules.algebra.assumptions.incidences import (
     MAX_CONDITIONS,
     Facts,
     Helper,
+    IncidenceCondition,
     all_of,
     dependent,
     equal,
@@ -37,12 +39,23 @@ from gcrules.algebra.assumptions.incidences import (
     small_first,
 )
 from gcrules.algebra.assumptions.linear import is_extensor, weights
+from gcrules.algebra.assumptions.quadrics import Quadric, quadric
 from gcrules.algebra.expr import Bracket, Expr, Join, Meet, Point, points_of
 from gcrules.algebra.scalars import bracket
 from gcrules.algebra.space import Assumption
 from gcrules.core.errors import StepError
 
-__all__ = ["ROADS", "as_written", "on_known_lines", "on_pascal_line", "together", "understood", "with_named_meets"]
+__all__ = [
+    "FURTHER_ROADS",
+    "ROADS",
+    "as_written",
+    "on_known_lines",
+    "on_pascal_line",
+    "on_quadrics",
+    "together",
+    "understood",
+    "with_named_meets",
+]
 
 _T = TypeVar("_T")
 
@@ -217,5 +230,32 @@ def _lines(a: Assumption) -> Iterator[tuple[frozenset[Expr], list[Expr]]]:
 def _met(helper: Helper) -> tuple[Expr, ...]:
     return helper.meet.args if isinstance(helper.meet, Meet) else ()
 
+
+# --- quadratic equations -------------------------------------------------------------------------------------------
+
+
+def on_quadrics(given: Sequence[Assumption], rank: int) -> list[Facts] | None:
+    """The conditions as they are written; of those that are quadratic in a point with the quadric on which it is. None
+    if there are none such.
+    """
+    found = as_written(given, rank)
+    curved = {c: some for f in found for c in f.conditions if (some := _through_points(c, rank))}
+    if not curved:
+        return None
+    return [
+        replace(f, conditions=tuple(replace(c, through=curved[c]) if c in curved else c for c in f.conditions))
+        for f in found
+    ]
+
+
+def _through_points(c: IncidenceCondition, rank: int) -> Mapping[str, Quadric]:
+    if c.equation.step:
+        return {}
+    names = [n for n in points_of(c.equation) if n not in c.within]
+    return {n: q for n in names if (q := quadric(c.equation, n, rank)) is not None}
+
+
+FURTHER_ROADS: tuple[Callable[[Sequence[Assumption], int], list[Facts] | None], ...] = (on_quadrics,)
+"""Those that are tried where no other one leads anywhere."""
 
 ROADS: tuple[Callable[[Sequence[Assumption], int], list[Facts] | None], ...] = (as_written, together, with_named_meets)

@@ -17,7 +17,7 @@ from gcrules.algebra.assumptions.assumed import kinds
 from gcrules.algebra.assumptions.construction import Construction, Within, step_on
 from gcrules.algebra.bracket import Coefficient, Monomial
 from gcrules.algebra.expand import MAX_TERMS
-from gcrules.algebra.expr import Expr, Point, Superbracket, common_rank, points_of, subexpressions
+from gcrules.algebra.expr import Expr, Point, Sum, Superbracket, common_rank, points_of, subexpressions
 from gcrules.algebra.proofs.coverage import Flat, flats, is_plain
 from gcrules.algebra.proofs.relations import MAX_RELATIONS, Relation, relations
 from gcrules.algebra.proofs.sequences import Sequences
@@ -163,6 +163,8 @@ def _placed(c: Construction) -> Iterator[PlacedPoint]:
     if any(not is_plain(e) for e in c.meets.values()):
         raise InputError("an auxiliary point is a meet with a sum of points")
     for step in c.steps:
+        if isinstance(step.within, Sum) and step.fresh:
+            raise InputError(f"proof files do not know how {step.name} is placed on a conic or a quadric")
         found = None if step.exact else flats(step, c)
         if found is None:
             raise InputError(f"that {step.name} is on {step.within} does not follow from one assumption")

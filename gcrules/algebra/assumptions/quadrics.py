@@ -1,0 +1,100 @@
+r"""Points that an equation puts on a conic or a quadric, constructed from a point of it that is known.
+
+Let F(p) be a scalar in which p occurs twice in each term, and F(x, y) the sum of all terms with x in one of the places
+of p and y in the other, so that F(x, x) = 2 F(x). If F vanishes at another point a whatever the positions are, then
+F(r) a - F(a, r) r is, for any point r, the second point of the quadric on the line ar. Where F(a, p) is not zero, each
+point p of the quadric comes of r = p.
+
+>>> from gcrules.algebra.language.syntax import parse
+>>> found = quadric(parse("[abp][cdp] - 2 [acp][bdp]", rank=3), "p", 3)
+>>> found.known, str(found.polar(Point("a"), Point("r")))
+(('a', 'b', 'c', 'd'), '-[abr][acd] - 2 * [abd][acr]')
+"""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+from gcrules.algebra import expr as ex
+from gcrules.algebra.bracket import BracketPolynomial
+from gcrules.algebra.expand import expand
+from gcrules.algebra.expr import ZERO, Expr, Number, Point, points_of
+from gcrules.algebra.scalars import bracket
+from gcrules.algebra.straightening.straighten import is_zero
+from gcrules.core.dataclass import dataclass
+from gcrules.core.errors import LimitReached
+
+__all__ = ["Quadric", "quadric"]
+
+_MAX_TERMS = 200  # of an equation that is looked at
+
+_Row = tuple[str, ...]
+_Term = tuple[int | Fraction, _Row, _Row, tuple[_Row, ...]]
+
+
+@dataclass(frozen=True)
+class Quadric:
+    """The equation of a point: for each term its number, the other points of the two brackets that hold the point,
+    which comes last in them, and the other brackets. `known` are points at which it vanishes at all positions.
+    """
+
+    rank: int
+    terms: tuple[_Term, ...]
+    known: tuple[str, ...] = ()
+
+    def at(self, x: Expr) -> Expr:
+        """F(x)."""
+        return ex.add(*(self._term(t, x, x) for t in self.terms), rank=self.rank)
+
+    def polar(self, x: Expr, y: Expr) -> Expr:
+        """F(x, y), in brackets in which no point occurs twice."""
+        both = (self._term(t, *places) for t in self.terms for places in ((x, y), (y, x)))
+        return ex.add(*(e for e in both if e != ZERO), rank=self.rank)
+
+    def parts(self, known: str, other: str) -> tuple[Expr, Expr]:
+        """Two points whose sum is the second point on the line through a known point and another one."""
+        a, r = Point(known), Point(other)
+        return ex.mul(self.at(r), a), ex.mul(Number(-1), self.polar(a, r), r)
+
+    def passes_through(self, known: str, name: str) -> bool:
+        """Whether it vanishes at a point at all positions, and lines through that have one more point of it in common:
+        it is not a double point.
+        """
+        value, polar = self.at(Point(known)), self.polar(Point(known), Point(name))
+        zero = (is_zero(e, rank=self.rank, limit=_MAX_TERMS * 20) for e in (value, polar))
+        return tuple(zero) == (True, False)
+
+    def _term(self, term: _Term, x: Expr, y: Expr) -> Expr:
+        number, one, two, others = term
+        if any(x == Point(n) for n in one) or any(y == Point(n) for n in two):
+            return ZERO
+        brackets = (
+            bracket(*map(Point, one), x, rank=self.rank),
+            bracket(*map(Point, two), y, rank=self.rank),
+            *(bracket(*map(Point, row), rank=self.rank) for row in others),
+        )
+        return ex.mul(Number(number), *brackets)
+
+
+def quadric(e: Expr, name: str, rank: int) -> Quadric | None:
+    """The equation of one point of a scalar; None where it does not occur twice in each term, and where no point at
+    which it vanishes is among those of the scalar.
+    """
+    try:
+        poly = expand(e, rank=rank, limit=_MAX_TERMS)
+        if e.step or not isinstance(poly, BracketPolynomial):
+            return None
+        terms: list[_Term] = []
+        for number, rows in poly.named():
+            holding = [row for row in rows if name in row]
+            if len(holding) != 2:
+                return None
+            sign = -1 if sum(rank - 1 - row.index(name) for row in holding) % 2 else 1
+            one, two = (tuple(n for n in row if n != name) for row in holding)
+            terms.append((sign * number, one, two, tuple(row for row in rows if name not in row)))
+        found = Quadric(rank, tuple(terms))
+        others = (n for n in points_of(e) if n != name)
+        known = tuple(n for n in others if found.passes_through(n, name))
+    except LimitReached:
+        return None
+    return Quadric(rank, found.terms, known) if known and terms else None
