@@ -143,14 +143,15 @@ def text_of(ideal: Ideal, system: System) -> str:
     written = [_text(c) for e in ideal.hypotheses for c in at.value(e)]
     claimed = [_text(c) for c in at.value(ideal.claim)]
     factors = [_combined(at.value(e)) for e in ideal.nonzero]
-    sums = [f"y{i}*({c})" for i, c in enumerate(claimed) if c != "0"]
+    factors.append("+".join(f"y{i}*({c})" for i, c in enumerate(claimed)))
     more = [f"y{i}" for i in range(len(claimed))]
+    lines += [f"{system.kind}n{i}={factor};" for i, factor in enumerate(factors)]  # a line has a limit
     return system.program.format(
         variables=",".join((*more, *ideal.variables)),
         lines="\n".join(lines),
         hypotheses=",".join(c for c in written if c != "0") or "0",
         claims=",".join(claimed),
-        refuted="*".join(f"({f})" for f in (*factors, "+".join(sums) or "0")),
+        refuted="*".join(f"n{i}" for i in range(len(factors))),
     )
 
 
@@ -199,7 +200,7 @@ def run(command: Sequence[str], program: str, limit: int) -> Answer | None:
     if process.returncode in (-signal.SIGXCPU, -signal.SIGKILL):
         return None
     found = re.search(r"answer (\d) ([\d.e-]+)", text)
-    if not found and re.search("no more memory|out of memory", text):
+    if not found and re.search("halt|memory", text):  # Singular's last words
         return None
     assert found, text[-2_000:]
     return Answer(found[1] == "1", float(found[2]), used.ru_maxrss / 1024)
