@@ -7,23 +7,25 @@ compared modulo that prime.
 from __future__ import annotations
 
 import random
+import re
 from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
 from itertools import combinations
 
 import pytest
+from places import ROOT
 
 from gcrules.algebra.decide import decide
 from gcrules.algebra.evaluate import Evaluator
 from gcrules.algebra.expr import Expr
-from gcrules.algebra.language.relations import RELATIONS, parse_claim
+from gcrules.algebra.language.relations import RELATION_NAMES, RELATIONS, parse_claim
 from gcrules.algebra.language.statements import Claim, parse_assumption, parse_script
 from gcrules.algebra.language.syntax import Context, parse
 from gcrules.algebra.language.words import CONSTRUCTIONS
 from gcrules.core.errors import GcrulesError, InputError
 
 PRIME = 10**18 + 9
-ROOT = next(r for g in range(2, 20) if (r := pow(g, (PRIME - 1) // 4, PRIME)) ** 2 % PRIME == PRIME - 1)
+UNIT = next(r for g in range(2, 20) if (r := pow(g, (PRIME - 1) // 4, PRIME)) ** 2 % PRIME == PRIME - 1)
 
 Vector = tuple[Fraction, ...]
 Position = dict[str, tuple[int, ...]]
@@ -31,7 +33,7 @@ Position = dict[str, tuple[int, ...]]
 INFINITIES: dict[str, tuple[Context, Position]] = {
     "isotropic": (
         parse_assumption("isotropic i j", Context(rank=3)),
-        {"i": (1, ROOT, 0), "j": (1, PRIME - ROOT, 0)},
+        {"i": (1, UNIT, 0), "j": (1, PRIME - UNIT, 0)},
     ),
     "orthonormal": (parse_assumption("orthonormal i j", Context(rank=3)), {"i": (3, 4, 0), "j": (-4, 3, 0)}),
     "space": (
@@ -398,6 +400,17 @@ def test_a_relation_holds_where_its_definition_does(text: str, where: str) -> No
 
 def test_every_relation_is_compared() -> None:
     assert {text.partition("(")[0] for text in TRUTHS} | {"on_conic"} == set(RELATIONS)
+
+
+def test_the_page_and_the_grammar_list_every_word() -> None:
+    page = (ROOT / "docs" / "language.md").read_text(encoding="utf-8")
+    for word in (*CONSTRUCTIONS.values(), *RELATIONS.values()):
+        assert f"| `{word.usage}` | {word.meaning} |" in page
+    grammar = (ROOT / "gcrules" / "grammar.lark").read_text(encoding="utf-8")
+    for terminal, names in (("CONSTRUCTION", [*CONSTRUCTIONS]), ("RELATION", [*RELATION_NAMES])):
+        found = re.search(rf"^{terminal}\.1: /\(([a-z_|]+)\)", grammar, re.MULTILINE)
+        assert found is not None
+        assert found[1].split("|") == names
 
 
 # --- proofs ----------------------------------------------------------------------------------------------------------

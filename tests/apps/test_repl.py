@@ -128,7 +128,7 @@ def test_everything_the_tables_name_exists() -> None:
 def test_the_words_are_those_of_the_grammar(root: Path) -> None:
     grammar = (root / "gcrules" / "grammar.lark").read_text(encoding="utf-8")
     words = set(re.findall(r'"([a-z]{2,})"', grammar))
-    relations = re.search(r"RELATION\.1: /\(([a-z|]+)\)", grammar)
+    relations = re.search(r"RELATION\.1: /\(([a-z_|]+)\)", grammar)
     assert relations is not None
     assert words | set(relations[1].split("|")) == {*STATEMENTS, *RULE_WORDS, *RELATIONS}
 
@@ -281,7 +281,7 @@ def test_an_interrupt_keeps_the_state(repl: Interpreter, monkeypatch: pytest.Mon
         raise KeyboardInterrupt
 
     with monkeypatch.context() as patch:
-        patch.setattr(gcrules.rules.script, "prove", interrupted)
+        patch.setattr(gcrules.rules.script, "decide", interrupted)
         with pytest.raises(KeyboardInterrupt):
             said(repl, "claim [abcd] == 0")
         assert repl.state == before

@@ -29,7 +29,7 @@ export function helping({ client, source$, study }: Store): Extension[] {
 
   const meaning = hoverTooltip((view, at) => {
     const line = view.state.doc.lineAt(at);
-    for (const found of line.text.matchAll(/:?[a-z]+/g)) {
+    for (const found of line.text.matchAll(/:?[a-z_]+/g)) {
       const [from, to] = [line.from + found.index, line.from + found.index + found[0].length];
       const word = BENCH_WORDS.find(([name]) => name === found[0]);
       if (at < from || at > to || !word) continue;

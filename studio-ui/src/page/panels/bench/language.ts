@@ -1,9 +1,11 @@
 // Colours for the language of expressions, by the words and signs of gcrules/grammar.lark.
 import { HighlightStyle, StreamLanguage, syntaxHighlighting, type StringStream } from "@codemirror/language";
 import { tags } from "@lezer/highlight";
+import { BENCH_CONSTRUCTIONS, BENCH_RELATIONS } from "../../../protocol";
 
 const STATEMENTS = new Set(["rank", "points", "ideal", "isotropic", "orthonormal", "let", "claim", "show", "given", "rewrite", "rule"]);
-const CLAUSES = new Set(["if", "source", "fires", "silent", "collinear", "coplanar", "concurrent", "incident"]);
+const CLAUSES = new Set<string>(["if", "source", "fires", "silent", ...BENCH_RELATIONS]);
+const CONSTRUCTIONS = new Set<string>(BENCH_CONSTRUCTIONS);
 const WORD = /^[A-Za-zȦȧḂḃĊċḊḋĖėḞḟĠġḢḣİṀṁṄṅȮȯṖṗṘṙṠṡṪṫẆẇẊẋẎẏŻż][\w'\u0307ȦȧḂḃĊċḊḋĖėḞḟĠġḢḣİṀṁṄṅȮȯṖṗṘṙṠṡṪṫẆẇẊẋẎẏŻż]*(\.\.\.|…)?/;
 const SIGNS: readonly [RegExp, string][] = [
   [/^#.*/, "comment"],
@@ -40,7 +42,7 @@ function token(stream: StringStream, state: Reading): string | null {
     state.naming = word === "let";
     return "keyword";
   }
-  if (CLAUSES.has(word)) return "keyword";
+  if (CLAUSES.has(word) || (CONSTRUCTIONS.has(word) && stream.peek() === "(")) return "keyword";
   return state.bound.includes(word) ? "bound" : "points";
 }
 
