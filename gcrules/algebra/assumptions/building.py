@@ -50,7 +50,7 @@ def _attempted(aim: Aim) -> Construction | Failure:
         return Construction(rank, free, space.ideal, equations=aim.wanted, points=free, extensors=aim.extensors)
     failure: Failure | None = None
     best: Construction | None = None
-    for road in (*ROADS, *((on_known_lines,) if aim.lines else ()), *FURTHER_ROADS):
+    for road in (*ROADS, on_known_lines, *FURTHER_ROADS) if aim.lines else ROADS:
         if road in FURTHER_ROADS and best is not None:
             break
         try:

@@ -25,7 +25,8 @@ _NAME_IT = "name the common point: given incident(p, X), incident(p, Y)"
 @dataclass(frozen=True)
 class Aim:
     """The points of a space with what is `given` there, the equations that are `wanted` to hold by it, `extensors` that
-    must not vanish, and `meets` that should not; with `lines` also by way of lines that are known (`on_known_lines`).
+    must not vanish, and `meets` that should not; with `lines` also by way of lines that are known (`on_known_lines`)
+    and of quadrics.
     """
 
     space: Space
