@@ -50,7 +50,8 @@ def proofs() -> Iterator[tuple[str, ProofFile]]:
     for path in sorted((ROOT / "examples" / "theorems").glob("*.gca")):
         found = run_script(parse_script(path.read_text(encoding="utf-8"), path.name))
         try:
-            yield "theorems", replace(proof_file(found), title=path.stem)
+            file = replace(proof_file(found), title=path.stem)
+            yield "metric" if any(t.ideal for t in file.theorems) else "theorems", file
         except InputError as fault:
             print(f"{path.name}: {fault.message}")
 
