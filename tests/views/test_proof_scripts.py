@@ -159,11 +159,10 @@ WITHOUT_PROOFS = {"butterfly"}
 """Theorems that have no proof file, and so no script."""
 
 
-def test_theorems_of_the_examples_in_the_plane_and_in_space_have_scripts() -> None:
+def test_theorems_of_the_examples_have_scripts() -> None:
     for path in sorted((EXAMPLES / "theorems").glob("*.gca")):
         if path.stem not in {*WITHOUT_PROOFS, "double-six"}:  # which takes a minute
-            found = ProofFile(path.stem, tuple(t for t in of_example(path) if t.rank in (3, 4)))
-            assert coq.without_script(found) == {}
+            assert coq.without_script(ProofFile(path.stem, of_example(path))) == {}
 
 
 def test_auxiliary_points_are_meets_that_the_proof_names_and_the_theorem_does_not() -> None:
