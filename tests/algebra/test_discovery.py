@@ -166,7 +166,7 @@ CASES: dict[str, tuple[str, int, Callable[[Draw], Points], tuple[str, ...], set[
         3,
         no_pappus,
         ("abc", *CROSSED),
-        {"conic(a', b', c', x, y, z)"},
+        {"on_conic(a', b', c', x, y, z)"},
     ),
     "Desargues": (
         f"rank 3 points o a b c a' b' c' given incident(o, aa'), incident(o, bb'), incident(o, cc') {SIDES}",
@@ -332,7 +332,7 @@ def test_concurrent_lines_as_by_hand(name: str) -> None:
 
 @pytest.mark.parametrize("name", [n for n, case in CASES.items() if case[1] == 3])
 def test_conics_as_by_hand(name: str) -> None:
-    told = {frozenset(d.names) for d in found(name).found if d.relation == "conic"}
+    told = {frozenset(d.names) for d in found(name).found if d.relation == "on_conic"}
     assert told == {s for s in on_conics(drawn(name)) if len(s) > 5}
 
 
@@ -361,8 +361,8 @@ EXPECTED = {
     "desargues-converse": "concurrent(aa', bb', cc')",
     "euler-line": "collinear(h, g, o)",
     "harmonic": "concurrent(aa', bb', cc', dd')",
-    "miquel": "conic(c, m, i, j, q, p)",
-    "nine-points": "conic(i, j, p, q, r, f, m)",
+    "miquel": "on_conic(c, m, i, j, q, p)",
+    "nine-points": "concyclic(p, q, r, f, m)",
     "simson": "collinear(x, y, z)",
     "steiner": "concurrent(p, q, r)",
     "varignon": "concurrent(ij, ac, pq, rs)",
@@ -383,7 +383,7 @@ def test_kinds_of_positions() -> None:
     assert [k.where for k in answer.kinds] == [("[a'b'c']",), ("[a'b'd]",)]
     assert {d.claim: (d.verdict, d.verdicts) for d in answer.found} == {
         "collinear(x, y, z)": ("partly proved", ("proved", "refuted")),
-        "conic(a', b', c', x, y, z)": ("proved", ("proved", "proved")),
+        "on_conic(a', b', c', x, y, z)": ("proved", ("proved", "proved")),
     }
     (line,) = (d for d in answer.found if d.relation == "collinear")
     (equation,) = line.equations
@@ -428,10 +428,10 @@ def test_other_ranks(number: int) -> None:
 
 def test_some_relations() -> None:
     text = (FOLDER / "nine-points.gca").read_text()
-    some = gc.discover(text, relations="conic", seconds=0)
-    assert {d.relation for d in some.found} == {"conic"}
+    some = gc.discover(text, relations="on_conic", seconds=0)
+    assert {d.relation for d in some.found} == {"on_conic"}
     whole = gc.discover(text, relations=RELATIONS, seconds=0)
-    assert some.found == tuple(d for d in whole.found if d.relation == "conic")
+    assert some.found == tuple(d for d in whole.found if d.relation == "on_conic")
     with pytest.raises(InputError, match="'colinear' is not a relation") as fault:
         gc.discover(text, relations=["colinear"])
     assert fault.value.hint == "did you mean collinear or coplanar?"

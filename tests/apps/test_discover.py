@@ -22,14 +22,14 @@ def test_the_shell_says_what_python_says() -> None:
     assert answer == gc.discover(str(HALVES)).to_json()
     assert [(d["claim"], d["verdict"]) for d in answer["found"]] == [
         ("collinear(x, y, z)", "partly proved"),
-        ("conic(a', b', c', x, y, z)", "proved"),
+        ("on_conic(a', b', c', x, y, z)", "proved"),
     ]
 
 
 def test_standard_input_and_relations() -> None:
     text = HALVES.read_text()
-    done = invoke("discover", "-", "--relation", "conic", input=text)
-    assert "conic(a', b', c', x, y, z)" in done.stdout
+    done = invoke("discover", "-", "--relation", "on_conic", input=text)
+    assert "on_conic(a', b', c', x, y, z)" in done.stdout
     assert "collinear" not in done.stdout
 
 

@@ -31,7 +31,7 @@ _MOST_SIXES = 84  # six of nine points
 
 @dataclass(frozen=True)
 class Incidence:
-    """`names` of points that coincide, or lie on a line, plane or conic ("equal", "collinear", "coplanar", "conic");
+    """`names` of points that coincide, or lie on a line, plane or conic ("equal", "collinear", "coplanar", "on_conic");
     of points and the line or plane, the last one, on which they lie ("incident"); `lines`, each told by a name or by
     two points on it, that pass through one point ("concurrent").
     """
@@ -55,8 +55,13 @@ class Incidence:
         return tuple(_EQUATIONS[self.relation](self, position))
 
     def text(self, position: Position) -> str:
-        """As it is written in scripts, if names bound by `let` are points there."""
+        """As it is written in scripts, if names bound by `let` are points there; of what is at infinity in words."""
         figure = position.figure
+        far = set(figure.space.infinity.points) if figure.space.infinity else set()
+        if self.relation == "on_conic" and far and far <= set(self.names):
+            return f"concyclic({', '.join(n for n in self.names if n not in far)})"
+        if self.relation == "concurrent" and len(self.lines) == 3 and far in map(set, self.lines):
+            return f"parallel({', '.join(figure.written(line) for line in self.lines if set(line) != far)})"
         if self.relation == "equal":
             first, *others = self.names
             return ", ".join(f"{figure.written((first, other))} == 0" for other in others)
@@ -137,7 +142,7 @@ _EQUATIONS: Mapping[str, Callable[[Incidence, Position], Iterator[Expr]]] = {
     "collinear": _on_flat,
     "coplanar": _on_flat,
     "concurrent": _concurrent,
-    "conic": _conic,
+    "on_conic": _conic,
 }
 
 
@@ -251,7 +256,7 @@ def _on_conics(position: Position) -> Iterator[Incidence]:
         names = [n for n in position.points if not sum(map(int.__mul__, conic, squares[n])) % PRIME]
         if len(names) > 5:
             seen.append(frozenset(names))
-            yield Incidence("conic", tuple(names))
+            yield Incidence("on_conic", tuple(names))
 
 
 def _squares(p: Vector) -> Vector:
@@ -269,5 +274,5 @@ _HOLDING: Mapping[str, Callable[[Position], Iterator[Incidence]]] = {
     "collinear": _collinear,
     "concurrent": _through,
     "coplanar": _coplanar,
-    "conic": _on_conics,
+    "on_conic": _on_conics,
 }

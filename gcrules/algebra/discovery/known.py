@@ -291,7 +291,7 @@ def unknown(i: Incidence, known: Known) -> Incidence | None:
             return Incidence("incident", (*left, flat)) if left else None
         case "concurrent":
             follows = known.meet_in_one(i.lines)
-        case "conic":
+        case "on_conic":
             follows = any(known.names(i.names) <= known.names(conic) for conic in known.conics)
         case _:
             follows = known.on_one(i.names, 2 if i.relation == "collinear" else 3)
@@ -312,7 +312,7 @@ def learn(i: Incidence, known: Known) -> None:
             figure = known.position.figure
             lines = [figure.meaning(n[0]) if len(n) == 1 else figure.joined(n) for n in i.lines]
             known.meet(lines, f"(common point of {i.lines})")
-        case "conic":
+        case "on_conic":
             known.conics.append(known.names(i.names))
         case _:
             known.dependent(known.names(i.names), 2 if i.relation == "collinear" else 3)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 __all__ = ["MAX_CANDIDATES", "RELATIONS", "SECONDS"]
 
-RELATIONS = ("collinear", "incident", "equal", "concurrent", "coplanar", "conic")
+RELATIONS = ("collinear", "incident", "equal", "concurrent", "coplanar", "on_conic")
 """In the order in which they are looked for: what comes later often follows from what comes before."""
 
 MAX_CANDIDATES = 200_000
