@@ -37,7 +37,6 @@ if TYPE_CHECKING:
         Platform,
         Plugin,
         Proof,
-        Rewriting,
         Robot,
         RobotAnalysis,
         Shortening,
@@ -56,7 +55,6 @@ if TYPE_CHECKING:
         parse,
         prove,
         report,
-        rewrite,
         seeded,
         shorten,
         shortest,
@@ -89,6 +87,7 @@ if TYPE_CHECKING:
         working_modes,
     )
     from gcrules.api.proofs import ProofFile, proof_file
+    from gcrules.api.rewriting import Rewriting, rewrite
     from gcrules.apps.notebook.studio import studio
     from gcrules.apps.notebook.view import view
 
@@ -193,6 +192,7 @@ _ELSEWHERE = {
     ),
     **dict.fromkeys(("Discoveries", "discover"), "gcrules.api.discovery"),
     **dict.fromkeys(("ProofFile", "proof_file"), "gcrules.api.proofs"),
+    **dict.fromkeys(("Rewriting", "rewrite"), "gcrules.api.rewriting"),
     "studio": "gcrules.apps.notebook.studio",
     "view": "gcrules.apps.notebook.view",  # these two show a robot in an app
 }

@@ -20,15 +20,14 @@ from gcrules.algebra.language.relations import Claimed, parse_claim
 from gcrules.algebra.language.statements import parse_assumption
 from gcrules.algebra.language.syntax import Context
 from gcrules.algebra.language.syntax import parse as _parse
-from gcrules.algebra.language.text import Names, split_names
-from gcrules.algebra.language.words import METRICS, with_infinity
+from gcrules.algebra.language.text import Names
 from gcrules.algebra.prove import Proof
 from gcrules.algebra.shortening.limits import MAX_MONOMIALS
 from gcrules.algebra.shortening.limits import SECONDS as SECONDS_TO_SHORTEN
 from gcrules.algebra.shortening.result import Shortening
-from gcrules.algebra.space import Space
 from gcrules.algebra.straightening.straighten import straighten as _straighten
 from gcrules.algebra.superbrackets.shortest import SuperbracketForm, shortest_forms, superbracket_form
+from gcrules.api.reading import expression_of, where
 from gcrules.api.signatures import public
 from gcrules.conditions.analysis import Analysis
 from gcrules.conditions.transversals import Transversals
@@ -48,9 +47,6 @@ from gcrules.rules.condition import Condition
 from gcrules.rules.library import Library
 from gcrules.rules.plugin import Plugin
 from gcrules.rules.plugins import load_rules as _load_rules
-from gcrules.rules.rewriting import Rewriting
-from gcrules.rules.rewriting import rewrite as _rewrite
-from gcrules.rules.rule import RewriteRule
 from gcrules.rules.strategy import Strategy
 from gcrules.screws.threshold import DEFAULT
 
@@ -68,7 +64,6 @@ __all__ = [
     "Platform",
     "Plugin",
     "Proof",
-    "Rewriting",
     "Robot",
     "RobotAnalysis",
     "Shortening",
@@ -87,7 +82,6 @@ __all__ = [
     "parse",
     "prove",
     "report",
-    "rewrite",
     "seeded",
     "shorten",
     "shortest",
@@ -109,18 +103,6 @@ parse = public(_parse)
 transversals = public(_transversals)
 
 
-def _where(rank: int | None, points: Names, ideal: Names, isotropic: Names, orthonormal: Names) -> Context:
-    """Where expressions are read."""
-    at = Context(rank or 4, split_names(points), split_names(ideal))
-    for kind, names in zip(METRICS, (isotropic, orthonormal), strict=True):
-        at = with_infinity(at, kind, found) if (found := split_names(names)) else at
-    return at
-
-
-def _expression(e: str | Expr, at: Context) -> Expr:
-    return e if isinstance(e, Expr) else _parse(e, context=at)
-
-
 @public
 def expand(
     e: str | Expr,
@@ -139,8 +121,8 @@ def expand(
     at infinity that are `isotropic`, or `orthonormal` directions. Raises SyntaxFault or StepError for text that does
     not make sense or another rank, LimitReached beyond `limit` terms.
     """
-    at = _where(rank, points, ideal, isotropic, orthonormal)
-    return _expand(_expression(e, at), points=at.points, ideal=at.ideal, rank=rank, limit=limit)
+    at = where(rank, points, ideal, isotropic, orthonormal)
+    return _expand(expression_of(e, at), points=at.points, ideal=at.ideal, rank=rank, limit=limit)
 
 
 @public
@@ -157,8 +139,8 @@ def straighten(
     """The normal form of standard tableaux; arguments and errors as for `expand`."""
     if isinstance(e, (BracketPolynomial, ExtensorPolynomial)):
         return _straighten(e, limit=limit)
-    at = _where(rank, points, ideal, isotropic, orthonormal)
-    return _straighten(_expression(e, at), points=at.points, ideal=at.ideal, rank=rank, limit=limit)
+    at = where(rank, points, ideal, isotropic, orthonormal)
+    return _straighten(expression_of(e, at), points=at.points, ideal=at.ideal, rank=rank, limit=limit)
 
 
 @public
@@ -182,9 +164,9 @@ def factor(
     where there is none. Raises InputError for zero and for what is not homogeneous in the points, LimitReached beyond
     `limit` extensors or `seconds`.
     """
-    at = _where(rank, points, ideal, isotropic, orthonormal)
+    at = where(rank, points, ideal, isotropic, orthonormal)
     answer: Factorization = decided(
-        e if isinstance(e, (BracketPolynomial, ExtensorPolynomial)) else _expression(e, at),
+        e if isinstance(e, (BracketPolynomial, ExtensorPolynomial)) else expression_of(e, at),
         points=at.points,
         ideal=at.ideal,
         rank=rank,
@@ -214,9 +196,9 @@ def shorten(
     with fewer terms equals it; `bound` says why) and `minimal` (whether these agree). After `seconds` what was found is
     the answer. Raises InputError for extensors, LimitReached beyond `limit` bracket monomials of the multidegree.
     """
-    at = _where(rank, points, ideal, isotropic, orthonormal)
+    at = where(rank, points, ideal, isotropic, orthonormal)
     answer: Shortening = shortened(
-        e if isinstance(e, (BracketPolynomial, ExtensorPolynomial)) else _expression(e, at),
+        e if isinstance(e, (BracketPolynomial, ExtensorPolynomial)) else expression_of(e, at),
         points=at.points,
         ideal=at.ideal,
         rank=rank,
@@ -246,7 +228,7 @@ def prove(
     proof lists what else was assumed not to vanish. Raises InputError for assumptions that are not resolved.
     """
     written_in = common_rank(rank, *(e for e in (claim, right) if isinstance(e, Expr)))
-    at = _where(written_in, points, ideal, isotropic, orthonormal)
+    at = where(written_in, points, ideal, isotropic, orthonormal)
     for written in [given] if isinstance(given, str) else given:
         at = parse_assumption(written, at)
     if right is None:
@@ -258,46 +240,9 @@ def prove(
 
 
 @public
-def rewrite(
-    e: str | Expr,
-    rules: Iterable[str | RewriteRule],
-    *,
-    rank: int | None = None,
-    points: Names = (),
-    ideal: Names = (),
-    isotropic: Names = (),
-    orthonormal: Names = (),
-) -> Rewriting:
-    """Apply rules, the first that fires each time, until all stay silent; every application is a step of the answer.
-
-    `rules` are names of rewriting rules (of the engine and of plugins), rules, or names of `.gca` files. Raises
-    InputError for a rule that is none or that is wrong, LimitReached where rewriting does not end.
-    """
-    at = _where(rank, points, ideal, isotropic, orthonormal)
-    expression = _expression(e, at)
-    space = Space(common_rank(rank, expression), at.points, at.ideal)
-    return _rewrite(expression, _rewriting_rules(rules), space)
-
-
-def _rewriting_rules(rules: Iterable[str | RewriteRule]) -> list[RewriteRule]:
-    found: list[RewriteRule] = []
-    for rule in [rules] if isinstance(rules, str) else rules:
-        if isinstance(rule, RewriteRule):
-            found.append(rule)
-        elif rule.endswith(".gca"):
-            found += Plugin(rule_files=(rule,)).identities()
-        else:
-            named = _load_rules()[rule]
-            if not isinstance(named, RewriteRule):
-                raise InputError(f"the rule {rule} recognises entities; it rewrites no expressions")
-            found.append(named)
-    return found
-
-
-@public
 def evaluate(e: str | Expr, points: dict[str, Any], *, rank: int | None = None, modulus: int | None = None) -> Any:
     """The value of an expression at points given by homogeneous coordinates (exact numbers, or arrays of floats)."""
-    return _evaluate(_expression(e, Context(rank or 4, tuple(points))), points, modulus=modulus)
+    return _evaluate(expression_of(e, Context(rank or 4, tuple(points))), points, modulus=modulus)
 
 
 @public
