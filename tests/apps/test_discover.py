@@ -11,7 +11,7 @@ from places import EXAMPLES
 import gcrules as gc
 from gcrules.apps.studio.bench import bench
 
-HALVES = EXAMPLES / "halves.gca"
+HALVES = EXAMPLES / "figures" / "halves.gca"
 PAPPUS = EXAMPLES / "theorems" / "pappus.gca"
 
 

@@ -71,9 +71,11 @@ def test_what_is_refuted_has_no_file(tmp_path: Path) -> None:
 
 def test_where_nothing_can_be_written_it_is_said_and_nothing_appears(tmp_path: Path) -> None:
     file = tmp_path / "proof.v"
-    done = invoke("prove", "[abcde] == [bcdea]", "--rank", "5", "--coq", str(file))
+    assumed = ["--given", "collinear(a, b, c)"]
+    done = invoke("prove", "[abcde] == 0", "--rank", "5", *assumed, "--coq", str(file))
     assert done.exit_code == 2
-    assert "no theorem can be written for Coq: claim: it is in rank 5" in " ".join(done.stderr.split())
+    said = " ".join(done.stderr.split())
+    assert "no theorem can be written for Coq: claim: it holds under assumptions in rank 5" in said
     assert not file.exists()
 
 

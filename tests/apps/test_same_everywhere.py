@@ -31,7 +31,7 @@ COMMANDS = (
     ["prove", "[abcd][abef] == [abce][abdf]"],
     ["prove", "[bcd] == 0", "--rank", "3", "--given", "collinear(a, b, c), collinear(a, b, d)"],
     ["discover", "{examples}/theorems/steiner.gca", "--exceptions", "0"],
-    ["discover", "{examples}/halves.gca"],
+    ["discover", "{examples}/figures/halves.gca"],
     ["transversals", "ab bc ca de fg hi", "--full"],
     ["analyze", "ab af cb cd ed ef", "--full"],
     ["analyze", "Aa Ab Bc Bd Ce Cf", "--given", "coplanar(A, B, a, b)"],
