@@ -12,8 +12,8 @@ from collections.abc import Sequence
 
 from gcrules.algebra import expr as ex
 from gcrules.algebra.bracket import BracketPolynomial, tableau_order
+from gcrules.algebra.conics import on_conic
 from gcrules.algebra.expr import Expr, Point
-from gcrules.algebra.scalars import bracket
 from gcrules.algebra.straightening.straighten import straighten
 from gcrules.core.errors import LimitReached
 
@@ -28,7 +28,7 @@ def hexagon(e: Expr, rank: int) -> tuple[str, ...] | None:
     if rank != 3 or e.step or len(names) != 6:
         return None
     try:
-        poly, conic = (straighten(s, points=names, rank=3, limit=_MAX_TERMS) for s in (e, _on_conic(names)))
+        poly, conic = (straighten(s, points=names, rank=3, limit=_MAX_TERMS) for s in (e, on_conic(*map(Point, names))))
     except LimitReached:
         return None
     assert isinstance(poly, BracketPolynomial)
@@ -49,7 +49,3 @@ def pascal(six: Sequence[str]) -> tuple[Expr, Expr, Expr]:
     sides = [ex.join(p, q, rank=3) for p, q in ((a, b), (d, e), (b, c), (e, f), (c, d), (a, f))]
     one, two, three = (ex.meet(*sides[i : i + 2], rank=3) for i in (0, 2, 4))
     return one, two, three
-
-
-def _on_conic(six: Sequence[str]) -> Expr:
-    return bracket(*pascal(six), rank=3)

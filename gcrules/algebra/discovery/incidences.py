@@ -13,11 +13,10 @@ from itertools import combinations
 from math import comb
 
 from gcrules.algebra import expr as ex
-from gcrules.algebra.assumptions.conics import pascal
+from gcrules.algebra.conics import on_conic
 from gcrules.algebra.discovery.figure import Position, Vector, minors, normalized
 from gcrules.algebra.evaluate import PRIME
 from gcrules.algebra.expr import Expr
-from gcrules.algebra.parts import substitute
 from gcrules.algebra.scalars import bracket
 from gcrules.core.budget import checkpoint
 from gcrules.core.dataclass import dataclass
@@ -130,10 +129,8 @@ def _conic(i: Incidence, position: Position) -> Iterator[Expr]:
         sixes = combinations(i.names, _SIX) if comb(len(i.names), _SIX) <= _MOST_SIXES else iter(())
     else:
         sixes = ((*five, n) for n in i.names if n not in five)
-    corners = "abcdef"
     for six in sixes:
-        told = dict(zip(corners, map(figure.meaning, six), strict=True))
-        yield bracket(*(substitute(e, told, 3) for e in pascal(corners)), rank=3)
+        yield on_conic(*map(figure.meaning, six))
 
 
 _EQUATIONS: Mapping[str, Callable[[Incidence, Position], Iterator[Expr]]] = {
