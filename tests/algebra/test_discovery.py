@@ -469,6 +469,18 @@ def test_names_that_stand_for_zero() -> None:
     assert "left out" not in answer.text()
 
 
+def test_what_words_make_is_assumed_to_exist() -> None:
+    """Of a circle, that its points are finite; midpoints of finite points are."""
+    altitudes = "let h = orthocentre(a, b, c) let x = foot(a, bc) let y = foot(b, ca)"
+    text = f"rank 3 isotropic i j {altitudes} let m = midpoint(a, b)"
+    answer = gc.discover(text, seconds=0)
+    assert {d.claim for d in answer.found} == {"concyclic(a, b, x, y)", "concyclic(c, h, x, y)"}
+    (kind,) = answer.kinds
+    assert dict(zip(kind.assumed, kind.meanings, strict=True)) == {f"[{n}, i, j]": f"{n} is finite" for n in "hxy"}
+    (kind,) = gc.discover(text, relations="collinear", seconds=0).kinds
+    assert kind.assumed == ()
+
+
 def test_known_is_true() -> None:
     """What is taken to be known at once holds at the position: no discovery is left out for a false reason."""
     looked_at = 0

@@ -241,6 +241,15 @@ def test_each_answer_is_there_before_the_last_one_and_stays_when_the_rest_is_sto
 
 
 @pytest.mark.browser
+def test_a_proof_says_what_it_assumes(desk: Desk) -> None:
+    written(desk, "rank 3\nisotropic i j\nequidistant(circumcentre(a, b, c), a, b)\nab == -ba")
+    desk.one("bench-result").nth(1).wait_for()
+    one, other = (found.inner_text() for found in desk.one("bench-result").all())
+    assert "assumed not to vanish: [circumcentre(a, b, c), i, j] (circumcentre(a, b, c) is finite)" in one
+    assert "both sides have the same normal form" in other
+
+
+@pytest.mark.browser
 def test_answers_to_the_text_before_are_marked_until_there_are_new_ones(desk: Desk) -> None:
     written(desk, f"[abcd]\n[abce]\n{LONG}")
     desk.one("bench-result").nth(1).wait_for()

@@ -13,7 +13,7 @@ proved collinear(x, y, z)
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Collection, Iterable, Sequence
 from functools import partial
 from typing import Any
 
@@ -131,13 +131,16 @@ class _Kind:
     def _in_brackets(self, e: Expr, most: int) -> bool:
         return self.construction.is_zero(e, limit=most)
 
-    def told(self, tried: Iterable[Expr]) -> KindOfPositions:
+    def told(self, tried: Iterable[Expr], shown: Collection[Incidence]) -> KindOfPositions:
         figure, nonzero = self.position.figure, self.construction.nonzero
         names = figure.space.declared()
+        assumed = {text(e, names=names): words(e, names) for e in nonzero}
+        involved = {n for i in shown for n in i.involved}
+        assumed |= figure.required(involved, {n for i in shown for n in i.on_circle(figure)})
         return KindOfPositions(
             tuple(text(e, names=names) for e in self.kind.where),
-            tuple(text(e, names=names) for e in nonzero),
-            tuple(words(e, names) for e in nonzero),
+            tuple(assumed),
+            tuple(assumed.values()),
             tuple(text(e, names=names) for e in tried),
             tuple(sorted((str(a), str(b)) for a, b in merged(self.construction))),
             tuple(n for n in (*figure.points, *figure.flats) if n in self.position.vanishing),
@@ -171,7 +174,7 @@ class _Search:
         for k in self.kinds:
             proved = [i for i in told if k.verdict(i).word == "proved"]
             tried, failed = failing(at, k.kind, [i.equations(k.position) for i in proved], seconds / len(self.kinds))
-            shown.append(k.told(tried))
+            shown.append(k.told(tried, told))
             for i, es in zip(proved, failed, strict=True):
                 fails[i].update(dict.fromkeys(text(e, names=at.declared()) for e in es))
         found = [self.discovery(i, verdicts[i], tuple(fails[i])) for i in told]

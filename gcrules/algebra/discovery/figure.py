@@ -8,7 +8,7 @@ r"""What a script draws: its points, and the points, lines and planes that are n
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import field
 from itertools import combinations
 
@@ -52,6 +52,17 @@ class Figure:
         """The join of what names stand for, a bracket where it is a scalar."""
         found = ex.join(*map(self.meaning, names), rank=self.rank)
         return bracket(found, rank=self.rank) if found.step == self.rank else found
+
+    def required(self, names: Collection[str], finite: Collection[str]) -> Mapping[str, str]:
+        """What the words that made points, lines and planes are taken to have made, as texts with their meanings; of
+        some points that they are finite.
+        """
+        at, told = self.space, dict[str, str]()
+        weighed = [n for n in self.points if n in finite and n in self.bound and self.bound[n] not in at.finite]
+        for n in (n for n in self.bound if n in names):
+            told |= {r.text: r.meaning for r in at.required.get(n, ()) if n not in weighed or r.expr != self.bound[n]}
+        far = at.infinity.points if at.infinity else ()
+        return told | {f"[{', '.join((n, *far))}]": f"{n} is finite" for n in weighed}
 
     def written(self, names: Sequence[str]) -> str:
         """Their join as text, in which the names bound by `let` are names of points."""

@@ -14,7 +14,7 @@ from math import comb
 
 from gcrules.algebra import expr as ex
 from gcrules.algebra.conics import on_conic
-from gcrules.algebra.discovery.figure import Position, Vector, minors, normalized
+from gcrules.algebra.discovery.figure import Figure, Position, Vector, minors, normalized
 from gcrules.algebra.evaluate import PRIME
 from gcrules.algebra.expr import Expr
 from gcrules.algebra.scalars import bracket
@@ -49,6 +49,12 @@ class Incidence:
         """The names that occur in it."""
         return frozenset((*self.names, *(n for line in self.lines for n in line)))
 
+    def on_circle(self, figure: Figure) -> tuple[str, ...]:
+        """The points of a circle, which is a conic through the isotropic points; none of other incidences."""
+        far = figure.space.infinity.points if figure.space.infinity else ()
+        circle = self.relation == "on_conic" and far and set(far) <= set(self.names)
+        return tuple(n for n in self.names if n not in far) if circle else ()
+
     def equations(self, position: Position) -> tuple[Expr, ...]:
         """Expressions that all vanish wherever a construction leads that it holds for, if they do at its positions."""
         return tuple(_EQUATIONS[self.relation](self, position))
@@ -57,8 +63,8 @@ class Incidence:
         """As it is written in scripts, if names bound by `let` are points there; of what is at infinity in words."""
         figure = position.figure
         far = set(figure.space.infinity.points) if figure.space.infinity else set()
-        if self.relation == "on_conic" and far and far <= set(self.names):
-            return f"concyclic({', '.join(n for n in self.names if n not in far)})"
+        if on_circle := self.on_circle(figure):
+            return f"concyclic({', '.join(on_circle)})"
         if self.relation == "concurrent" and len(self.lines) == 3 and far in map(set, self.lines):
             return f"parallel({', '.join(figure.written(line) for line in self.lines if set(line) != far)})"
         if self.relation == "equal":

@@ -59,9 +59,9 @@ function Answer({ result, rank, shown, onToggle }: AnswerProps) {
       {pieces.length > 0 ? (
         <Formula left={name ? [nameOf(name)] : []} right={all ? pieces : pieces.slice(0, MOST)} />
       ) : (
-        (verdict !== "proved" || !said) && (result.sentences.length > 0 ? <Analysed sentences={result.sentences} text={text} /> : <Said text={said ? reasonsOf(text) : text} />)
+        <InWords result={result} />
       )}
-      {pieces.length > 0 && (command || result.way) && reasonsOf(text) !== text && <Said text={reasonsOf(text)} />}
+      {pieces.length > 0 && (command || result.way) && reasonsOf(text) && <Said text={reasonsOf(text)} />}
       {pieces.length > MOST && (
         <button type="button" class="quiet" onClick={() => showAll(!all)}>
           {all ? "Less" : pieces.length < terms ? `The first ${pieces.length} of ${terms} terms` : `All ${terms} terms`}
@@ -106,6 +106,14 @@ function Answer({ result, rank, shown, onToggle }: AnswerProps) {
       {repeating && <Repeating repeated={result.repeat} />}
     </div>
   );
+}
+
+/** An answer without a formula: how it is known, and what a proof assumes not to vanish. */
+function InWords({ result: { verdict, sentences, text } }: { result: BenchResult }) {
+  if (sentences.length > 0) return <Analysed sentences={sentences} text={text} />;
+  const reasons = VERDICTS[verdict] ? reasonsOf(text) : text;
+  if (reasons) return <Said text={reasons} />;
+  return verdict === "proved" ? null : <Said text={text} />;
 }
 
 /** Answers that are sentences, with the formulas in them. */
@@ -195,7 +203,12 @@ function Repeating({ repeated }: { repeated: Repeated | null }) {
 }
 
 /** Without the first line, which repeats what was written. */
-const reasonsOf = (text: string): string => text.split("\n").slice(1).map((line) => line.replace(/^ {2}/, "")).join("\n") || text;
+/** What stands below the first line of an answer, which says again what was asked. */
+function reasonsOf(text: string): string {
+  const lines = text.split("\n").slice(1);
+  const indent = Math.min(...lines.map((line) => line.search(/\S|$/)));
+  return lines.map((line) => line.slice(indent)).join("\n");
+}
 
 function nameOf(name: string): Piece {
   const found = /^([A-Za-z]+)_?(\d+)?('*)$/.exec(name);
