@@ -26,7 +26,7 @@ TEXT = "1,000,000 characters; the limit is 100,000"
 NESTED = "nested more than 100 deep"
 WORD = "a word of 96,00"
 BITS = "a coefficient has more than 10000 bits"
-PARTS = "names bound by `let` stand for more than 50,000 parts here"
+PARTS = "names bound by `let`, and words, stand for more than 50,000 parts here"
 NAMES = "more than 500 declared names"
 
 # What is fed to the parser, as Python source so that a megabyte does not travel through a pipe; words of the fault.
