@@ -9,7 +9,7 @@ direction Σ ±[L, others] i over all of them, where the others are those beside
 >>> print(midpoint(plane, parse("a", rank=3), parse("b", rank=3)))
 [bij] * a + [aij] * b
 >>> print(dot(plane, parse("ab", rank=3), parse("cd", rank=3)))
-[abi] * [cdj] + [abj] * [cdi]
+[abi][cdj] + [abj][cdi]
 """
 
 from __future__ import annotations

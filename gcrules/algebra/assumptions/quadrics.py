@@ -8,7 +8,7 @@ point p of the quadric comes of r = p.
 >>> from gcrules.algebra.language.syntax import parse
 >>> found = quadric(parse("[abp][cdp] - 2 [acp][bdp]", rank=3), "p", 3)
 >>> found.known, str(found.polar(Point("a"), Point("r")))
-(('a', 'b', 'c', 'd'), '-[abr][acd] - 2 * [abd][acr]')
+(('a', 'b', 'c', 'd'), '[abr][cda] - 2[acr][bda]')
 """
 
 from __future__ import annotations
