@@ -80,15 +80,6 @@ GLOSSARY = (
         "page": "lines.md#joints-at-infinity-and-couples",
     },
     {
-        "term": "discovery",
-        "forms": "discoveries",
-        "meaning": (
-            "An incidence of a construction that holds and is not trivial, found at random positions and then proved."
-        ),
-        "guide": "Discovering theorems",
-        "page": "discover.md",
-    },
-    {
         "term": "equivalent lines",
         "forms": "equivalent structure|equivalent line",
         "meaning": (
@@ -141,16 +132,6 @@ GLOSSARY = (
         ),
         "guide": "What the answer means",
         "page": "robots.md#what-the-answer-means",
-    },
-    {
-        "term": "isotropic points",
-        "forms": "isotropic point",
-        "meaning": (
-            "The two points at infinity of the plane through which all circles pass, (1, √−1, 0) and (1, −√−1, 0). By "
-            "them right angles and circles are told in brackets."
-        ),
-        "guide": "The points at infinity",
-        "page": "metric.md#the-points-at-infinity",
     },
     {
         "term": "join",
