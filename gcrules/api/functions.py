@@ -16,7 +16,7 @@ from gcrules.algebra.expr import Expr, common_rank
 from gcrules.algebra.factoring.limits import MAX_EXTENSORS, SECONDS
 from gcrules.algebra.factoring.result import Factorization
 from gcrules.algebra.language.legs_text import Structure, read_legs, read_order
-from gcrules.algebra.language.relations import Claimed, parse_claim
+from gcrules.algebra.language.relations import parse_claim, parse_sides
 from gcrules.algebra.language.statements import parse_assumption
 from gcrules.algebra.language.syntax import Context
 from gcrules.algebra.language.syntax import parse as _parse
@@ -235,8 +235,7 @@ def prove(
         if isinstance(claim, Expr):
             raise InputError("one expression is not a claim", hint='gc.prove(left, right), or "LHS == RHS" as text')
         return decide(parse_claim(claim, at), at, limit=limit)
-    left, other = (e if isinstance(e, Expr) else _parse(e, context=at) for e in (claim, right))
-    return decide(Claimed(((left, other),)), at, limit=limit)
+    return decide(parse_sides(claim, right, at), at, limit=limit)
 
 
 @public

@@ -35,7 +35,7 @@ from contextvars import ContextVar
 from functools import lru_cache, update_wrapper
 from hashlib import blake2b
 from math import floor, log10
-from typing import Generic, ParamSpec, TypeVar
+from typing import Any, Generic, ParamSpec, TypeVar, cast
 
 __all__ = ["DRAWN", "PRIME", "bound", "drawn", "error_below", "remark", "remembered", "repeated", "seed"]
 
@@ -128,21 +128,43 @@ def remark() -> str:
     return "" if chosen is None else f" (points chosen with the seed {chosen}: anyone who knows it can predict them)"
 
 
+class _NotKept(Exception):
+    """Carries an answer past the memory."""
+
+    def __init__(self, answer: object) -> None:
+        super().__init__()
+        self.answer = answer
+
+
 class _Remembered(Generic[P, T]):
-    def __init__(self, function: Callable[P, T], most: int) -> None:
+    def __init__(self, function: Callable[P, T], most: int, keep: Callable[[T], bool]) -> None:
         update_wrapper(self, function)
-        self._kept = lru_cache(maxsize=most)(lambda chosen, args, options: function(*args, **dict(options)))
-        self.cache_clear = self._kept.cache_clear
+
+        @lru_cache(maxsize=most)
+        def kept(_: int | None, args: Any, options: Any) -> T:
+            answer = function(*args, **dict(options))
+            if not keep(answer):
+                raise _NotKept(answer)
+            return answer
+
+        self._kept = kept
+        self.cache_clear = kept.cache_clear
 
     def __call__(self, *args: P.args, **options: P.kwargs) -> T:
-        return self._kept(_chosen.get(), args, tuple(options.items()))
+        try:
+            return self._kept(_chosen.get(), args, tuple(options.items()))
+        except _NotKept as passed:
+            return cast("T", passed.answer)
 
 
-def remembered(most: int) -> Callable[[Callable[P, T]], _Remembered[P, T]]:
+def remembered(
+    most: int, *, keep: Callable[[T], bool] = lambda _: True
+) -> Callable[[Callable[P, T]], _Remembered[P, T]]:
     """Keep the last answers of a function, as `lru_cache` does, each for the seed with which it was drawn: what was
-    found with a seed of the user's is no answer for those who chose none. Arguments are hashable.
+    found with a seed of the user's is no answer for those who chose none. Arguments are hashable. Answers that are not
+    to `keep`, such as those for which time was too short, are computed again the next time.
     """
-    return lambda function: _Remembered(function, most)
+    return lambda function: _Remembered(function, most, keep)
 
 
 def bound(degree: int, bits: int, samples: int) -> float:

@@ -32,6 +32,7 @@ __all__ = [
     "Claimed",
     "Relation",
     "parse_claim",
+    "parse_sides",
     "read_assumptions",
     "read_claim",
 ]
@@ -78,10 +79,27 @@ def parse_claim(text: str, context: Context | None = None, filename: str = "<inp
     return read(text, "claimed", filename, claimed)
 
 
+def parse_sides(left: str | Expr, right: str | Expr, context: Context | None = None) -> Claimed:
+    """The claim that two expressions are equal, each of them made or as text. Raises what `parse_claim` does."""
+    builder = Builder(context or Context())
+
+    def side(e: str | Expr) -> Expr:
+        if isinstance(e, Expr):
+            return e
+        return read(e, "expression", "<input>", lambda tree: builder.value(tree.children[0]))
+
+    sides = side(left), side(right)
+    return Claimed((sides,), "", builder.requirements(), _at_infinity(builder))
+
+
+def _at_infinity(builder: Builder) -> tuple[Expr, ...]:
+    infinity = builder.context.infinity
+    return (infinity.flat,) if infinity else ()
+
+
 def read_claim(tree: Node, builder: Builder, text: str) -> Claimed:
     """The claim of a parse tree; `text` is how it was written."""
-    infinity = builder.context.infinity
-    apart = (infinity.flat,) if infinity else ()
+    apart = _at_infinity(builder)
     if tree.data == "equation":
         sides = builder.equation(tree)
         return Claimed((sides,), "", builder.requirements(), apart)

@@ -112,22 +112,13 @@ def _clashing(check: ClassCheck, known: dict[str, str]) -> ClassCheck:
     return ClassCheck(entry, "refused", "", InputError(words, hint="rename one of them, or open only one"))
 
 
-class _Undecided(Exception):
-    def __init__(self, read: CatalogRead) -> None:
-        super().__init__()
-        self.read = read
+def _is_decided(read: CatalogRead) -> bool:
+    return not any(isinstance(check.fault, LimitReached) for check in read.checks)
 
 
+@remembered(32, keep=_is_decided)
 def _read(name: str, text: str) -> CatalogRead:
-    """The catalog with its checks. They are kept, unless some took too long: the next time there may be more."""
-    try:
-        return _decided(name, text)
-    except _Undecided as fault:
-        return fault.read
-
-
-@remembered(32)
-def _decided(name: str, text: str) -> CatalogRead:
+    """The catalog with its checks."""
     try:
         catalog = read_text(text, name)
     except GcrulesError as fault:
@@ -135,10 +126,7 @@ def _decided(name: str, text: str) -> CatalogRead:
     if not catalog.entries:
         hint = "classes are a list under `classes:`, each with id, legs and condition"
         return CatalogRead(catalog, fault=InputError("the catalog holds no classes", hint=hint))
-    found = CatalogRead(catalog, tuple(_checks(catalog)))
-    if any(isinstance(check.fault, LimitReached) for check in found.checks):
-        raise _Undecided(found)
-    return found
+    return CatalogRead(catalog, tuple(_checks(catalog)))
 
 
 def _checks(catalog: Catalog) -> Iterator[ClassCheck]:

@@ -114,29 +114,13 @@ def _clashing(check: RuleCheck, known: Mapping[str, str], script: Script | None)
     return RuleCheck(rule, check.place, "refused", check.ranks, fault)
 
 
+def _is_decided(read: RuleFileRead) -> bool:
+    return all(check.verdict != "undecided" for check in read.checks)
+
+
+@remembered(32, keep=_is_decided)
 def _read(name: str, text: str) -> RuleFileRead:
-    """The file with its checks, which are kept, but not those that took too long: the next time there may be more."""
-    try:
-        return _decided(name, text)
-    except _Undecided as fault:
-        return fault.read
-
-
-class _Undecided(Exception):
-    def __init__(self, read: RuleFileRead) -> None:
-        super().__init__()
-        self.read = read
-
-
-@remembered(32)
-def _decided(name: str, text: str) -> RuleFileRead:
-    read = _checked(name, text)
-    if any(check.verdict == "undecided" for check in read.checks):
-        raise _Undecided(read)
-    return read
-
-
-def _checked(name: str, text: str) -> RuleFileRead:
+    """The file with its checks."""
     try:
         script = parse_script(text, name)
     except GcrulesError as fault:
