@@ -42,11 +42,19 @@ demo: $(READY) ## analyse the octahedral platform, every stage, and write its re
 
 .PHONY: test
 test: $(READY) ## run the tests and doctests; ends with what was left out
+	$(BIN)/python -m pytest -n auto --dist worksteal --spread
+
+.PHONY: test-all
+test-all: $(READY) ## the same with all cases of the tests that cost much (tests/choice.py)
 	$(BIN)/python -m pytest -n auto --dist worksteal
 
 .PHONY: test-fast
-test-fast: $(READY) ## of all tests those that find most in a second; a minute and a half on two cores (tests/fast.py)
+test-fast: $(READY) ## of all tests those that find most in a second; a minute and a half on two cores (tests/choice.py)
 	$(BIN)/python -m pytest -n auto --dist worksteal --fast tests
+
+.PHONY: costs
+costs: $(READY) ## measure again what the tests cost, of which `make test` makes its choice
+	$(BIN)/python -m pytest -n auto --dist worksteal --costs tests/data/costs.txt
 
 # A plugin that does not end is stopped by a signal, which may come while coverage holds its lock.
 ENDLESS := tests/rules/test_foreign.py::test_a_plugin_that_does_not_end_is_stopped

@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from fast import chosen
+from choice import chosen, fast, processor_seconds, spread, table
 from hypothesis import HealthCheck, settings
 from places import ROOT
 
@@ -85,22 +85,67 @@ def pytest_collection(session: pytest.Session) -> Iterator[None]:
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
-    parser.addoption("--fast", action="store_true", help="the tests that find most in a second (tests/fast.py)")
-
-
-def pytest_report_header(config: pytest.Config) -> str | None:
-    return "--fast: a choice of the tests, tests/fast.py says which" if config.getoption("--fast") else None
+    group = parser.getgroup("choice", "tests/choice.py")
+    group.addoption("--spread", action="store_true", help="of tests whose cases cost much, some that are spread evenly")
+    group.addoption("--fast", action="store_true", help="the tests that find most in a second")
+    group.addoption("--costs", metavar="FILE", type=Path, help="write what the tests cost")
 
 
 @pytest.hookimpl(trylast=True)
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
-    """With ``--fast`` only what :func:`fast.chosen` keeps. What fails in a browser is tried once more."""
+    """With ``--spread`` or ``--fast`` some of the tests. What fails in a browser is tried once more."""
     for item in items:
         if item.get_closest_marker("browser"):
             item.add_marker(pytest.mark.flaky(reruns=1))
+    everything = len(items)
+    if config.getoption("--spread"):
+        items[:] = chosen(items, spread)
     if config.getoption("--fast"):
         settings.load_profile("fast")
-        items[:] = chosen(items)
+        items[:] = chosen(items, fast)
+    config.stash[UNCHOSEN] = everything - len(items)
+
+
+UNCHOSEN = pytest.StashKey[int]()
+"""How many tests a choice leaves out."""
+STARTED = pytest.StashKey[float]()
+COST = "processor seconds"
+
+
+def pytest_sessionfinish(session: pytest.Session) -> None:
+    """A worker tells the run how many it left out; all have chosen the same."""
+    if hasattr(session.config, "workeroutput"):
+        session.config.workeroutput["unchosen"] = session.config.stash.get(UNCHOSEN, 0)
+
+
+@pytest.hookimpl(optionalhook=True)
+def pytest_testnodedown(node: Any) -> None:
+    """Take it from a worker."""
+    node.config.stash[UNCHOSEN] = getattr(node, "workeroutput", {}).get("unchosen", 0)
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_runtest_protocol(item: pytest.Item) -> Iterator[None]:
+    """Note from where on a test costs processor time."""
+    if item.config.getoption("--costs"):
+        item.stash[STARTED] = processor_seconds()
+    return (yield)
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_runtest_makereport(item: pytest.Item, call: pytest.CallInfo[None]) -> Iterator[None]:
+    """Add what the test has cost to its last report."""
+    if call.when == "teardown" and STARTED in item.stash:
+        item.user_properties.append((COST, processor_seconds() - item.stash[STARTED]))
+    return (yield)
+
+
+def _costs(reporter: pytest.TerminalReporter) -> Iterator[tuple[str, float]]:
+    for reports in reporter.stats.values():
+        for report in reports:
+            for name, seconds in getattr(report, "user_properties", ()):
+                if name == COST:
+                    yield report.nodeid, seconds
 
 
 @pytest.fixture(scope="session")
@@ -158,13 +203,17 @@ def run_browser(browser: str, tmp_path: Path) -> Callable[..., str]:
 @pytest.hookimpl(trylast=True)
 def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
     """List what this run left out, by reason, so that a green line is not taken for more than it is."""
+    if path := terminalreporter.config.getoption("--costs"):
+        path.write_text(table(_costs(terminalreporter)), encoding="utf-8")
     left_out = dict(_left_out(terminalreporter))
     terminalreporter.section("left out")
     for reason, tests in sorted(left_out.items()):
         terminalreporter.line(f"{len(tests)} x {reason}")
         for test in tests:
             terminalreporter.line(f"    {test}")
-    if not left_out:
+    if unchosen := terminalreporter.config.stash.get(UNCHOSEN, 0):
+        terminalreporter.line(f"{unchosen} x more cases of tests that cost much: make test-all (tests/choice.py)")
+    elif not left_out:
         terminalreporter.line("nothing")
     again = terminalreporter.getreports("rerun")
     if again:
