@@ -1,7 +1,7 @@
 """Which tests are chosen: `--spread` for `make test`, `--fast` for `make test-fast`. Without either all of them run.
 
-`data/costs.txt` holds the processor time of one case, of each test with a case of more than 0.3 s or whose cases take
-more than 6 s together; `make costs` measures it again. A test with a single case is in every choice but the fast one.
+`data/costs.txt` holds the processor time of one case, of each test with cases of more than 0.3 s, of more than 6 s
+together, or with more than 40 of them; `make costs` measures it again.
 
 `--spread` tries of a test as many cases as take 6 s, at least three, evenly from the first to the last. What it leaves
 out are more robots, classes, documents or numbers for a claim that is tried with others of them; `make test-all`, to be
@@ -25,8 +25,8 @@ from places import DATA
 
 __all__ = ["COSTS", "chosen", "fast", "processor_seconds", "spread", "table"]
 
-_CASE, _TEST = 0.3, 6.0
-"""Processor seconds of a case that is slow, and of the cases of one test that are tried."""
+_CASE, _TEST, _CASES = 0.3, 6.0, 40
+"""Processor seconds of a slow case and of all cases of a test that are tried; as many cases where none are known."""
 
 _TABLE = (DATA / "costs.txt").read_text(encoding="utf-8").splitlines()
 COSTS = {name: float(seconds) for line in _TABLE if line[:1] != "#" for seconds, name in [line.split(maxsplit=1)]}
@@ -52,7 +52,7 @@ def name_of(nodeid: str) -> str:
 
 def spread(name: str, cases: list[pytest.Item]) -> list[pytest.Item]:
     """As many as take the time that a test has."""
-    return _evenly(cases, int(_TEST / COSTS[name])) if name in COSTS else cases
+    return _evenly(cases, int(_TEST / COSTS[name]) if name in COSTS else _CASES)
 
 
 def fast(name: str, cases: list[pytest.Item]) -> list[pytest.Item]:
@@ -89,9 +89,9 @@ def table(measured: Iterable[tuple[str, float]]) -> str:
         if nodeid.startswith("tests/"):
             tests[name_of(nodeid)].append(seconds)
     rows = [
-        f"{median(cases):7.2f} {name}"
+        f"{max(median(cases), 0.01):7.2f} {name}"
         for name, cases in sorted(tests.items())
-        if median(cases) > _CASE or median(cases) * len(cases) > _TEST
+        if median(cases) > _CASE or median(cases) * len(cases) > _TEST or len(cases) > _CASES
     ]
     head = (
         "# Processor seconds of one case, of tests that cost much (tests/choice.py); `make costs` measures them again."
