@@ -33,14 +33,16 @@ def test_tests_that_cost_much_are_there() -> None:
     for one in COSTS:
         file, _, name = one.partition("::")
         path = TESTS / file
-        if not path.is_file() or not re.search(rf"^def {name}\b", path.read_text(encoding="utf-8"), re.MULTILINE):
+        if not path.is_file() or not re.search(
+            rf"^ *def {name.rpartition('::')[2]}\b", path.read_text(encoding="utf-8"), re.MULTILINE
+        ):
             gone.append(one)
     assert not gone
 
 
 @pytest.mark.parametrize(
     ("seconds", "number", "tried"),
-    [(1.0, 4, [0, 1, 2, 3]), (1.0, 11, [0, 2, 4, 6, 8, 10]), (9.0, 5, [0, 2, 4]), (0.5, 1, [0])],
+    [(1.0, 4, [0, 1, 2, 3]), (1.0, 11, [0, 3, 7, 10]), (9.0, 5, [0, 2, 4]), (0.5, 1, [0])],
 )
 def test_cases_are_spread_evenly(
     seconds: float, number: int, tried: list[int], monkeypatch: pytest.MonkeyPatch
