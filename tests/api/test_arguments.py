@@ -192,6 +192,7 @@ METHODS: dict[str, tuple[Callable[..., Any], tuple[str, ...]]] = {
     ),
     "SingularMap.values": (MAP.values, ("name",)),
     "SingularMap.save": (lambda path: MAP.save(path), ("path",)),
+    "SingularMap.save_certificate": (MAP.save_certificate, ("path",)),
     "Library[]": (LIBRARY.__getitem__, ("rule_id",)),
     "Library.strategy": (LIBRARY.strategy, ("ids", "without")),
     "Library.plus": (LIBRARY.plus, ("rules",)),

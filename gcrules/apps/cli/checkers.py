@@ -25,6 +25,7 @@ def checkers(folder: str) -> None:
     python checkers/check_proof.py FILE.json          the theorems of a proof file
     python checkers/recompute.py FILE.json            what does not exist, stated in a proof file
     python checkers/check_certificate.py FILE.json    a certificate of a range
+    python checkers/check_map.py FILE.json            what the cells of a map are
     """
     files = sorted(path for path in _shipped().iterdir() if path.suffix in (".md", ".py"))
     target = Path(folder)

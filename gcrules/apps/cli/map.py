@@ -7,7 +7,7 @@ from typing import Any
 
 import click
 
-from gcrules.apps.cli.files import working
+from gcrules.apps.cli.files import OutputFile, working
 from gcrules.apps.cli.limits import time_limit
 from gcrules.apps.cli.map_options import at_option, limits_option, show, telling_what_is_kept, tile_options
 from gcrules.apps.cli.map_tiles import MapCommand
@@ -19,6 +19,7 @@ from gcrules.core.budget import report
 from gcrules.core.errors import InputError
 from gcrules.core.files import after_writing, check_room
 from gcrules.mechanisms.mechanism import mechanism
+from gcrules.poses.maps.cell_certificate import check_map_kind
 from gcrules.poses.maps.maps import MAX_HELD, done, map_part
 from gcrules.poses.maps.planned import Plan, bytes_of, planned
 from gcrules.poses.maps.task import MEASURES
@@ -53,6 +54,12 @@ __all__ = ["map_"]
     type=click.Choice(MEASURES),
     help="margin σ and leg lengths too; the superbracket only, which is quick; or the margin and what actuators do.",
 )
+@click.option(
+    "--certificate",
+    type=OutputFile(".json", ".gz", noun="certificate"),
+    metavar="FILE.json",
+    help="Write what each cell is, which check_map.py of `gcrules checkers` recomputes without gcrules.",
+)
 @digits_option
 @time_limit(None)
 @tile_options(MAP_FORMATS)
@@ -65,6 +72,7 @@ def map_(
     limits: str | None,
     threshold: str,
     measure: str,
+    certificate: str | None,
     digits: int | None,
     restart: bool,
     workers: int,
@@ -104,6 +112,10 @@ def map_(
         option = "--restart" if restart else "--workers, --part or --scheduler"
         raise InputError(f"{option} without -o", hint="tiles are kept only where -o names a file")
     plan = planned(mechanism(warn(read_source(file, mode=mode)), about=about), over, at, limits, threshold, measure)
+    if certificate is not None:
+        check_map_kind(plan.task.grid)
+        if how.part is not None:
+            raise InputError("--certificate is of a whole map", hint="leave --part out, when all parts are there")
     work = _work(plan, outputs, how)
     if work is not None:
         needed = bytes_of(plan.task) * (1 + any(o.lower().endswith(".nc") for o in outputs))
@@ -114,6 +126,8 @@ def map_(
             return
         found = done(plan, how, work=work, restart=restart)
         _save(found, outputs)
+        if certificate is not None:
+            found.save_certificate(certificate)
     show(found, out, digits=digits)
     if work not in outputs:
         after_writing(found.store.remove)

@@ -12,9 +12,11 @@ from numpy.typing import NDArray
 from gcrules.core.arguments import FILE, TEXT, checked, each
 from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import EngineFault, InputError, LimitReached
+from gcrules.core.files import write_file
 from gcrules.core.frozen import FrozenMap, HoldsArrays
 from gcrules.core.shown import Shown
 from gcrules.mechanisms.description.limits import LengthLimits
+from gcrules.poses.maps.cell_certificate import cell_certificate, cells_bytes
 from gcrules.poses.maps.mesh import Mesh
 from gcrules.poses.maps.slices import SliceFactor
 from gcrules.poses.maps.summary import MapSummary
@@ -222,6 +224,21 @@ class SingularMap(HoldsArrays, Shown):
     def save(self, *paths: str) -> None:
         """Write files; the suffix says of what kind: .nc, .zarr, .svg, .pdf, .png, .ply, .glb, .json."""
         self._show("save", paths=paths)
+
+    def certificate(self) -> dict[str, Any]:
+        """The status of each cell with all that another program needs to recompute it, as JSON: see `save_certificate`.
+
+        Raises InputError for robots of joints and where nothing is proved, LimitReached for too many cells.
+        """
+        return cell_certificate(self)
+
+    @checked("map.save_certificate", path=FILE)
+    def save_certificate(self, path: str) -> None:
+        """Write the status of each cell, .json or .json.gz, for the program check_map.py, which recomputes it.
+
+        Raises as `certificate`, and FileError.
+        """
+        write_file(path, cells_bytes(self, path), at_once=True)
 
     def __repr__(self) -> str:
         shape = " x ".join(map(str, self.grid.shape))

@@ -1,0 +1,197 @@
+#!/usr/bin/env python3
+r"""Recompute the cells of a map of gcrules: python checkers/check_map.py FILE.json[.gz]
+
+It needs Python alone and shares no code with gcrules. From the file that `gcrules map ... --certificate FILE.json`
+wrote it takes a platform on six legs and a grid of poses, and decides of each cell anew, slowly, whether all its poses
+are regular (free), or one is singular (crossed). All cells between neighbouring nodes are there, with their boundaries,
+so that they leave no gap. What it cannot decide is undecided.
+
+A pose moves each point p of the platform to R (p - c) + c + t. It is singular where the determinant of the six rows
+(f, m) is 0, f along a leg and m its moment about any point. Lengths of legs and their limits do not matter.
+
+* Where no coordinate turns the platform, this determinant is expanded to a polynomial in whole numbers, counted in
+  nodes, and factors that the file names are used if their product is that polynomial. A polynomial is between the least
+  and the largest of its Bernstein coefficients: where these have one sign, it has no zero. Where it has both signs in
+  a cell, or is 0 at a place, there is one. Nothing is rounded.
+* Else a determinant with bounds decides, cut further where it has to be: `map_turns.py` says how. Where turns are
+  quarter turns, values at nodes are exact.
+
+Exit codes: 0 all cells are as the file says, and none is undecided; 1 not so; 2 the file is no certificate of a map
+that is known here, or names another digest; 3 the file leaves cells undecided, and the others are as it says.
+All this is recomputed, not proved in Coq.
+"""
+
+from __future__ import annotations
+
+import argparse
+import gzip
+import hashlib
+import io
+import json
+import sys
+from itertools import product
+
+from certificate_bounds import Refused, once
+from map_polynomials import Polynomial, in_whole_numbers, parts_of, superbracket
+from map_slice import MOST_CELLS, Malformed, Slice, expect, whole
+from map_turns import Turned
+
+WORDS = {"f": "free", "x": "crossed", "u": "undecided"}
+MOST_BYTES = 100_000_000
+DEPTH = {True: 14, False: 6}  # halvings of a cell, where the determinant is a polynomial and where not
+PARTS = {True: 3_000, False: 600}  # of a cell at once
+
+
+def status(one, cell, is_exact):
+    """f where a function has no zero in a cell, x where it has one, u where neither is seen."""
+    sizes, signs, boxes = (1,) * len(cell), set(), [cell]
+    for depth in range(DEPTH[is_exact] + 1):
+        places = {tuple(a + b for a, b in zip(box, d)) for box in boxes for d in product((0, 1), repeat=len(cell))}
+        for place in sorted(places) if depth < 3 or is_exact else ():
+            found = one.corner(depth, place)
+            if found == 0:
+                return "x"
+            signs.add(found)
+            if {1, -1} <= signs:
+                return "x"
+        left = []
+        for box in boxes:
+            found = one.sign(depth, box, sizes)
+            if found:
+                signs.add(found)
+            else:
+                left.append(box)
+        if {1, -1} <= signs:
+            return "x"
+        if not left:
+            return "f"
+        boxes = [tuple(2 * a + b for a, b in zip(box, d)) for box in left for d in product((0, 1), repeat=len(cell))]
+        if len(boxes) > PARTS[is_exact]:
+            break
+    return "u"
+
+
+def cells_of(one, shape, is_exact, say=None):
+    """The status of each cell for one function, by its lower node; free ones are left out."""
+    found, waiting, count = {}, [((0,) * len(shape), shape)], 0
+    while waiting:
+        low, width = waiting.pop()
+        count += 1
+        if say and count % 2000 == 0:
+            say(f"{count:,} blocks of cells looked at")
+        if one.sign(0, low, width):
+            continue
+        k = width.index(max(width))
+        if width[k] == 1:
+            what = status(one, low, is_exact)
+            if what != "f":
+                found[low] = what
+            continue
+        half = width[k] // 2
+        for start, size in ((0, half), (half, width[k] - half)):
+            waiting.append(((*low[:k], low[k] + start, *low[k + 1 :]), (*width[:k], size, *width[k + 1 :])))
+    return found
+
+
+def listed_cells(rows, shape):
+    """All letters of a file, by the lower nodes of cells."""
+    expect(
+        isinstance(rows, str if len(shape) == 1 else list) and len(rows) == shape[0], "cells are missing, or too many"
+    )
+    for k, row in enumerate(rows):
+        if len(shape) > 1:
+            for place, letter in listed_cells(row, shape[1:]):
+                yield (k, *place), letter
+        else:
+            expect(row in WORDS, "a cell that is neither f nor x nor u")
+            yield (k,), row
+
+
+def digest_of(data):
+    text = json.dumps({k: v for k, v in data.items() if k != "digest"}, sort_keys=True, separators=(",", ":"))
+    return hashlib.sha256(text.encode()).hexdigest()
+
+
+def checked(data, say=None):
+    """What is proved, in words, and how many cells are called undecided. Raises Refused."""
+    s = Slice(data)
+    expect(data["digest"] == digest_of(data), "it names another digest")
+    counts = dict.fromkeys(WORDS.values(), 0)
+    for _, letter in listed_cells(data["cells"], s.shape):
+        counts[WORDS[letter]] += 1
+    expect(isinstance(data["claim"], dict) and set(data["claim"]) == set(counts), "no claim")
+    if any(whole(data["claim"][n], 0, MOST_CELLS) != counts[n] for n in counts):
+        raise Refused("the numbers claimed are not those of the cells")
+    if s.kind:
+        expect(data["factors"] is None, "factors, on a slice that is no polynomial")
+        things, how = [Turned(s)], "in floats, with bounds of all that they leave out"
+    else:
+        p, how = superbracket(s), "in whole numbers, nothing rounded"
+        listed = [] if data["factors"] is None else data["factors"]
+        if p:
+            things = [Polynomial(in_whole_numbers(f)) for f in (parts_of(s, listed, p) if listed else [p])]
+        else:
+            expect(not listed, "factors of a superbracket that is 0")
+            things = []
+    found = {}
+    for one in things:
+        for place, what in cells_of(one, s.shape, not s.kind, say).items():
+            found[place] = "x" if "x" in (what, found.get(place)) else what
+    zero = not s.kind and not things
+    more = {"f": 0, "x": 0, "u": 0}
+    for place, letter in listed_cells(data["cells"], s.shape):
+        what = "x" if zero else found.get(place, "f")
+        if letter == "u":
+            more[what] += 1
+        elif what != letter:
+            ends = [(a.name, a.start + k * a.step, a.start + (k + 1) * a.step) for a, k in zip(s.axes, place)]
+            at = ", ".join(f"{name} {low}..{high}" for name, low, high in ends)
+            other = "that is not seen here" if what == "u" else f"it is {WORDS[what]}"
+            raise Refused(f"the cell {at} is called {WORDS[letter]}, and {other}")
+    left = counts["undecided"]
+    seen = f" (of which {more['f']} are free and {more['x']} crossed, as is seen here)" if left else ""
+    lines = [
+        f"recomputed: {counts['free']:,} cells free, {counts['crossed']:,} crossed, undecided: "
+        + (f"{left:,}{seen}" if left else "none"),
+        "  free: no pose is singular; crossed: some pose is; the cells cover the slice",
+        f"  {how}; recomputed, not proved in Coq; limits of legs are not considered",
+        *(f"  {line}" for line in s.words()),
+        f"digest {data['digest']}",
+    ]
+    return "\n".join(lines), left
+
+
+def read(name):
+    """The contents of a file. Raises Malformed."""
+    with open(name, "rb") as file:
+        data = file.read(MOST_BYTES + 1)
+    if data[:2] == b"\x1f\x8b":
+        data = gzip.GzipFile(fileobj=io.BytesIO(data)).read(MOST_BYTES + 1)
+    expect(len(data) <= MOST_BYTES, f"more than {MOST_BYTES:,} bytes")
+    try:
+        return json.loads(data, object_pairs_hook=once, parse_constant=once, parse_float=once)
+    except Refused:
+        raise Malformed("a name twice, or a number that is not whole") from None
+
+
+def main():
+    parser = argparse.ArgumentParser(description="Recompute the cells of a map of gcrules.")
+    parser.add_argument("file", metavar="FILE.json[.gz]")
+    arguments = parser.parse_args()
+    try:
+        words, left = checked(read(arguments.file), lambda text: print(text, file=sys.stderr))
+    except Malformed as fault:
+        print(f"refused: {fault}")
+        return 2
+    except Refused as fault:
+        print(f"refused: {fault}")
+        return 1
+    except (OSError, EOFError, ValueError, RecursionError, ArithmeticError) as fault:
+        print(f"refused: no certificate ({type(fault).__name__}: {str(fault)[:200]})")
+        return 2
+    print(words)
+    return 3 if left else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,116 @@
+r"""What a map says of its cells, with all that another program needs to recompute it: `check_map.py` reads this file.
+
+>>> from gcrules.poses.maps.maps import singular_map
+>>> points = {"a": (0, 0, 0), "b": (4, 0, 0), "c": (2, 3, 0), "d": (1, 1, 2), "e": (3, 1, 2), "f": (2, 2, 2)}
+>>> robot = {"legs": "ad ae be bf cf cd", "points": points}
+>>> found = cell_certificate(singular_map(robot, ["x -1:1:3", "z -1:1:3"]))
+>>> found["cells"], found["claim"]
+(['ff', 'ff'], {'free': 4, 'crossed': 0, 'undecided': 0})
+"""
+
+from __future__ import annotations
+
+import gzip
+import hashlib
+import json
+import math
+from typing import TYPE_CHECKING, Any
+
+from gcrules.core.errors import FileError, InputError, LimitReached
+from gcrules.core.version import __version__
+from gcrules.poses.maps.cells import MEANINGS
+from gcrules.poses.maps.grid import Grid
+
+if TYPE_CHECKING:
+    from gcrules.poses.maps.report import SingularMap
+
+__all__ = ["FORMAT", "LETTERS", "MAX_CELLS", "cell_certificate", "cells_bytes", "check_map_kind", "is_certificate"]
+
+FORMAT = "gcrules map certificate 1"
+LETTERS = "fxuo"
+"""Of the statuses, in their order; o is for robots of joints, of which there is no certificate."""
+MAX_CELLS = 4_000_000
+"""Cells that a certificate may have."""
+
+
+def is_certificate(path: str) -> bool:
+    """Whether a name is one for a certificate."""
+    return path.lower().endswith((".json", ".json.gz"))
+
+
+def check_map_kind(grid: Any) -> Grid:
+    """The poses of a map whose cells can be stated. Raises InputError for robots of joints, LimitReached for more than
+    `MAX_CELLS` cells.
+    """
+    if not isinstance(grid, Grid):
+        raise InputError(
+            "a map of a robot of joints has no certificate: no other program knows how its cells follow home's branch",
+            hint="gcrules certify proves ranges of poses of such robots, and its certificates are checked",
+        )
+    if math.prod(n - 1 for n in grid.shape) > MAX_CELLS:
+        raise LimitReached(f"a certificate has at most {MAX_CELLS:,} cells", hint="use a coarser grid, or several maps")
+    return grid
+
+
+def cell_certificate(m: SingularMap) -> dict[str, Any]:
+    """The robot, the slice and the status of each cell, as JSON; numbers are exact, and texts. Cells are listed by the
+    axes, the last of which is a text: f free, x crossed, u undecided. `digest` is the SHA-256 of all else.
+
+    Raises InputError and LimitReached as `check_map_kind`, and InputError where every pose is singular on a slice that
+    is no polynomial, which is seen at random poses.
+    """
+    g = check_map_kind(m.grid)
+    if m.everywhere and m.factors is None:
+        raise InputError(
+            "this map has no certificate: that every pose is singular was seen at random poses",
+            hint="over coordinates that do not turn the platform it is proved",
+        )
+    status = m.values("cell_status")
+    found = {
+        "format": FORMAT,
+        "made by": f"gcrules {__version__}",
+        "title": g.rig.title,
+        "unit": g.rig.unit,
+        "legs": [list(leg) for leg in g.rig.legs],
+        "points": {n: _texts(g.rig.points[n]) for leg in g.rig.legs for n in leg},
+        "centre": _texts(g.rig.centre),
+        "pose": {
+            "translation": _texts(g.at.translation),
+            "quaternion": _texts(g.at.quaternion) if g.rotation_axis is None else None,
+            "angles": None if g.rotation_axis is None else _texts(g.angles),
+        },
+        "axes": [
+            {"name": a.name, "start": str(a.start), "stop": str(a.stop), "number": a.number, "unit": a.unit}
+            for a in g.axes
+        ],
+        "factors": None
+        if m.factors is None
+        else [
+            {"multiplicity": f.multiplicity, "terms": [[list(e), str(c)] for e, c in f.form.terms]} for f in m.factors
+        ],
+        "cells": _rows(status),
+        "claim": {MEANINGS[k]: int((status == k).sum()) for k in range(3)},
+    }
+    return {**found, "digest": _digest(found)}
+
+
+def cells_bytes(m: SingularMap, path: str) -> bytes:
+    """The file, packed where its name ends in .gz. Raises FileError for a name of something else."""
+    if not is_certificate(path):
+        raise FileError("not a name for a certificate", filename=path, hint="certificates end in .json or .json.gz")
+    text = json.dumps(cell_certificate(m), separators=(",", ":")).encode() + b"\n"
+    return gzip.compress(text, mtime=0) if path.lower().endswith(".gz") else text
+
+
+def _texts(numbers: Any) -> list[str]:
+    return [str(c) for c in numbers]
+
+
+def _rows(status: Any) -> Any:
+    if status.ndim > 1:
+        return [_rows(part) for part in status]
+    return "".join(LETTERS[k] for k in status.tolist())
+
+
+def _digest(found: dict[str, Any]) -> str:
+    return hashlib.sha256(json.dumps(found, sort_keys=True, separators=(",", ":")).encode()).hexdigest()
