@@ -85,6 +85,14 @@ def test_cells_are_recomputed(name: str) -> None:
     assert ("in whole numbers" in words) == (data(name)["factors"] is not None)
 
 
+def test_the_guide_has_what_is_printed() -> None:
+    found = gc.singular_map(OCTAHEDRAL, ["x -300:300:31", "z -500:100:41"], measure="value")
+    guide = (ROOT / "docs" / "map.md").read_text(encoding="utf-8")
+    words, _, digest = CHECK.checked(found.certificate())[0].partition("digest ")
+    assert f"{words}digest " in guide
+    assert len(digest) == 64
+
+
 def test_everywhere_all_cells_are_crossed() -> None:
     assert data("everywhere")["cells"] == ["xx", "xx"]
     file = data("everywhere")

@@ -53,6 +53,13 @@ NOT_RUN = {
         "robots: 5-RPUR robot with three translations and two turns: there is no proof to write: condition:"
         " linear-complex: it holds by …",
     ): "make proofs, which takes minutes",
+    (
+        "docs/map.md",
+        'gcrules map examples/octahedral.yaml --over "x -300:300:31" --over "z -500:100:41" --certificate cells.json',
+    ): "tests/project/test_check_map.py checks maps",
+    ("docs/map.md", "recomputed: 1,110 cells free, 90 crossed, undecided: none"): (
+        "tests/project/test_check_map.py reads what it prints"
+    ),
     ("docs/map.md", 'gcrules map refine map.zarr -o wider.zarr --over "x -200:400"'): (
         "tests/poses/test_map_extended.py extends stores"
     ),
