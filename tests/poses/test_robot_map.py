@@ -331,21 +331,26 @@ def test_statuses_are_all_there() -> None:
 
 
 def test_only_steps_that_are_too_long_for_their_proof_are_halved(monkeypatch: pytest.MonkeyPatch) -> None:
-    """A way whose last step fails is not gone again from its beginning."""
+    """All steps are proved at once; what fails is halved by itself, and what fails to the last is not reached."""
     t = limbs_task(robot("delta"), ("x -2:2:5", "y -2:2:5"))
     lattice, node = t._start
     before, place = lattice.places(np.array([node])), lattice.places(np.array([node])) + np.array([[0.0, 1.0]])
     parts = int(number_of_steps(lattice.course, lattice.steps[1:]).max())
-    tried: list[float] = []
+    tried: list[list[float]] = []
+    wrong = 1
 
     def follow(m: Any, target: Any, steps: Any) -> Any:
-        tried.append(float(np.abs(steps.grown).max()))
-        return np.array([len(tried) != parts])  # the last one of the whole steps is not proved
+        tried.append(np.abs(steps.grown).max(axis=1).tolist())
+        return np.arange(len(steps.here)) < len(steps.here) - (len(tried) <= wrong)  # the last one is not proved
 
     monkeypatch.setattr(lattice_module, "follow_branch", follow)
     found = lattice.solved(np.zeros((1, len(lattice.units))), before, place, halvings=3)
     whole = float(np.abs(lattice.steps[1]).max()) / parts
     assert parts > 1
-    assert tried == pytest.approx([whole] * parts + [whole / 2] * 2)
+    assert [len(steps) for steps in tried] == [parts, 2]
+    assert tried[0] + tried[1] == pytest.approx([whole] * parts + [whole / 2] * 2)
+    wrong, tried = 9, []
+    assert np.isnan(lattice.solved(np.zeros((1, len(lattice.units))), before, place, halvings=3)).all()
+    assert [steps[0] / whole for steps in tried] == pytest.approx([1, 0.5, 0.25, 0.125])
     alone = solve(t.linkage, Target(t.grid.names, (lattice.origin + place @ lattice.steps)[0]))
     assert lattice.at(found).platform[0] == pytest.approx(alone.configuration.platform, abs=1e-9)

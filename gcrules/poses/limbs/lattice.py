@@ -90,24 +90,63 @@ class Lattice:
         found = np.full(amounts.shape, np.nan)
         for some in blocks(len(places)):
             grown = (places[some] - before[some]) @ self.steps
-            found[some] = self._led(amounts[some], self.origin + before[some] @ self.steps, grown, halvings)
+            begin = self.origin + before[some] @ self.steps
+            if halvings is None:
+                found[some] = self._led(amounts[some], begin, grown)
+            else:
+                found[some] = self._followed(amounts[some], begin, grown, halvings)
         return found
 
-    def _led(self, amounts: Floats, begin: Floats, grown: Floats, halvings: int | None) -> Floats:
-        def accept(now: Configurations, joints: Joints, _on: Nodes, step: Floats) -> Truths:
-            good = joints.closed & stays_still(self.course.m, joints.amounts)
-            if halvings is not None and good.any():
-                steps = Steps.of(now, joints, step)[good]
-                good[good] = follow_branch(self.course.m, self.course.target, steps)
-            return good
+    def _led(self, amounts: Floats, begin: Floats, grown: Floats, halvings: int = 0) -> Floats:
+        def accept(_now: Configurations, joints: Joints, _on: Nodes, _step: Floats) -> Truths:
+            return joints.closed & stays_still(self.course.m, joints.amounts)
 
         def goals(on: Nodes, part: Floats) -> Floats:
             return np.asarray(begin[on] + part * grown[on])
 
-        parts = int(number_of_steps(self.course, grown).max(initial=1))
-        steps = np.where(np.isnan(amounts[:, 0]), 0, parts)
-        found, good = led(self.course, self._start, amounts, goals, grown, steps, accept, halvings or 0, growth=1.0)
+        steps = np.where(np.isnan(amounts[:, 0]), 0, self._parts(grown))
+        found, good = led(self.course, self._start, amounts, goals, grown, steps, accept, halvings, growth=1.0)
         return np.where(good[:, None], found, np.nan)
+
+    def _parts(self, grown: Floats) -> int:
+        """In how many steps all wanted values grow so much."""
+        return int(number_of_steps(self.course, grown).max(initial=1))
+
+    def _followed(self, amounts: Floats, begin: Floats, grown: Floats, halvings: int) -> Floats:
+        """All steps are predicted first, one after the other, and then proved at once: a proof of few steps takes as
+        long as one of many. Of those that fail both halves are tried, with the configuration between.
+        """
+        parts = self._parts(grown)
+        ways = [amounts]
+        for k in range(parts):
+            ways.append(self._led(ways[-1], begin + k / parts * grown, grown / parts, halvings))
+        good = ~np.isnan(ways[-1][:, 0])
+        owner, part = np.tile(np.flatnonzero(good), parts), np.repeat(np.arange(parts) / parts, good.sum())
+        low, high = (np.concatenate([w[good] for w in some]) for some in (ways[:-1], ways[1:]))
+        for halving in range(halvings + 1):
+            width = 0.5**halving / parts
+            failed = ~self._proved(low, high, width * grown[owner])
+            if halving == halvings:
+                good[owner[failed]] = False
+                break
+            failed &= good[owner]
+            owner, part, low, high = owner[failed], part[failed], low[failed], high[failed]
+            middle = self._led(low, begin[owner] + part[:, None] * grown[owner], width / 2 * grown[owner])
+            good[owner[np.isnan(middle[:, 0])]] = False
+            left = good[owner]
+            owner, part = np.tile(owner[left], 2), np.concatenate([part[left], part[left] + width / 2])
+            low, high = np.concatenate([low[left], middle[left]]), np.concatenate([middle[left], high[left]])
+            if not len(owner):
+                break
+        return np.where(good[:, None], ways[-1], np.nan)
+
+    def _proved(self, low: Floats, high: Floats, grown: Floats) -> Truths:
+        """Whether steps from configurations to others are proved to lie on one branch."""
+        found = np.zeros(len(low), dtype=bool)
+        for some in blocks(len(low)):
+            steps = Steps.between(self.at(low[some]), self.at(high[some]), grown[some])
+            found[some] = follow_branch(self.course.m, self.course.target, steps)
+        return found
 
     def turned(
         self, one: Floats, other: Floats, ends: tuple[Floats, Floats], known: tuple[Frames, Frames] | None = None

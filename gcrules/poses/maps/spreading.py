@@ -25,6 +25,8 @@ __all__ = ["NEAR", "spread"]
 
 _SIZES = (8, 4, 2)
 """Cells along the side of a block."""
+_FEW = 256
+"""Nodes of a grid on which only the largest blocks are tried: smaller ones take as long as all nodes at once."""
 NEAR = 1e-9
 """Room for rounding in comparing configurations."""
 
@@ -32,7 +34,7 @@ NEAR = 1e-9
 def spread(lattice: Lattice, first: int) -> Patches:
     """The branch of the lattice's start, which is the configuration of the node `first`."""
     found = _Spreading(lattice, first)
-    for size in _SIZES:
+    for size in _SIZES if lattice.size > _FEW else _SIZES[:1]:
         _Blocks(found, size).spread()
     found.spread_nodes()
     found.turn_the_rest()
