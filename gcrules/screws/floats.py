@@ -55,6 +55,10 @@ class Floats(Field):
         return found if found.ndim else float(found)
 
     def components(self, value: Any, size: int, what: str) -> Row:
+        if isinstance(value, np.ndarray) and value.dtype == float and value.shape == (size,):
+            one: Row = tuple(value.tolist())  # of one configuration, which NumPy is slow with
+            if all(abs(x) <= _LARGEST for x in one):
+                return one
         found = np.asarray(self.number(value, what))
         if not found.ndim or found.shape[-1] != size:
             raise InputError(f"{what} needs {size} coordinates along its last axis, not the shape {found.shape}")

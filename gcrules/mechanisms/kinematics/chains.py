@@ -57,6 +57,11 @@ class Shape:
 
     motions: tuple[ElementaryMotion, ...]
     locked: tuple[int, ...] = ()
+    kind: JointKind | None = None  # where the motions are its twists
+
+    def screws(self, g: Geometry) -> Sequence[Floats]:
+        """The screws of all motions."""
+        return [m.screw(g) for m in self.motions] if self.kind is None else _rows(self.kind, g)
 
 
 def _turn(point: Floats, axis: Floats) -> Floats:
@@ -141,15 +146,21 @@ def _by_twists(kind: JointKind) -> Shape:
     motions = tuple(
         ElementaryMotion(freedom, n, 1, any(twists[n][:3]), _twist(kind, n)) for n, freedom in enumerate(kind.freedoms)
     )
-    return Shape(motions)
+    return Shape(motions, kind=kind)
 
 
 def _twist(kind: JointKind, place: int) -> Callable[[Geometry], Floats]:
-    def screw(g: Geometry) -> Floats:
-        parts = {part: v.T if isinstance(v, np.ndarray) else v for part, v in g.items()}
-        return np.stack(np.broadcast_arrays(*kind.rows(FLOATS, parts)[place]), axis=-1).astype(float)
+    return lambda g: _rows(kind, g)[place]
 
-    return screw
+
+def _rows(kind: JointKind, g: Geometry) -> Sequence[Floats]:
+    """The twists of a joint; those of one configuration from plain numbers, with which NumPy is slow."""
+    several = any(np.ndim(v) > 1 for v in g.values())
+    parts = {part: (v.T if several else v.tolist()) if isinstance(v, np.ndarray) else v for part, v in g.items()}
+    rows = kind.rows(FLOATS, parts)
+    if several:
+        return [np.stack(np.broadcast_arrays(*row), axis=-1).astype(float) for row in rows]
+    return np.array(rows, dtype=float)
 
 
 def geometry_of(joint: JointSpec, values: Values) -> dict[str, Any]:
@@ -322,14 +333,15 @@ def chain_of(limb: LimbSpec, values: Values) -> Chain:
     for k, (joint, own) in enumerate(zip(limb.joints, limb.coordinates, strict=True)):
         geometry = geometry_of(joint, values)
         ratio = limb.ratios.get(k)
-        for m in shape_of(joint.kind).motions:
-            screws.append(m.screw(geometry))
+        shape = shape_of(joint.kind)
+        screws.extend(shape.screws(geometry))
+        for m in shape.motions:
             uses.append(own[m.freedom])
             signs.append(m.sign if ratio is None else m.sign * float(ratio))
             if ratio is None:
                 turns[own[m.freedom]] = m.turns
-    shape = np.broadcast_shapes(*(s.shape for s in screws))
-    every = np.stack([np.broadcast_to(s, shape) for s in screws], axis=-2)
+    several = np.broadcast_shapes(*(s.shape for s in screws))
+    every = np.stack([np.broadcast_to(s, several) for s in screws], axis=-2)
     chain = Chain(every, tuple(uses), np.array(signs, dtype=float), tuple(turns))
     return _with_runs(chain, limb) if limb.subchains else chain
 

@@ -8,7 +8,7 @@ import numpy as np
 
 from gcrules.mechanisms.kinematics.chains import Chain, shape_of
 from gcrules.mechanisms.kinematics.linkage import Linkage
-from gcrules.mechanisms.kinematics.rigid_motions import Floats, cross_matrix, lengths
+from gcrules.mechanisms.kinematics.rigid_motions import Floats, crossed, lengths
 
 __all__ = ["unfixed"]
 
@@ -23,21 +23,35 @@ def unfixed(
     platform's centre at home and lengths divided by the robot's size. Freedoms that stay at 0 are left out.
     """
     still = {(place, coordinate) for place, coordinate, _ in m.locked}
+    names: list[str] = []
+    spans: dict[int, list[tuple[int, Floats, Floats]]] = {}  # by how many twists span them
     for place, limb in enumerate(m.robot.limbs):
+        old, new = (_scaled(c.screws, m) for c in (before[place].after(links[place]), after[place]))
         start = 0
         for joint, coordinates in zip(limb.joints, limb.coordinates, strict=True):
-            motions = slice(start, start + len(shape_of(joint.kind).motions))
+            stop = start + len(shape_of(joint.kind).motions)
             own = [k for k in coordinates if (place, k) not in still]
-            old = _scaled(before[place].twists(links[place], motions)[..., own], m)
-            new = _scaled(after[place].twists(motions=motions)[..., own], m)
-            basis, _ = np.linalg.qr(old)
-            rest = new - basis @ (np.swapaxes(basis, -1, -2) @ new)
-            sizes = lengths(rest, -2) / lengths(new, -2)
-            yield joint.text, sizes.max(axis=-1)
-            start = motions.stop
+            parts = after[place].parts[start:stop, own]
+            twists = [np.swapaxes(rows[..., start:stop, :], -1, -2) @ parts for rows in (old, new)]
+            spans.setdefault(len(own), []).append((len(names), twists[0], twists[1]))
+            names.append(joint.text)
+            start = stop
+    found: list[Floats] = [np.zeros(())] * len(names)
+    for several in spans.values():
+        places, was, now = zip(*several, strict=True)
+        for k, off in zip(places, _apart(np.stack(was), np.stack(now)), strict=True):
+            found[k] = off
+    yield from zip(names, found, strict=True)
 
 
-def _scaled(twists: Floats, m: Linkage) -> Floats:
-    """Columns (ω; v/size), v at the centre."""
-    moved = twists[..., 3:, :] - cross_matrix(m.centre) @ twists[..., :3, :]
-    return np.concatenate([twists[..., :3, :], moved / m.size], axis=-2)
+def _apart(old: Floats, new: Floats) -> Floats:
+    """How far the columns of `new` (..., 6, n) are from the span of those of `old`, in parts of their lengths."""
+    basis, _ = np.linalg.qr(old)
+    rest = new - basis @ (np.swapaxes(basis, -1, -2) @ new)
+    return np.asarray((lengths(rest, -2) / lengths(new, -2)).max(axis=-1))
+
+
+def _scaled(screws: Floats, m: Linkage) -> Floats:
+    """Rows (ω; v/size), v at the centre."""
+    w = screws[..., :3]
+    return np.concatenate([w, (screws[..., 3:] - crossed(m.centre, w)) / m.size], axis=-1)
