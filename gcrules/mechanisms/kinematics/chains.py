@@ -160,7 +160,7 @@ def _rows(kind: JointKind, g: Geometry) -> Sequence[Floats]:
     rows = kind.rows(FLOATS, parts)
     if several:
         return [np.stack(np.broadcast_arrays(*row), axis=-1).astype(float) for row in rows]
-    return np.array(rows, dtype=float)
+    return list(np.array(rows, dtype=float))
 
 
 def geometry_of(joint: JointSpec, values: Values) -> dict[str, Any]:
