@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from typing import Any
 
     from gcrules.api.discovery import Discoveries, discover
+    from gcrules.api.factors import Factors, factors
     from gcrules.api.functions import (
         Analysis,
         BracketPolynomial,
@@ -99,6 +100,7 @@ __all__ = [
     "Expr",
     "ExtensorPolynomial",
     "Factorization",
+    "Factors",
     "GcrulesError",
     "InputError",
     "Library",
@@ -129,6 +131,7 @@ __all__ = [
     "export",
     "export_model",
     "factor",
+    "factors",
     "free_region",
     "length_regions",
     "load",
@@ -191,6 +194,7 @@ _ELSEWHERE = {
         "gcrules.api.poses",
     ),
     **dict.fromkeys(("Discoveries", "discover"), "gcrules.api.discovery"),
+    **dict.fromkeys(("Factors", "factors"), "gcrules.api.factors"),
     **dict.fromkeys(("ProofFile", "proof_file"), "gcrules.api.proofs"),
     **dict.fromkeys(("Rewriting", "rewrite"), "gcrules.api.rewriting"),
     "studio": "gcrules.apps.notebook.studio",

@@ -184,6 +184,7 @@ SIGNATURES: dict[str, dict[str, ArgumentKind]] = {
     "export": {"source": _SOURCE, "language": TEXT, "coordinates": optional(_VARIABLES), "about": _ABOUT},
     "export_model": {"source": _SOURCE, "format": TEXT, "unit": TEXT},
     "factor": {"e": _SCALAR, **_LIMITED, "all": FLAG, "cofactor": FLAG, "seconds": DURATION},
+    "factors": {"e": _SCALAR, **_LIMITED, "seconds": DURATION},
     "load": {"source": _SOURCE, "plugins": _FOLDERS, "points": NAMES, "ideal": NAMES, "mode": optional(TEXT)},
     "load_rules": {"files": _FILES, "folders": _FILES, "identities": FLAG},
     "locus": {

@@ -13,7 +13,8 @@ from dataclasses import replace
 from typing import Any
 
 from gcrules.algebra.evaluate import vanishes
-from gcrules.algebra.expr import Expr, add, mul
+from gcrules.algebra.expr import Expr, Number, add, mul
+from gcrules.algebra.factoring.forms import Factors
 from gcrules.algebra.factoring.result import Factorization
 from gcrules.algebra.proofs.absence import no_expression, no_shorter
 from gcrules.algebra.proofs.multiples import cofactor
@@ -176,6 +177,24 @@ def _factored(found: Factorization) -> Iterator[_Said]:
         yield _Claim(f"form {i}", mul(form.cofactor, found.input), form.product(), found.rank, found.ideal)
 
 
+def _of_factors(found: Factors) -> _Claims:
+    return f"irreducible factors of {found.input}", _irreducible(found)
+
+
+def _irreducible(found: Factors) -> Iterator[_Said]:
+    """The product, and the form of each factor; what does not exist, and irreducibility, are not proved here."""
+    yield _Claim("factors", found.input, found.product(), found.rank, found.ideal)
+    yield LeftOut("that the factors are irreducible", "it is decided on lines of positions, which is not replayed")
+    for i, f in enumerate(found.factors, 1):
+        if f.expression is None:
+            yield LeftOut(f"a form of factor {i}", f"there is none: {f.form}")
+        elif not f.proved:
+            yield LeftOut(f"the form of factor {i}", _RANDOM)
+        else:
+            right = mul(Number(f.coefficient), f.expression)
+            yield _Claim(f"factor {i}", mul(f.cofactor, f.polynomial.to_expr()), right, found.rank, found.ideal)
+
+
 def _of_shortening(found: Shortening) -> _Claims:
     p = found.polynomial
     assert found.input is not None
@@ -258,6 +277,7 @@ def _of_entry(entry: Entry) -> Iterator[_Claim | LeftOut]:
 _KINDS: dict[type, Callable[[Any], _Claims]] = {
     Proof: _of_proof,
     Factorization: _of_factorization,
+    Factors: _of_factors,
     Shortening: _of_shortening,
     ScriptResult: _of_script,
     ScriptResults: _of_scripts,

@@ -63,6 +63,7 @@ FORMS: dict[str, Forms] = {
     "gcrules.algebra.prove.Proof": _in_ascii("proof"),
     "gcrules.algebra.discovery.result.Discoveries": _result("discoveries", unicode=False),
     "gcrules.algebra.factoring.result.Factorization": _in_ascii("factorization"),
+    "gcrules.algebra.factoring.forms.Factors": _in_ascii("factors"),
     "gcrules.algebra.shortening.result.Shortening": _in_ascii("shortening"),
     "gcrules.algebra.proofs.proof_file.ProofFile": _result(
         "proof_file",

@@ -127,6 +127,7 @@ RIGHT: dict[str, dict[str, Any]] = {
     "export": {"source": PLATFORM},
     "export_model": {"source": PLATFORM},
     "factor": {"e": "[abcd]", "seconds": 1.0},
+    "factors": {"e": "[abcd]", "seconds": 1.0},
     "load": {"source": ROOT / "examples" / "octahedral.yaml"},
     "load_rules": {"identities": False},
     "locus": {"source": PLATFORM, "over": "z"},

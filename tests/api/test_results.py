@@ -134,6 +134,7 @@ NUMBERS: dict[str, Callable[[], Any]] = {
     "working modes": lambda: gc.working_modes("5r"),
     "factorization": lambda: gc.factor("[abcd][abef] + [abce][abdf]"),
     "discoveries": lambda: gc.discover("rank 3 given collinear(a, b, c), collinear(a, b, d)", seconds=0),
+    "factors": lambda: gc.factors("[abcd][efgh] + 2[abce][dfgh]"),
     "shortening": lambda: gc.shorten("[abcd][abef] - [abce][abdf]"),
     "proof file": lambda: gc.proof_file(gc.prove(r"ab /\ cd == [abcd]")),
     "rewriting": lambda: gc.rewrite(r"(ab /\ cde) \/ f", ["expansion"]),

@@ -8,6 +8,7 @@ from operator import mul
 
 from gcrules.algebra.bracket import BracketPolynomial, Row, primitive, sorted_row
 from gcrules.algebra.expr import Number
+from gcrules.algebra.factoring.blocks import blocks_apart, each_point_once
 from gcrules.algebra.factoring.brackets import bracket_factors
 from gcrules.algebra.factoring.irreducible import irreducible
 from gcrules.algebra.factoring.normal import normal
@@ -48,7 +49,11 @@ def decomposed(poly: BracketPolynomial, limit: int) -> Decomposition:
     if set(rest.terms) == {()}:
         return Decomposition(Number(number * rest.terms[()]).value, tuple(sorted(rows)), (), True)
     whole = irreducible(rest)
-    parts = [rest] if whole else split(rest, limit=limit) or [rest]
+    several = None
+    if not whole and not rest.ideal and each_point_once(rest):
+        several = blocks_apart(rest, limit=limit)
+        whole = True if several is not None and len(several) == 1 else None
+    parts = [rest] if whole else several or split(rest, limit=limit) or [rest]
     if len(parts) > 1:
         # The product of the parts is a multiple of the rest, and both have coprime coefficients.
         product = normal(reduce(mul, parts), limit)

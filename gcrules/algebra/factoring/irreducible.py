@@ -2,41 +2,64 @@ r"""Whether a bracket polynomial is irreducible, so that no expression equal to 
 
 Every factor of a bracket polynomial (without ideal points) is one again: it has a multiple of d letters. After all
 brackets have been taken out each factor has at least 2·d letters, so fewer than 4·d letters are irreducible. Else the
-polynomial is restricted to a line of positions: if the restriction has the full degree and is irreducible over the
-rationals, so is the polynomial.
+polynomial is restricted to a line of positions on which a frame is held, the d points that occur most often: if the
+restriction has the full degree and is irreducible over the rationals, so is the polynomial, since a factor that is
+constant there is a power of the frame's bracket.
 """
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 from gcrules.algebra.bracket import BracketPolynomial
 from gcrules.algebra.evaluate import random_rational_points
-from gcrules.algebra.factoring.restriction import Position, restricted
+from gcrules.algebra.factoring.restriction import Position, restricted, value_at
 
-__all__ = ["MOST_LETTERS", "irreducible"]
+__all__ = ["MOST_LETTERS", "frame_of", "irreducible"]
 
 MOST_LETTERS = 32
-"""Polynomials of more letters are not restricted: factoring in one unknown takes too long."""
+"""Polynomials with more letters beside the frame are not restricted: factoring in one unknown takes too long."""
 
-_LINES = 2
+_LINES = 4
 
 
 def irreducible(poly: BracketPolynomial) -> bool | None:
     """True: irreducible over the rationals. None: not known. The polynomial must have no brackets as factors."""
     if poly.ideal or not poly:
         return None
-    letters = sum((poly.degrees() or {}).values())
-    if letters < 4 * poly.rank:
+    degrees = poly.degrees() or {}
+    if sum(degrees.values()) < 4 * poly.rank:
         return True
-    if letters > MOST_LETTERS:
+    held = frame_of(degrees, poly.rank)
+    if _may_divide(poly, held):
+        held = frozenset()
+    moving = sum(d for n, d in degrees.items() if n not in held)
+    if moving > MOST_LETTERS:
         return None
-    return True if any(_irreducible_on_a_line(poly, letters, seed) for seed in range(_LINES)) else None
+    return True if any(_irreducible_on_a_line(poly, held, moving, seed) for seed in range(_LINES)) else None
 
 
-def _irreducible_on_a_line(poly: BracketPolynomial, degree: int, seed: int) -> bool:
+def _may_divide(poly: BracketPolynomial, held: frozenset[str]) -> bool:
+    """Whether the frame's bracket may divide the polynomial, which then vanishes where two points of it coincide."""
+    at = dict(random_rational_points(poly.points, rank=poly.rank, seed=1, size=3))
+    one, other = sorted(held)[:2]
+    at[one] = at[other]
+    return not value_at(poly, at)
+
+
+def frame_of(degrees: Mapping[str, int], rank: int) -> frozenset[str]:
+    """The points that are held: as many as there are coordinates, those that occur most often."""
+    return frozenset(sorted(degrees, key=lambda n: -degrees[n])[:rank])
+
+
+def _irreducible_on_a_line(poly: BracketPolynomial, held: frozenset[str], degree: int, seed: int) -> bool:
     one, other = (random_rational_points(poly.points, rank=poly.rank, seed=2 * seed + n, size=3) for n in (0, 1))
 
     def line(t: int) -> Position:
-        return {n: tuple(a + t * b for a, b in zip(one[n], other[n], strict=True)) for n in poly.points}
+        return {
+            n: one[n] if n in held else tuple(a + t * b for a, b in zip(one[n], other[n], strict=True))
+            for n in poly.points
+        }
 
     on_line = restricted(poly, line, degree)
     return bool(on_line.degree() == degree and on_line.is_irreducible)

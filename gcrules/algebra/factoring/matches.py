@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from functools import cached_property
 from itertools import combinations
 from math import factorial, prod
@@ -14,13 +14,13 @@ from gcrules.algebra.expr import Expr
 from gcrules.algebra.factoring.brackets import vanishing_pairs
 from gcrules.algebra.factoring.extensors import Extensors, Letters, Tree, leaves
 from gcrules.algebra.factoring.limits import Effort
-from gcrules.algebra.factoring.residues import values
+from gcrules.algebra.factoring.residues import residues, values
 from gcrules.algebra.factoring.search import Candidate, candidates
 from gcrules.algebra.factoring.trees import Written, simplest
 from gcrules.core.budget import checkpoint
 from gcrules.core.errors import LimitReached
 
-__all__ = ["search"]
+__all__ = ["Oracle", "constant_below", "search"]
 
 _SEEDS = 20
 _FORMS = 10_000
@@ -50,7 +50,7 @@ def search(
             break
     else:
         raise LimitReached(f"the polynomial vanishes at {_SEEDS} random positions modulo {extensors.field.p}")
-    oracle = _Oracle(restricted)
+    oracle = Oracle(restricted)
     found: dict[str, Written] = {}
     for candidate in candidates(extensors, at):
         w = _confirmed(candidate, extensors, oracle)
@@ -77,7 +77,14 @@ def _most(letters: Letters, ideal: int) -> int:
     return prod(map(factorial, sorted(letters.degrees, reverse=True)[fixed:]))
 
 
-class _Oracle:
+def constant_below(degrees: Iterable[int], rank: int) -> bool:
+    """Whether the constant between a primitive polynomial with points of these degrees and a difference of two products
+    is smaller than the test's prime.
+    """
+    return 2 * prod(map(factorial, sorted(degrees, reverse=True)[rank:])) < residues(rank).p
+
+
+class Oracle:
     """Whether an expression is a multiple of the polynomial at two exact random positions modulo a prime."""
 
     def __init__(self, poly: BracketPolynomial) -> None:
@@ -98,7 +105,7 @@ class _Oracle:
         return bool(one) and (one * second - other * first) % PRIME == 0
 
 
-def _confirmed(candidate: Candidate, extensors: Extensors, oracle: _Oracle) -> Written | None:
+def _confirmed(candidate: Candidate, extensors: Extensors, oracle: Oracle) -> Written | None:
     """The simplest expression of a candidate that equals the polynomial at exact positions too."""
     letters = extensors.letters
     for number, (a, b) in enumerate(candidate.trees(extensors)):

@@ -23,7 +23,7 @@ from gcrules.algebra.language.text import text
 from gcrules.algebra.straightening.order import easy_order
 from gcrules.core.seeds import remark
 
-__all__ = ["each_once"]
+__all__ = ["each_once", "no_factor", "scalars_of"]
 
 MULTILINEAR = "products of expressions of joins and meets, each point used once"
 
@@ -38,12 +38,12 @@ def each_once(pieces: Pieces, terms: int) -> Factorization:
         whole = Whole.of(pieces, terms, patient=False)
         alone = [_alone(factor_multilinear(part), part) for part in whole.parts]
         family = ExpressionFamily(MULTILINEAR, size, 0, monotonic() - start)
-        none = whole.none(family, _no_factor(incomplete, pieces), alone, terms)
+        none = whole.none(family, no_factor(incomplete, pieces.rank, pieces.points), alone, terms)
         return replace(none, atoms=tuple(extensor(a, pieces.rank) for found in incomplete for a in found.atoms))
     number, certificates = pieces.number, []
     scalars: list[Expr] = list(brackets_of(pieces.rows, pieces.points))
     for poly, found in answers:
-        some = _scalars(found, poly)
+        some = scalars_of(found, poly)
         coefficient, certificate = certified(poly, ex.mul(*some), terms)
         number = Number(number * coefficient).value
         scalars += some
@@ -65,22 +65,23 @@ def _decided(poly: BracketPolynomial, terms: int) -> Multilinear:
     return factor_multilinear(poly)
 
 
-def _scalars(found: Multilinear, poly: BracketPolynomial) -> list[Expr]:
+def scalars_of(found: Multilinear, poly: BracketPolynomial) -> list[Expr]:
+    """The factors that were found, each as simple as it can be written."""
     return [simplest(*pair, rank=poly.rank, order=poly.points).expression for pair in found.scalars]
 
 
 def _alone(found: Multilinear, poly: BracketPolynomial) -> Expr | None:
-    return ex.mul(*_scalars(found, poly)) if found.complete else None
+    return ex.mul(*scalars_of(found, poly)) if found.complete else None
 
 
 def _of_points(e: Expr) -> bool:
     return isinstance(e, ex.Bracket) and all(isinstance(a, ex.Point) for a in e.args)
 
 
-def _no_factor(incomplete: Sequence[Multilinear], pieces: Pieces) -> Certificate:
+def no_factor(incomplete: Sequence[Multilinear], rank: int, points: tuple[str, ...]) -> Certificate:
     """The certificate that a multilinear polynomial has no further factor."""
     first = incomplete[0]
-    atoms = ", ".join(text(extensor(a, pieces.rank), names=pieces.points) for a in first.atoms)
+    atoms = ", ".join(text(extensor(a, rank), names=points) for a in first.atoms)
     detail = f"the atomic extensors that are left are {atoms}; no meet of two of them is a primitive factor"
     if first.error:
         united = f"points united, {first.accepted} meets accepted" if first.accepted else "points united"

@@ -3,7 +3,9 @@ r"""A bracket polynomial as a product of irreducible bracket polynomials, for po
 The polynomial is restricted to curves of positions that all pass through two fixed positions x and y, and the
 restrictions are factored over the rationals. The ratio A(y) : A(x) tells a factor A of the polynomial from the others,
 so it can be followed from curve to curve: degrees along suitable curves give its multidegree, values along others its
-coefficients in standard tableaux. What comes out is multiplied and compared with the polynomial, which is the proof.
+coefficients in standard tableaux. The d points that occur most often, a frame, are the same in x and y and move only to
+tell their own degrees; no factor is constant for that. What comes out is multiplied and compared with the polynomial,
+which is the proof.
 
 A restriction may have more factors than the polynomial. Then the product does not come out, and nothing is claimed.
 """
@@ -22,7 +24,7 @@ import numpy as np
 
 from gcrules.algebra.bracket import BracketPolynomial, Monomial, Terms
 from gcrules.algebra.factoring.brackets import solution, standard_tableaux
-from gcrules.algebra.factoring.irreducible import MOST_LETTERS
+from gcrules.algebra.factoring.irreducible import MOST_LETTERS, frame_of
 from gcrules.algebra.factoring.modular import MODULUS
 from gcrules.algebra.factoring.residues import values
 from gcrules.algebra.factoring.restriction import restricted
@@ -33,7 +35,7 @@ __all__ = ["split"]
 
 _SIZE = 9
 _SPARE = 6
-_TRIES = 2
+_TRIES = 8
 
 _Position = dict[str, tuple[int, ...]]
 _Ratio = Fraction
@@ -57,7 +59,9 @@ class _Factor:
 def split(poly: BracketPolynomial, *, limit: int) -> list[BracketPolynomial] | None:
     """Irreducible polynomials in normal form whose product is a multiple of the polynomial (in normal form, without
     ideal points and brackets that divide it), each as often as it occurs; None where they were not found."""
-    if poly.ideal or sum((poly.degrees() or {}).values()) > MOST_LETTERS:
+    degrees = poly.degrees() or {}
+    held = frame_of(degrees, poly.rank)
+    if poly.ideal or sum(d for n, d in degrees.items() if n not in held) > MOST_LETTERS:
         return None
     for seed in range(_TRIES):
         found = _Splitting(poly, seed).parts()
@@ -78,7 +82,9 @@ class _Splitting:
         self.poly = poly
         self.degrees = poly.degrees() or {}
         self.rng = random.Random(seed)
-        self.x, self.y = self._random(), self._random()
+        self.held = frame_of(self.degrees, poly.rank)
+        self.x = self._random()
+        self.y = {n: self.x[n] if n in self.held else at for n, at in self._random().items()}
 
     def _random(self) -> _Position:
         return {n: tuple(self.rng.randint(-_SIZE, _SIZE) for _ in range(self.poly.rank)) for n in self.degrees}
@@ -102,13 +108,15 @@ class _Splitting:
         return {n: self._factors({n: self._random()[n]}) for n in self.degrees}
 
     def _multidegree(self, ratio: _Ratio, factor: _Factor) -> dict[str, int] | None:
-        """A point on a curve of degree two adds its degree once more."""
+        """A point on a curve of degree two adds its degree once more, or twice where it was held."""
         found = {}
         for n, factors in self._bends.items():
             if not factors or ratio not in factors:
                 return None
-            found[n] = factors[ratio].degree - factor.degree
-        return found if sum(found.values()) == factor.degree and min(found.values()) >= 0 else None
+            found[n], odd = divmod(factors[ratio].degree - factor.degree, 2 if n in self.held else 1)
+            if odd or found[n] < 0:
+                return None
+        return found if sum(d for n, d in found.items() if n not in self.held) == factor.degree else None
 
     def _polynomial(self, ratio: _Ratio, factor: _Factor, multidegree: Mapping[str, int]) -> BracketPolynomial | None:
         """The factor in standard tableaux, whose coefficients its values determine."""
@@ -118,7 +126,7 @@ class _Splitting:
         tableaux = list(standard_tableaux(degrees, self.poly.rank, 0))
         rows: list[tuple[int, ...]] = []
         while len(rows) < len(tableaux) + _SPARE:
-            bend = self._random()
+            bend = {n: at for n, at in self._random().items() if n not in self.held}
             factors = self._factors(bend)
             if not factors or ratio not in factors:
                 return None
@@ -161,7 +169,7 @@ class _Splitting:
         """The factors of the restriction to a curve by their ratios at y and x; None where these do not tell them
         apart, or the restriction has not the full degree.
         """
-        degree = sum(d * (2 if n in bend else 1) for n, d in self.degrees.items())
+        degree = sum(d * (2 if n in bend else n not in self.held) for n, d in self.degrees.items())
         poly = restricted(self.poly, lambda t: self._position(bend, t), degree)
         if poly.degree() < degree:
             return None

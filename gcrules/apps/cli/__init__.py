@@ -47,6 +47,7 @@ COMMANDS = {
         "Bring an expression into its normal form of standard tableaux.",
     ),
     "factor": ("gcrules.apps.cli.factor:factor", "Decide whether a scalar is one expression of joins and meets."),
+    "factors": ("gcrules.apps.cli.factors:factors", "Find the irreducible factors of a scalar, each with a form."),
     "transversals": (
         "gcrules.apps.cli.transversals:transversals",
         "Compare the turns about two lines that meet four legs.",

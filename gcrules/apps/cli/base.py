@@ -145,7 +145,21 @@ _LONG_OPTION = re.compile(r"--[a-z][a-z-]+(=.*)?", re.DOTALL)
 
 
 SEEDED = (
-    *("analyze", "check", "export", "factor", "locus", "map", "modes", "path", "pose", "prove", "repl", "report"),
+    *(
+        "analyze",
+        "check",
+        "export",
+        "factor",
+        "factors",
+        "locus",
+        "map",
+        "modes",
+        "path",
+        "pose",
+        "prove",
+        "repl",
+        "report",
+    ),
     *("rewrite", "run", "shorten", "transversals"),
 )
 """Names of the commands in which checks at random points decide."""

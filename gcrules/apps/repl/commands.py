@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from contextlib import contextmanager
 from dataclasses import replace
 from math import inf, nan
 from os.path import expanduser
+from typing import Any
 
 from gcrules.algebra.bracket import BracketPolynomial
 from gcrules.algebra.discovery.limits import SECONDS as SECONDS_TO_DISCOVER
@@ -21,14 +21,13 @@ from gcrules.algebra.shortening.limits import SECONDS as SECONDS_TO_SHORTEN
 from gcrules.algebra.straightening.straighten import straighten, straighten_steps
 from gcrules.apps.repl.answers import Answer, bound_text, polynomial_text, value_text
 from gcrules.apps.repl.help import help_text
-from gcrules.apps.repl.reading import Source, is_blank
+from gcrules.apps.repl.reading import is_blank
+from gcrules.apps.repl.request import Request
 from gcrules.apps.repl.session import PromptSession
 from gcrules.apps.repl.state import PromptState
-from gcrules.apps.repl.tables import Command
 from gcrules.conditions.analysis import Analysis
-from gcrules.core.dataclass import dataclass
 from gcrules.core.deferred import deferred
-from gcrules.core.errors import GcrulesError, InputError, Span
+from gcrules.core.errors import GcrulesError, Span
 from gcrules.core.files import write_file
 from gcrules.core.hints import near
 from gcrules.core.shown import Shown
@@ -41,41 +40,15 @@ from gcrules.rules.strategy import Strategy
 from gcrules.views.detail import without_options
 from gcrules.views.formulas.latex import latex
 
-__all__ = ["HANDLERS", "Request"]
+__all__ = ["HANDLERS"]
 
 discover = deferred("gcrules.algebra.discovery.discover:discover")
 relations = deferred("gcrules.algebra.discovery.discover:asked")
 factor = deferred("gcrules.algebra.factoring.factorize:factor")
+factors = deferred("gcrules.algebra.factoring.factors:factors")
 shorten = deferred("gcrules.algebra.shortening.shorten:shorten")
 transversals = deferred("gcrules.conditions.transversals:transversals")
 _leading_sentences = deferred("gcrules.views.report.stages:leading_sentences")
-
-
-@dataclass(frozen=True, slots=True)
-class Request:
-    """A command with what stands behind it; `source` has the same for the parser."""
-
-    command: Command
-    argument: str
-    source: Source
-
-    @property
-    def span(self) -> Span:
-        """Where the argument stands, or the command where there is none."""
-        whole = self.source.text
-        begin = whole.rindex(self.argument) if self.argument else len(whole) - len(whole.lstrip())
-        return Span(begin, begin + len(self.argument) if self.argument else len(whole.rstrip()))
-
-    @contextmanager
-    def placed(self) -> Iterator[None]:
-        """Faults without a place are those of the argument."""
-        try:
-            yield
-        except InputError as fault:
-            raise (fault if fault.source is not None else self.fault(fault.message, fault.hint)) from None
-
-    def fault(self, message: str, hint: str | None = None) -> GcrulesError:
-        return InputError(message, hint=hint).located(self.source.text, self.source.filename, self.span)
 
 
 def _asked(repl: PromptSession, request: Request) -> Expr:
@@ -115,19 +88,27 @@ def _steps(repl: PromptSession, request: Request) -> Iterator[Answer]:
     yield Answer("\n".join([*(f"{line}{end}" for line in lines), polynomial_text(normal, settings, at)]), "shown")
 
 
-def _factor(repl: PromptSession, request: Request) -> Iterator[Answer]:
-    at, e, seconds = repl.state.context, _asked(repl, request), min(SECONDS_TO_FACTOR, repl.settings.seconds)
+def _searched(repl: PromptSession, request: Request, search: Callable[..., Any], most: float) -> Any:
+    at, e = repl.state.context, _asked(repl, request)
     with request.placed():
-        found = factor(e, points=at.points, ideal=at.ideal, rank=at.rank, seconds=seconds)
+        return search(e, points=at.points, ideal=at.ideal, rank=at.rank, seconds=min(most, repl.settings.seconds))
+
+
+def _factor(repl: PromptSession, request: Request) -> Iterator[Answer]:
+    found = _searched(repl, request, factor, SECONDS_TO_FACTOR)
     if found.exists:
         repl.remember(found.whole())
     yield _whole(repl, found, "shown" if found.proved or not found.exists else "undecided", _unused(repl))
 
 
+def _factors(repl: PromptSession, request: Request) -> Iterator[Answer]:
+    found = _searched(repl, request, factors, SECONDS_TO_FACTOR)
+    repl.remember(found.to_expr())
+    yield _whole(repl, found, "shown" if found.decided else "undecided", _unused(repl))
+
+
 def _shorten(repl: PromptSession, request: Request) -> Iterator[Answer]:
-    at, e, seconds = repl.state.context, _asked(repl, request), min(SECONDS_TO_SHORTEN, repl.settings.seconds)
-    with request.placed():
-        found = shorten(e, points=at.points, ideal=at.ideal, rank=at.rank, seconds=seconds)
+    found = _searched(repl, request, shorten, SECONDS_TO_SHORTEN)
     repl.remember(found.polynomial.to_expr())
     yield _whole(repl, found, "shown", _unused(repl))
 
@@ -382,6 +363,7 @@ HANDLERS: Mapping[str, Callable[[PromptSession, Request], Iterator[Answer]]] = {
     "straighten": _straighten,
     "steps": _steps,
     "factor": _factor,
+    "factors": _factors,
     "shorten": _shorten,
     "transversals": _transversals,
     "prove": _prove,

@@ -22,7 +22,7 @@ from gcrules.algebra.language.rule_text import RuleText
 from gcrules.algebra.language.statements import Claim, Script, Show, Statement, parse_script
 from gcrules.algebra.language.syntax import Builder, Context
 from gcrules.apps.repl.answers import Answer, answer_of, bound_text, fault_answer, result_of
-from gcrules.apps.repl.commands import HANDLERS, Request
+from gcrules.apps.repl.commands import HANDLERS
 from gcrules.apps.repl.reading import (
     InputPiece,
     Source,
@@ -37,6 +37,7 @@ from gcrules.apps.repl.reading import (
     without_quotes,
     without_results,
 )
+from gcrules.apps.repl.request import Request
 from gcrules.apps.repl.state import PromptState, Settings
 from gcrules.apps.repl.tables import SHELL, STATEMENTS, command
 from gcrules.core.alarm import paced

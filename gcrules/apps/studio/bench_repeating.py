@@ -250,7 +250,7 @@ _PYTHON: Mapping[str, Callable[[Question], str]] = {
 """What Python does of it."""
 
 _LINES: Mapping[str, Callable[[Question, Rules], Repeated]] = {
-    **dict.fromkeys(("expand", "straighten", "steps", "factor", "shorten", "prove", "transversals"), _plain),
+    **dict.fromkeys(("expand", "straighten", "steps", "factor", "factors", "shorten", "prove", "transversals"), _plain),
     "rewrite": _rewritten,
     "analyze": _analyzed,
     "discover": _discovered,

@@ -251,7 +251,7 @@ def _bench(subject: Subject | None, text: str, rules: Rules) -> Repeated:
     return {"shell": shell, "python": python, "files": [*rules.files, *rules.catalogs]}
 
 
-_FUNCTIONS = ("expand", "straighten", "factor", "shorten", "transversals", "prove")
+_FUNCTIONS = ("expand", "straighten", "factor", "factors", "shorten", "transversals", "prove")
 """The questions of the prompt that are functions of Python by the same name, whatever rules hold."""
 
 

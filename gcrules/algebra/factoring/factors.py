@@ -1,0 +1,104 @@
+r"""Complete factorization: the irreducible factors of a scalar, each as one expression, in two terms or with a
+cofactor.
+
+>>> from gcrules.algebra.language.syntax import parse
+>>> for f in factors(parse("[[Aa, Ab, Ba, Bb, Cc, Dd]]")).factors:
+...     print(f.times, f.form, f.expression)
+1 bracket [ABab]
+1 transversals (AB /\ Cc)(ab /\ Dd) - (AB /\ Dd)(ab /\ Cc)
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from fractions import Fraction
+
+from gcrules.algebra.bracket import BracketPolynomial, ExtensorPolynomial, Row, primitive
+from gcrules.algebra.certificate import Certificate
+from gcrules.algebra.expr import Expr, Number
+from gcrules.algebra.factoring.forms import BRACKET, Factors, IrreducibleFactor
+from gcrules.algebra.factoring.irreducible import irreducible
+from gcrules.algebra.factoring.limits import MAX_EXTENSORS, SECONDS, Effort, terms_held
+from gcrules.algebra.factoring.normal import zero
+from gcrules.algebra.factoring.pieces import factor_pieces
+from gcrules.algebra.factoring.powers import number_power
+from gcrules.algebra.factoring.result import brackets_of
+from gcrules.algebra.factoring.seeking import formed, share_of_time
+from gcrules.algebra.factoring.whole import Whole, in_order_of_points
+from gcrules.core.budget import checkpoint, report, within
+
+__all__ = ["factors"]
+
+_FOR_PARTS = 0.5  # of the time, for the factors themselves
+_FOR_ONE = 0.8  # of what is left then, for their forms
+_ITSELF = Certificate("normal-form", "it is a bracket")
+_PRODUCT = Certificate("normal-form", "the product of the factors has the normal form of the input, factor by factor")
+
+
+def factors(
+    e: Expr | BracketPolynomial | ExtensorPolynomial,
+    *,
+    points: Iterable[str] = (),
+    ideal: Iterable[str] = (),
+    rank: int | None = None,
+    limit: int = MAX_EXTENSORS,
+    seconds: float = SECONDS,
+    progress: Callable[[str], None] | None = None,
+) -> Factors:
+    """The irreducible factors (over the rationals) of an expression of step 0, each in the first form that it has: one
+    expression of joins and meets, a comparison of the turns about two lines, two bracket monomials, one expression
+    with a cofactor.
+
+    Where a limit ends a search, the factor is undecided and says why; the factors that were found stand. `limit` is as
+    for `factor`. Raises InputError for zero, for extensors and where a point does not occur equally often in all terms,
+    LimitReached where a normal form takes more than a limit.
+
+    Source: derived here (docs/factor.md).
+    """
+    terms = terms_held(limit)
+    with within(seconds, progress=progress):
+        checkpoint()
+        pieces = factor_pieces(e, what="factored", points=points, ideal=ideal, rank=rank, limit=terms)
+        if not pieces.number:
+            raise zero()
+        with share_of_time(_FOR_PARTS):
+            whole = Whole.of(pieces, terms)
+        number, parts = _parts(whole)
+        found = [_bracket(whole, row, n) for row, n in sorted(whole.rows.items())]
+        for k, (part, shown, n) in enumerate(parts):
+            report(f"factor {k + 1} of {len(parts)}")
+            known = whole.irreducible or bool(irreducible(part))
+            with share_of_time(_FOR_ONE / (len(parts) - k)):
+                found.append(formed(part, shown, n, known, Effort(limit), terms))
+    return Factors(
+        pieces.rank,
+        pieces.points,
+        number,
+        tuple(found),
+        _PRODUCT,
+        e if isinstance(e, Expr) else e.to_expr(),
+        pieces.points[: pieces.ideal],
+    )
+
+
+def _parts(whole: Whole) -> tuple[int | Fraction, list[tuple[BracketPolynomial, BracketPolynomial, int]]]:
+    """The number in front, and the factors that are no brackets: in normal form, as shown, and the multiplicity."""
+    number, parts = whole.number, []
+    for part, n in zip(whole.parts, whole.times, strict=True):
+        content, written = primitive(in_order_of_points(part))
+        number = Number(number * number_power(content, n)).value
+        parts.append((written, written, n))
+    pieces = whole.pieces
+    if len(parts) == len(pieces.polynomials) == 1 and whole.rows == pieces.rows:
+        ((given, n),) = pieces.polynomials.items()
+        written, _, times = parts[0]
+        ratio = Fraction(number / pieces.number) if n == times == 1 else Fraction(0)
+        if abs(ratio) == 1 and len(given) < len(written):
+            return pieces.number, [(written * ratio, given, n)]
+    return number, parts
+
+
+def _bracket(whole: Whole, row: Row, times: int) -> IrreducibleFactor:
+    (written,) = brackets_of([row], whole.pieces.points)
+    poly = BracketPolynomial(whole.pieces.rank, whole.pieces.points, {(row,): 1}, whole.pieces.ideal)
+    return IrreducibleFactor(poly, times, BRACKET, _ITSELF, expression=written)
