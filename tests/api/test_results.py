@@ -25,7 +25,7 @@ import gcrules as gc
 from gcrules.algebra.bracket import BracketPolynomial
 from gcrules.algebra.language.statements import parse_script
 from gcrules.algebra.straightening.straighten import straighten_steps
-from gcrules.api import discovery, functions, poses, proofs, rewriting
+from gcrules.api import discovery, factors, functions, poses, proofs, rewriting
 from gcrules.conditions.catalog_check import check_entry
 from gcrules.conditions.example_poses import singular_pose
 from gcrules.conditions.pose_value import pose_value
@@ -403,7 +403,7 @@ def test_faults_can_be_pickled(fault: gc.GcrulesError) -> None:
 
 
 def test_the_public_names_are_those_of_the_api() -> None:
-    every = {n: module for module in (discovery, functions, poses, proofs, rewriting) for n in module.__all__}
+    every = {n: module for module in (discovery, factors, functions, poses, proofs, rewriting) for n in module.__all__}
     assert set(gc.__all__) == {*every, *IN_APPS, "__version__"}
     assert all(getattr(gc, name) is getattr(module, name) for name, module in every.items())
 

@@ -136,10 +136,7 @@ def standard_tableaux(degrees: list[int], rank: int, ideal: int) -> Iterator[Mon
 
     for number, tableau in enumerate(rows((), tuple(degrees))):
         if number == budget:
-            raise LimitReached(
-                f"a factor has more than {budget} standard tableaux, and its coefficients are solved for",
-                hint="factor parts of the polynomial one by one",
-            )
+            raise LimitReached(f"division by a bracket of points at infinity needs more than {budget} unknowns")
         yield tableau
 
 

@@ -10,6 +10,7 @@ cofactor.
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Callable, Iterable
 from fractions import Fraction
 
@@ -19,12 +20,12 @@ from gcrules.algebra.expr import Expr, Number
 from gcrules.algebra.factoring.forms import BRACKET, Factors, IrreducibleFactor
 from gcrules.algebra.factoring.irreducible import irreducible
 from gcrules.algebra.factoring.limits import MAX_EXTENSORS, SECONDS, Effort, terms_held
-from gcrules.algebra.factoring.normal import zero
+from gcrules.algebra.factoring.normal import normal, zero
 from gcrules.algebra.factoring.pieces import factor_pieces
 from gcrules.algebra.factoring.powers import number_power
 from gcrules.algebra.factoring.result import brackets_of
 from gcrules.algebra.factoring.seeking import formed, share_of_time
-from gcrules.algebra.factoring.whole import Whole, in_order_of_points
+from gcrules.algebra.factoring.whole import Whole
 from gcrules.core.budget import checkpoint, report, within
 
 __all__ = ["factors"]
@@ -63,7 +64,7 @@ def factors(
             raise zero()
         with share_of_time(_FOR_PARTS):
             whole = Whole.of(pieces, terms)
-        number, parts = _parts(whole)
+        number, parts = _parts(whole, terms)
         found = [_bracket(whole, row, n) for row, n in sorted(whole.rows.items())]
         for k, (part, shown, n) in enumerate(parts):
             report(f"factor {k + 1} of {len(parts)}")
@@ -81,21 +82,23 @@ def factors(
     )
 
 
-def _parts(whole: Whole) -> tuple[int | Fraction, list[tuple[BracketPolynomial, BracketPolynomial, int]]]:
-    """The number in front, and the factors that are no brackets: in normal form, as shown, and the multiplicity."""
-    number, parts = whole.number, []
+def _parts(whole: Whole, terms: int) -> tuple[int | Fraction, list[tuple[BracketPolynomial, BracketPolynomial, int]]]:
+    """The number in front, and the different factors that are no brackets: in normal form (of p and -p one), as shown,
+    and the multiplicity. Factors of several pieces may be the same.
+    """
+    number, counted = whole.number, Counter[BracketPolynomial]()
     for part, n in zip(whole.parts, whole.times, strict=True):
-        content, written = primitive(in_order_of_points(part))
-        number = Number(number * number_power(content, n)).value
-        parts.append((written, written, n))
+        content, written = primitive(normal(part, terms))
+        sign = -1 if written.terms[min(written.terms)] < 0 else 1
+        number = Number(number * number_power(content * sign, n)).value
+        counted[written * sign] += n
     pieces = whole.pieces
-    if len(parts) == len(pieces.polynomials) == 1 and whole.rows == pieces.rows:
-        ((given, n),) = pieces.polynomials.items()
-        written, _, times = parts[0]
+    if len(counted) == len(pieces.polynomials) == 1 and whole.rows == pieces.rows:
+        ((given, n),), ((written, times),) = pieces.polynomials.items(), counted.items()
         ratio = Fraction(number / pieces.number) if n == times == 1 else Fraction(0)
         if abs(ratio) == 1 and len(given) < len(written):
             return pieces.number, [(written * ratio, given, n)]
-    return number, parts
+    return number, [(part, part, n) for part, n in counted.items()]
 
 
 def _bracket(whole: Whole, row: Row, times: int) -> IrreducibleFactor:

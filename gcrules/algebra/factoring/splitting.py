@@ -29,7 +29,9 @@ from gcrules.algebra.factoring.modular import MODULUS
 from gcrules.algebra.factoring.residues import values
 from gcrules.algebra.factoring.restriction import restricted
 from gcrules.algebra.straightening.straighten import straighten
+from gcrules.core.budget import checkpoint
 from gcrules.core.dataclass import dataclass
+from gcrules.core.errors import LimitReached
 
 __all__ = ["split"]
 
@@ -39,6 +41,10 @@ _TRIES = 8
 
 _Position = dict[str, tuple[int, ...]]
 _Ratio = Fraction
+
+
+class _TooMany(Exception):
+    """A factor has more standard tableaux than are solved for."""
 
 
 @dataclass(frozen=True)
@@ -64,7 +70,11 @@ def split(poly: BracketPolynomial, *, limit: int) -> list[BracketPolynomial] | N
     if poly.ideal or sum(d for n, d in degrees.items() if n not in held) > MOST_LETTERS:
         return None
     for seed in range(_TRIES):
-        found = _Splitting(poly, seed).parts()
+        checkpoint()
+        try:
+            found = _Splitting(poly, seed).parts()
+        except _TooMany:
+            return None
         if found and len(found) > 1 and _is_product(poly, found, limit):
             return found
     return None
@@ -123,7 +133,11 @@ class _Splitting:
         degrees = [multidegree.get(n, 0) for n in self.poly.points]
         if sum(degrees) % self.poly.rank:
             return None
-        tableaux = list(standard_tableaux(degrees, self.poly.rank, 0))
+        try:
+            tableaux = list(standard_tableaux(degrees, self.poly.rank, 0))
+        except LimitReached as reached:
+            checkpoint()
+            raise _TooMany from reached
         rows: list[tuple[int, ...]] = []
         while len(rows) < len(tableaux) + _SPARE:
             bend = {n: at for n, at in self._random().items() if n not in self.held}

@@ -109,11 +109,7 @@ def _complementary(extensors: Extensors, a: Level, b: Level, *, same: bool) -> I
     others, other_start, other_count = b.groups
     wanted = extensors.letters.all - codes
     place = np.searchsorted(others, wanted)
-    there = (
-        np.flatnonzero((place < len(others)) & (others[np.minimum(place, len(others) - 1)] == wanted))
-        if len(others)
-        else np.zeros(0, dtype=np.int64)
-    )
+    there = np.flatnonzero(np.isin(wanted, others))
     k = place[there]
     for i, j in spread(start[there], count[there], other_start[k], other_count[k]):
         yield (i[i < j], j[i < j]) if same else (i, j)
