@@ -54,7 +54,7 @@ def decide(claimed: Claimed, at: Space, *, limit: int = MAX_TERMS) -> Proof:
         if parts[-1].verdict == "refuted":
             break
     found = _told(_together(parts), claimed, at)
-    return replace(found, relation=claimed.relation, parts=tuple(parts) if len(parts) > 1 else ())
+    return replace(found, dual=claimed.dual, relation=claimed.relation, parts=tuple(parts) if len(parts) > 1 else ())
 
 
 def _together(parts: Sequence[Proof]) -> Proof:

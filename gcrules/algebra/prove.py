@@ -23,9 +23,10 @@ from gcrules.algebra.assumptions.assumed import PositionKind, kinds
 from gcrules.algebra.assumptions.building import merged
 from gcrules.algebra.assumptions.construction import Construction
 from gcrules.algebra.assumptions.frame import Frame, zero_by
-from gcrules.algebra.assumptions.nondegeneracy import fewest, words
+from gcrules.algebra.assumptions.nondegeneracy import chosen, fewest, words
 from gcrules.algebra.bracket import tableau_order
 from gcrules.algebra.claims import error_below
+from gcrules.algebra.duality import Dual
 from gcrules.algebra.evaluate import evaluate, random_rational_points, vanishes
 from gcrules.algebra.expand import MAX_TERMS
 from gcrules.algebra.expr import MAX_COEFFICIENT_BITS, ZERO, Expr, common_rank, neg, points_of, sub
@@ -92,6 +93,7 @@ class Proof(Shown):
     and the sides are those of the one that decides.
     A claim is about all homogeneous coordinates of its points; `unit_weights` says that one that is refuted holds
     nevertheless wherever the finite points have last coordinate 1. `rank`, `ideal` and `given` are those of the claim.
+    With a `dual` that is what is claimed, of hyperplanes; all else is about the points in their places.
     """
 
     left: Expr
@@ -111,6 +113,7 @@ class Proof(Shown):
     rank: int = field(default=4, compare=False, repr=False)
     ideal: tuple[str, ...] = field(default=(), compare=False, repr=False)
     given: tuple[Assumption, ...] = field(default=(), compare=False, repr=False)
+    dual: Dual | None = None
 
     def __post_init__(self) -> None:
         if self.counterexample is not None:
@@ -123,11 +126,11 @@ class Proof(Shown):
 
     def to_json(self) -> dict[str, Any]:
         """`{verdict, method, reason, counterexample {point: coordinates}, values [left, right], assumed, together,
-        kinds, unit_weights}`.
+        kinds, unit_weights}`, and of a dual `dual {letters, given, claims}`.
         """
         points = {n: _plain(c) for n, c in self.counterexample.items()} if self.counterexample is not None else None
         values = [_plain(v) for v in self.values] if self.values else None
-        return {
+        found = {
             "verdict": self.verdict,
             "method": self.method,
             "reason": self.reason,
@@ -138,6 +141,10 @@ class Proof(Shown):
             "kinds": [k.to_json() for k in self.kinds],
             "unit_weights": self.unit_weights,
         }
+        if self.dual is None:
+            return found
+        told = {"letters": list(self.dual.letters), "given": list(self.dual.given), "claims": list(self.dual.claims)}
+        return found | {"dual": told}
 
 
 def prove(
@@ -269,7 +276,7 @@ def _under_assumptions(left: Expr, right: Expr, difference: Expr, space: Space, 
 
 
 def _assuming(proof: Proof, nonzero: Iterable[Expr], names: Sequence[str]) -> Proof:
-    found = tuple(nonzero)
+    found = chosen(nonzero)
     assumed, meanings = tuple(text(e, names=names) for e in found), tuple(words(e, names) for e in found)
     return replace(proof, assumed=assumed, meanings=meanings)
 

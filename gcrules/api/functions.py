@@ -112,16 +112,18 @@ def expand(
     ideal: Names = (),
     isotropic: Names = (),
     orthonormal: Names = (),
+    letters: str = "",
     limit: int = MAX_TERMS,
 ) -> BracketPolynomial | ExtensorPolynomial:
     """Expand an expression into brackets (step 0) or Σ (bracket polynomial) · extensor (any other step).
 
     `rank` is that of the expression (4 for text that is read); `points` declares long names and the tableau order,
     `ideal` the points at infinity, as sequences or as text ("left right"). Words such as midpoint(a, b) need points
-    at infinity that are `isotropic`, or `orthonormal` directions. Raises SyntaxFault or StepError for text that does
-    not make sense or another rank, LimitReached beyond `limit` terms.
+    at infinity that are `isotropic`, or `orthonormal` directions; `letters` may stand for lines and planes: "line L M,
+    plane P". Raises SyntaxFault or StepError for text that does not make sense or another rank, LimitReached beyond
+    `limit` terms.
     """
-    at = where(rank, points, ideal, isotropic, orthonormal)
+    at = where(rank, points, ideal, isotropic, orthonormal, letters)
     return _expand(expression_of(e, at), points=at.points, ideal=at.ideal, rank=rank, limit=limit)
 
 
@@ -134,12 +136,13 @@ def straighten(
     ideal: Names = (),
     isotropic: Names = (),
     orthonormal: Names = (),
+    letters: str = "",
     limit: int = MAX_TERMS,
 ) -> BracketPolynomial | ExtensorPolynomial:
     """The normal form of standard tableaux; arguments and errors as for `expand`."""
     if isinstance(e, (BracketPolynomial, ExtensorPolynomial)):
         return _straighten(e, limit=limit)
-    at = where(rank, points, ideal, isotropic, orthonormal)
+    at = where(rank, points, ideal, isotropic, orthonormal, letters)
     return _straighten(expression_of(e, at), points=at.points, ideal=at.ideal, rank=rank, limit=limit)
 
 
@@ -218,6 +221,7 @@ def prove(
     ideal: Names = (),
     isotropic: Names = (),
     orthonormal: Names = (),
+    letters: str = "",
     given: str | Iterable[str] = (),
     limit: int = MAX_TERMS,
 ) -> Proof:
@@ -228,7 +232,7 @@ def prove(
     proof lists what else was assumed not to vanish. Raises InputError for assumptions that are not resolved.
     """
     written_in = common_rank(rank, *(e for e in (claim, right) if isinstance(e, Expr)))
-    at = where(written_in, points, ideal, isotropic, orthonormal)
+    at = where(written_in, points, ideal, isotropic, orthonormal, letters)
     for written in [given] if isinstance(given, str) else given:
         at = parse_assumption(written, at)
     if right is None:

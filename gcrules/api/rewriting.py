@@ -29,13 +29,14 @@ def rewrite(
     ideal: Names = (),
     isotropic: Names = (),
     orthonormal: Names = (),
+    letters: str = "",
 ) -> Rewriting:
     """Apply rules, the first that fires each time, until all stay silent; every application is a step of the answer.
 
     `rules` are names of rewriting rules (of the engine and of plugins), rules, or names of `.gca` files. Raises
     InputError for a rule that is none or that is wrong, LimitReached where rewriting does not end.
     """
-    at = where(rank, points, ideal, isotropic, orthonormal)
+    at = where(rank, points, ideal, isotropic, orthonormal, letters)
     expression = expression_of(e, at)
     space = Space(common_rank(rank, expression), at.points, at.ideal)
     return _rewrite(expression, _rewriting_rules(rules), space)

@@ -110,6 +110,7 @@ _THRESHOLD = ANYTHING  # whoever reads it says what is missing: the unit
 
 _SPACE = {"rank": optional(WHOLE), "points": NAMES, "ideal": NAMES, "isotropic": NAMES, "orthonormal": NAMES}
 _LIMITED = {**_SPACE, "limit": COUNT}
+_LETTERED = {**_LIMITED, "letters": TEXT}
 
 SIGNATURES: dict[str, dict[str, ArgumentKind]] = {
     "analyze": {
@@ -180,7 +181,7 @@ SIGNATURES: dict[str, dict[str, ArgumentKind]] = {
         "seconds": DURATION,
     },
     "evaluate": {"e": _EXPR, "points": _POINTS, "rank": optional(WHOLE), "modulus": optional(COUNT)},
-    "expand": {"e": _EXPR, **_LIMITED},
+    "expand": {"e": _EXPR, **_LETTERED},
     "export": {"source": _SOURCE, "language": TEXT, "coordinates": optional(_VARIABLES), "about": _ABOUT},
     "export_model": {"source": _SOURCE, "format": TEXT, "unit": TEXT},
     "factor": {"e": _SCALAR, **_LIMITED, "all": FLAG, "cofactor": FLAG, "seconds": DURATION},
@@ -272,7 +273,7 @@ SIGNATURES: dict[str, dict[str, ArgumentKind]] = {
     },
     "paper": {"source": _SOURCE, "folder": FILE, "full": FLAG, "force": FLAG, "plugins": _FOLDERS},
     "proof_file": {"answer": ANYTHING},
-    "prove": {"claim": _EXPR, "right": optional(_EXPR), **_LIMITED, "given": TEXTS},
+    "prove": {"claim": _EXPR, "right": optional(_EXPR), **_LETTERED, "given": TEXTS},
     "report": {
         "source": _SOURCE,
         "interactive": FLAG,
@@ -294,7 +295,7 @@ SIGNATURES: dict[str, dict[str, ArgumentKind]] = {
         "free": optional(TEXT),
         "plugins": _FOLDERS,
     },
-    "rewrite": {"e": _EXPR, "rules": _RULES, **_SPACE},
+    "rewrite": {"e": _EXPR, "rules": _RULES, **_SPACE, "letters": TEXT},
     "seeded": {"seed": WHOLE},
     "shorten": {"e": _SCALAR, **_LIMITED, "seconds": DURATION},
     "shortest": {"legs": _LEGS, "points": NAMES, "ideal": NAMES},
@@ -321,7 +322,7 @@ SIGNATURES: dict[str, dict[str, ArgumentKind]] = {
         "part": optional(_PART),
         "scheduler": optional(TEXT),
     },
-    "straighten": {"e": _SCALAR, **_LIMITED},
+    "straighten": {"e": _SCALAR, **_LETTERED},
     "studio": {
         "source": _SOURCE,
         "pose": ANYTHING,

@@ -144,6 +144,9 @@ _Claims = tuple[str, Iterable[_Said]]
 
 
 def _of_proof(proof: Proof) -> _Claims:
+    if proof.dual is not None:
+        hint = "ask for the proof of the claim that it is the dual of"
+        raise InputError("a dual is proved by duality, which proof files do not say", hint=hint)
     return proof.relation or f"{proof.left} == {proof.right}", _equations("claim", proof)
 
 

@@ -16,9 +16,10 @@ from gcrules.algebra.assumptions.construction import ConstructionStep
 from gcrules.algebra.assumptions.incidences import Helper
 from gcrules.algebra.expr import Bracket, Expr, Join, Meet, Point, Product, points_of
 from gcrules.algebra.language.text import text
+from gcrules.algebra.letters import grouped, letter_of, named_letter
 from gcrules.algebra.parts import substitute
 
-__all__ = ["assumed", "fewest", "words"]
+__all__ = ["assumed", "chosen", "fewest", "words"]
 
 
 def assumed(
@@ -50,6 +51,29 @@ def fewest(found: Iterable[Expr]) -> tuple[Expr, ...]:
         if not any(_implies(other, e) for other in kept):
             kept = [*(other for other in kept if not _implies(e, other)), e]
     return tuple(kept)
+
+
+def chosen(found: Iterable[Expr]) -> tuple[Expr, ...]:
+    """Without what does not vanish for some choice of the points of letters, which one always may take.
+
+    A point of a line L is outside every smaller extensor A ≠ 0, wherever L is, so that L₁ ∨ A asks for A ≠ 0 only.
+    Choices are points of irreducible varieties, so that what is possible one by one is possible together.
+    """
+    return fewest(e for e in map(_chosen, found) if e is not None)
+
+
+def _chosen(e: Expr) -> Expr | None:
+    if not isinstance(e, Join):
+        return e
+    if named_letter(e) is not None:
+        return None
+    names = [a.name for a in e.args if isinstance(a, Point)]
+    for n in grouped(names):
+        of = letter_of(n)
+        if of is not None and e.step - 1 < of[2]:
+            rest = ex.join(*(a for a in e.args if a != Point(n)), rank=e.step)
+            return None if isinstance(rest, Point) else _chosen(rest)
+    return e
 
 
 def _point(e: Expr, helpers: Mapping[str, Helper]) -> bool:
@@ -111,6 +135,8 @@ def _implies(whole: Expr, part: Expr) -> bool:
 def words(e: Expr, names: Iterable[str] = ()) -> str:
     """What it means that an extensor does not vanish, where there are short words for it."""
     shown = [text(a, names=names) for a in e.children]
+    if any(isinstance(a, Point) and letter_of(a.name) for a in e.children):
+        return ""
     match e:
         case Join(args=args) | Bracket(args=args) if (
             all(isinstance(a, Point) for a in args) and len(args) <= len(_WORDS) + 1

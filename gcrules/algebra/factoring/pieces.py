@@ -13,6 +13,7 @@ from gcrules.algebra.bracket import BracketPolynomial, ExtensorPolynomial, Row, 
 from gcrules.algebra.expand import expand
 from gcrules.algebra.expr import Expr, Number
 from gcrules.algebra.factoring.powers import number_power, powers
+from gcrules.algebra.letters import letters_of
 from gcrules.algebra.names import step_name
 from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import InputError
@@ -58,8 +59,14 @@ def factor_pieces(
 ) -> Pieces:
     """The pieces of a scalar; each factor is expanded by itself, and once.
 
-    Raises InputError for extensors (only scalars are `what`), LimitReached beyond `limit` terms.
+    Raises InputError for letters that are lines or planes and for extensors (only scalars are `what`), LimitReached
+    beyond `limit` terms.
     """
+    lettered = letters_of(ex.points_of(e) if isinstance(e, Expr) else e.points)
+    if lettered:
+        name, step = next(iter(lettered.items()))
+        hint = f"write {name} as a join of points" if isinstance(e, Expr) else None
+        raise InputError(f"only expressions of points are {what}, and {name} is {step_name(step)}", hint=hint)
     if not isinstance(e, Expr):
         if not isinstance(e, BracketPolynomial):
             raise _no_scalar(what, e.step, e.rank)

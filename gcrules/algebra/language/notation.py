@@ -23,6 +23,7 @@ from gcrules.algebra.expr import (
     Superbracket,
     neg,
 )
+from gcrules.algebra.letters import grouped, plain_name
 from gcrules.core.budget import watched
 from gcrules.core.dataclass import dataclass
 
@@ -139,6 +140,9 @@ def split_name(name: str) -> tuple[str, str, str]:
     >>> split_name("S_12'"), split_name("left")
     (('S', '12', "'"), ('left', '', ''))
     """
+    if (marked := plain_name(name)) != name:  # a point of a letter, whose marks stand behind primes too
+        letter = name[: next(i for i, c in enumerate(name) if c != marked[i])]
+        return letter, marked[len(letter) :], ""
     plain = name.rstrip("'")
     stem = plain.rstrip("0123456789")
     return stem.rstrip("_") or stem, plain[len(stem) :], name[len(plain) :]
@@ -239,14 +243,17 @@ def _listed(args: tuple[Expr, ...], mark: Mark, bare: tuple[type[Expr], ...]) ->
 
 
 def _comma_separated(args: tuple[Expr, ...]) -> Iterator[Sign]:
-    for i, a in enumerate(args):
-        if i:
-            yield Mark(",")
-        yield from _signs(a)
+    first = True
+    for is_point, run in groupby(args, lambda a: isinstance(a, Point)):
+        for part in [(Row((n,)),) for n in _points(tuple(run)).names] if is_point else map(_signs, run):
+            if not first:
+                yield Mark(",")
+            yield from part
+            first = False
 
 
 def _points(args: tuple[Expr, ...]) -> Row:
-    return Row(tuple([a.name for a in args if isinstance(a, Point)]))
+    return Row(grouped([a.name for a in args if isinstance(a, Point)]))
 
 
 def _side_by_side(e: Expr) -> bool:

@@ -10,15 +10,18 @@ They are assumed by `given` and claimed by `claim`, and so are equations LHS == 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import replace
 from itertools import combinations, islice
 
 from gcrules.algebra import conics, metric
 from gcrules.algebra import expr as ex
 from gcrules.algebra.assumptions.incidences import MAX_CONDITIONS, equations
+from gcrules.algebra.duality import Dual, dual_of
 from gcrules.algebra.expr import ZERO, Expr
 from gcrules.algebra.language.parse_tree import Node, read, span_of
 from gcrules.algebra.language.syntax import Builder, Context
 from gcrules.algebra.language.words import FLAT, POINT, SEGMENT, Requirement, Word, ends
+from gcrules.algebra.letters import named_letter
 from gcrules.algebra.metric import Infinity
 from gcrules.algebra.names import step_name
 from gcrules.algebra.space import Assumption, SourcePlace, Space
@@ -56,6 +59,8 @@ class Claimed:
     """Equations that are claimed together; `relation` is how they were written if that was one word, of `args`.
 
     The claim is about positions at which nothing `required` vanishes, which is told, nor the expressions of `nonzero`.
+    `kind` is the name of a relation of incidence. With a `dual` what is claimed is that; the equations are those of
+    which it is the dual, which hold exactly where it does.
     """
 
     equations: tuple[tuple[Expr, Expr], ...]
@@ -63,6 +68,8 @@ class Claimed:
     required: tuple[Requirement, ...] = ()
     nonzero: tuple[Expr, ...] = ()
     args: tuple[Expr, ...] = ()
+    kind: str = ""
+    dual: Dual | None = None
 
 
 def parse_claim(text: str, context: Context | None = None, filename: str = "<input>") -> Claimed:
@@ -89,20 +96,16 @@ def parse_sides(left: str | Expr, right: str | Expr, context: Context | None = N
         return read(e, "expression", "<input>", lambda tree: builder.value(tree.children[0]))
 
     sides = side(left), side(right)
-    return Claimed((sides,), "", builder.requirements(), _at_infinity(builder))
-
-
-def _at_infinity(builder: Builder) -> tuple[Expr, ...]:
-    infinity = builder.context.infinity
-    return (infinity.flat,) if infinity else ()
+    return Claimed((sides,), "", builder.requirements(), _apart(builder))
 
 
 def read_claim(tree: Node, builder: Builder, text: str) -> Claimed:
     """The claim of a parse tree; `text` is how it was written."""
-    apart = _at_infinity(builder)
+    if tree.data == "dual":
+        return _dual(tree, builder, text)
     if tree.data == "equation":
         sides = builder.equation(tree)
-        return Claimed((sides,), "", builder.requirements(), apart)
+        return Claimed((sides,), "", builder.requirements(), _apart(builder))
     kind, args = _arguments(tree, builder)
     if kind in INCIDENCES:
         found = equations(Assumption(kind, args, text, role="claim"), builder.rank)
@@ -110,7 +113,25 @@ def read_claim(tree: Node, builder: Builder, text: str) -> Claimed:
         found = tuple(_expanded(RELATIONS[kind], args, builder.context)[0])
     claimed: tuple[tuple[Expr, Expr], ...] = tuple((e, ZERO) for e in found) or ((ZERO, ZERO),)
     lines = tuple(a for a in args if a.step > 1)
-    return Claimed(claimed, text, builder.requirements(), (*apart, *lines), args)
+    return Claimed(
+        claimed, text, builder.requirements(), (*_apart(builder), *lines), args, kind if kind in INCIDENCES else ""
+    )
+
+
+def _dual(tree: Node, builder: Builder, text: str) -> Claimed:
+    """The dual of a claim, under the duals of what is given."""
+    (inner,) = tree.children
+    at = builder.context
+    if inner.data == "dual":
+        raise InputError("the dual of a dual is the claim itself", span=span_of(inner), hint="leave out both")
+    if at.ideal:
+        what = f"a dual is projective, and {at.ideal[0]} is a point at infinity, a word without a dual"
+        raise InputError(what, hint="claim it without points at infinity")
+    found = read_claim(inner, builder, text)
+    if any(r for some in at.required.values() for r in some) or found.required:
+        raise InputError("the dual of a construction has no word", hint="write out its joins and meets")
+    relation = Assumption(found.kind, found.args, text) if found.kind else None
+    return replace(found, relation=text, dual=dual_of(found.equations, relation, at.given, builder.rank))
 
 
 def read_assumptions(
@@ -133,9 +154,14 @@ def read_assumptions(
     return tuple(Assumption("zero", (e,), text, place, also=also, exists=exists) for e in chain)
 
 
-def _existing(builder: Builder) -> tuple[Expr, ...]:
+def _apart(builder: Builder) -> tuple[Expr, ...]:
+    """What is not zero wherever what was read means something."""
     infinity = builder.context.infinity
-    return (*((infinity.flat,) if infinity else ()), *(r.expr for r in builder.requirements()))
+    return (*((infinity.flat,) if infinity else ()), *builder.lettered.values())
+
+
+def _existing(builder: Builder) -> tuple[Expr, ...]:
+    return (*_apart(builder), *(r.expr for r in builder.requirements()))
 
 
 def _arguments(tree: Node, builder: Builder) -> tuple[str, tuple[Expr, ...]]:
@@ -170,7 +196,8 @@ def _points_only(number: int) -> Callable[[tuple[Expr, ...], list[Node], int], N
     def check(args: tuple[Expr, ...], trees: list[Node], rank: int) -> None:
         for arg, tree in zip(args, trees, strict=True):
             if arg.step != 1:
-                hint = "separate the points with commas" if isinstance(arg, ex.Join) else None
+                joined = isinstance(arg, ex.Join) and named_letter(arg) is None
+                hint = "separate the points with commas" if joined else None
                 what = f"{step_name(arg.step, rank)} where a point is expected"
                 raise StepError(what, span=span_of(tree), hint=hint)
         if len(args) < number:

@@ -10,15 +10,18 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import replace
 
-from gcrules.algebra.expr import Expr
+from gcrules.algebra.expr import Expr, points_of
 from gcrules.algebra.language.parse_tree import Node, read, span_of, whole
 from gcrules.algebra.language.relations import Claimed, read_assumptions, read_claim
 from gcrules.algebra.language.rule_text import Case, RuleText, instances
 from gcrules.algebra.language.syntax import Builder, Context
 from gcrules.algebra.language.words import METRICS, with_infinity
+from gcrules.algebra.letters import LETTERS, letter_step
+from gcrules.algebra.names import step_name
 from gcrules.algebra.space import NAME, NAMES_HINT, SourcePlace, shortened
 from gcrules.core.dataclass import dataclass
-from gcrules.core.errors import GcrulesError, InputError
+from gcrules.core.english import listed
+from gcrules.core.errors import GcrulesError, InputError, Span
 
 __all__ = [
     "Claim",
@@ -27,6 +30,7 @@ __all__ = [
     "Show",
     "Statement",
     "parse_assumption",
+    "parse_letters",
     "parse_script",
 ]
 
@@ -79,7 +83,7 @@ class Script:
 
 
 def parse_script(text: str, filename: str = "<input>", context: Context | None = None) -> Script:
-    """Read the statements of a `.gca` file: rank, points, ideal, given, let, claim, show, rule, rewrite.
+    """Read the statements of a `.gca` file: rank, points, ideal, line, plane, given, let, claim, show, rule, rewrite.
 
     `context` is what came before, for texts that are read piece by piece. Raises SyntaxFault, StepError and
     InputError with line and column.
@@ -90,6 +94,15 @@ def parse_script(text: str, filename: str = "<input>", context: Context | None =
 def parse_assumption(text: str, context: Context | None = None) -> Context:
     """The context with more assumptions, as `given` takes them: "collinear(a, b, c), [abcd] == 0", "ideal i j"."""
     return read(text, "assumptions", "<input>", lambda tree: _Reader(text, "<input>", context).assumed(tree))
+
+
+def parse_letters(text: str, context: Context) -> Context:
+    """The context with letters that stand for lines, planes or hyperplanes: "line L M, plane P". Raises InputError."""
+    found = parse_assumption(text, context)
+    if replace(found, letters=context.letters) != context or found.letters == context.letters:
+        hint = f'letters are declared by {listed(LETTERS)}: "line L M, plane P"'
+        raise InputError("this declares more than letters, or none", hint=hint, span=Span(0, len(text)), source=text)
+    return found
 
 
 class _Reader:
@@ -146,7 +159,32 @@ class _Reader:
             fault.span = fault.span or span_of(tree)
             raise
 
-    def _declared(self, known: tuple[str, ...], tokens: Iterable[Node]) -> tuple[str, ...]:
+    def _letters(self, item: Node) -> None:
+        kind, *tokens = item.children
+        self._lettered(kind, tokens[0].children if tokens[0:1] and hasattr(tokens[0], "children") else tokens)
+
+    def _lettered(self, kind: Node, tokens: Iterable[Node]) -> None:
+        """Letters that stand for lines, planes or hyperplanes."""
+        at = self.context
+        try:
+            step = letter_step(str(kind), at.rank)
+        except GcrulesError as fault:
+            fault.span = fault.span or span_of(kind)
+            raise
+        before = set(points_of(*at.bound.values(), *(e for a in at.given for e in (*a.args, *a.also, *a.exists))))
+        for token in tokens:
+            name = str(token)
+            self._declared((), (token,), str(kind))
+            if name in at.letters and at.letters[name] == step:
+                continue
+            if name in at.declared() or name in before:
+                known = "declared" if name in at.declared() else "a point in what stands before"
+                hint = f"choose another name, or declare the {kind} first"
+                raise InputError(f"{shortened(name)} is already {known}", span=span_of(token), hint=hint)
+            at = replace(at, letters={**at.letters, name: step})
+        self.context = at
+
+    def _declared(self, known: tuple[str, ...], tokens: Iterable[Node], kind: str = "point") -> tuple[str, ...]:
         """The names declared so far and those of a new declaration."""
         names = []
         for token in tokens:
@@ -154,7 +192,10 @@ class _Reader:
             if name in self.context.bound:
                 raise InputError(f"{shortened(name)} is already bound by `let`", span=span_of(token))
             if not NAME.fullmatch(name):
-                raise InputError(f"{shortened(name)!r} cannot name a point", span=span_of(token), hint=NAMES_HINT)
+                raise InputError(f"{shortened(name)!r} cannot name a {kind}", span=span_of(token), hint=NAMES_HINT)
+            if name in self.context.letters and kind not in LETTERS:
+                what = f"{shortened(name)} is already {step_name(self.context.letters[name], self.context.rank)}"
+                raise InputError(what, span=span_of(token), hint="choose another name")
             names.append(name)
         return tuple(dict.fromkeys((*known, *names)))
 
@@ -204,6 +245,8 @@ class _Reader:
         if tree.data == "at_infinity":
             self._check_points(tree)
             self.context = replace(self.context, ideal=self._declared(self.context.ideal, tree.children))
+        elif tree.data == "letters":
+            self._letters(tree)
         elif tree.data in METRICS:
             self._check_points(tree)
             self._metric(tree.data, tree.children, tree)
@@ -222,6 +265,17 @@ class _Reader:
 
     # --- rules ---
 
+    def _refuse_letters(self, trees: Iterable[Node]) -> None:
+        at = self.context
+        if not at.letters:
+            return
+        words = (w for t in trees if hasattr(t, "scan_values") for w in t.scan_values(_is_word))
+        for word in words:
+            used = next((n for n, _ in Builder(at).split(word) if n in at.letters), None)
+            if used is not None:
+                fault = f"{used} is {step_name(at.letters[used], at.rank)}, and rules are about points"
+                raise InputError(fault, span=span_of(word), hint="write the line or plane as a join of points")
+
     def _case(self, tree: Node) -> Case:
         return Case(Builder(self.context).value(tree), self._source(tree), span_of(tree))
 
@@ -231,6 +285,7 @@ class _Reader:
         if name in self.ids:
             fault = f"the rule {name} is already defined in line {self.ids[name]}"
             raise InputError(fault, span=span_of(token), hint="choose another id")
+        self._refuse_letters(tree for tree in item.children if tree is not None and tree is not token)
         self.ids[name] = self._line(item)
         parts: dict[str, list[Node]] = {"guards": [], "source": [], "fires": [], "silent": []}
         for tree in filter(None, rest):
@@ -253,3 +308,7 @@ class _Reader:
                 context=at,
             )
         )
+
+
+def _is_word(token: Node) -> bool:
+    return getattr(token, "type", "") == "WORD"

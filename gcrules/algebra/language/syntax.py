@@ -13,7 +13,7 @@ from __future__ import annotations
 
 import re
 import unicodedata
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from fractions import Fraction
 
 from gcrules.algebra import expr as ex
@@ -22,6 +22,7 @@ from gcrules.algebra.expr import Expr
 from gcrules.algebra.language.parse_tree import Node, digits, read, run_name, span_of, whole
 from gcrules.algebra.language.text import SHORT_NAME, text
 from gcrules.algebra.language.words import CONSTRUCTIONS, POINT, SEGMENT, Requirement, Word, constructed, ends
+from gcrules.algebra.letters import letter, names_of
 from gcrules.algebra.names import step_name
 from gcrules.algebra.scalars import MAX_EXPONENT, superbracket
 from gcrules.algebra.space import Space, shortened
@@ -40,20 +41,22 @@ MAX_WORD = 1_000
 @dataclass(frozen=True, slots=True)
 class Context(Space):
     """What names mean: a space, and the names bound by `let`, each with what its words require not to vanish; which of
-    what these made is `finite` then.
+    what these made is `finite` then. `letters` stand for lines, planes and hyperplanes, each with its step.
     """
 
     bound: Mapping[str, Expr] = FrozenMap()
     required: Mapping[str, tuple[Requirement, ...]] = FrozenMap()
     finite: frozenset[Expr] = frozenset()
+    letters: Mapping[str, int] = FrozenMap()
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "bound", FrozenMap(self.bound))
         object.__setattr__(self, "required", FrozenMap(self.required))
+        object.__setattr__(self, "letters", FrozenMap(self.letters))
         Space.__post_init__(self)
 
     def declared(self) -> tuple[str, ...]:
-        return tuple(dict.fromkeys((*self.points, *self.ideal, *self.bound)))
+        return tuple(dict.fromkeys((*self.points, *self.ideal, *self.letters, *self.bound)))
 
 
 def parse(text: str, *, rank: int = 4, points: Iterable[str] = (), context: Context | None = None) -> Expr:
@@ -108,6 +111,7 @@ class Builder:
         self.made: dict[Expr, str] = {}  # what words make, as it is called
         self.finite = set(context.finite)  # those of it that are, if what they are made of is
         self.required: dict[Expr, Requirement] = {}  # what must not vanish so that it exists
+        self.lettered: dict[str, Expr] = {}  # the letters that were read, none of which is zero
         self.parts = 0  # size of the names bound by `let` that were written out
         self.sizes: dict[str, tuple[int, int]] = {}
         self.long_names = sorted(
@@ -250,12 +254,25 @@ class Builder:
     def word(self, tree: Node) -> _Value:
         entries = self.split(tree.children[0])
         if any(d for _, d in entries):
-            return _DottedRun(tuple(entries))
+            return self._dotted(entries, tree)
         return ex.join(*(self._named(n) for n, _ in entries), rank=self.rank)
 
     def dotted_word(self, tree: Node) -> _DottedRun:
         (first, _), *rest = self.split(tree.children[0])
-        return _DottedRun(((first, True), *rest))
+        return self._dotted([(first, True), *rest], tree)
+
+    def _dotted(self, entries: Sequence[tuple[str, bool]], tree: Node) -> _DottedRun:
+        """Points of which some are dotted, with those of letters among them, which are not."""
+        found: list[tuple[str, bool]] = []
+        for name, dot in entries:
+            step = self.context.letters.get(name)
+            if step is not None and dot:
+                what = f"a dot marks a point, and {name} is {step_name(step, self.rank)}"
+                raise SyntaxFault(what, span=span_of(tree), hint="write the meet, or the sum that the dots stand for")
+            if step is not None:
+                self._named(name)
+            found += [(name, dot)] if step is None else [(n, False) for n in names_of(name, step)]
+        return _DottedRun(tuple(found))
 
     def run(self, tree: Node) -> _Value:
         if self.runs is None:
@@ -298,11 +315,15 @@ class Builder:
         if any(w.data != "word" for w in words):
             return None
         names = [n for w in words for n, _ in self.split(w.children[0])]
-        return None if any(n in self.context.bound for n in names) else len(names)
+        others = (self.context.bound, self.context.letters)
+        return None if any(n in some for n in names for some in others) else len(names)
 
     def _named(self, name: str) -> Expr:
         """What a name stands for, counted among the parts of the expression."""
         bound = self.context.bound.get(name)
+        if name in self.context.letters:
+            self.lettered[name] = letter(name, self.context.letters[name])
+            return self.lettered[name]
         if bound is None:
             return ex.Point(name)
         self._count(bound, name)

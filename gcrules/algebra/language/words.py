@@ -12,6 +12,7 @@ from typing import TypeVar
 
 from gcrules.algebra import conics, metric
 from gcrules.algebra.expr import Expr, Join, Point
+from gcrules.algebra.letters import named_letter
 from gcrules.algebra.metric import Infinity
 from gcrules.algebra.names import step_name
 from gcrules.algebra.space import Space
@@ -87,7 +88,8 @@ class Word:
             raise InputError(f"{self.usage} takes {number}, found {len(args)}", hint=self._advice(args))
         for arg, span, kind in zip(args, spans, self.kinds(len(args)), strict=True):
             if not _FITS[kind](arg, at.rank):
-                hint = "separate the points with commas" if kind == POINT and isinstance(arg, Join) else None
+                joined = isinstance(arg, Join) and named_letter(arg) is None
+                hint = "separate the points with commas" if kind == POINT and joined else None
                 raise StepError(f"{step_name(arg.step, at.rank)} where {kind} is expected", span=span, hint=hint)
             far = next((n for n in _ends_at_infinity(arg, at)), None) if self.metric else None
             if far is not None:
@@ -102,7 +104,7 @@ class Word:
         return [self.takes[min(i, len(self.takes) - 1)] for i in range(number)]
 
     def _advice(self, args: Sequence[Expr]) -> str | None:
-        joined = len(args) == 1 and isinstance(args[0], Join)
+        joined = len(args) == 1 and isinstance(args[0], Join) and named_letter(args[0]) is None
         return "separate the points with commas" if joined and POINT in self.takes else None
 
 
@@ -149,7 +151,7 @@ def ends(line: Expr) -> tuple[Expr, Expr]:
 
 
 def _is_segment(e: Expr, rank: int) -> bool:
-    return isinstance(e, Join) and [a.step for a in e.args] == [1, 1]
+    return isinstance(e, Join) and [a.step for a in e.args] == [1, 1] and named_letter(e) is None
 
 
 def _ends_at_infinity(e: Expr, at: Space) -> list[str]:

@@ -15,6 +15,7 @@ from gcrules.algebra.expr import Expr
 from gcrules.algebra.language.relations import parse_claim
 from gcrules.algebra.straightening.straighten import Straightening, straighten_steps
 from gcrules.algebra.straightening.straighten import straighten as straightened
+from gcrules.algebra.whole_letters import in_letters
 from gcrules.apps.cli.base import ExpressionCommand
 from gcrules.apps.cli.expressions import argument_text, context_of, read_expression
 from gcrules.apps.cli.files import working
@@ -37,7 +38,7 @@ _seconds = time_limit()
 @click.command(cls=ExpressionCommand)
 @click.argument("claim", metavar="CLAIM")
 @given_option
-@space_options(metric=True)
+@space_options(metric=True, letters=True)
 @_limit
 @_seconds
 @proof_options
@@ -82,7 +83,7 @@ def prove(
 
 @click.command(cls=ExpressionCommand)
 @click.argument("expression", metavar="EXPR")
-@space_options(metric=True)
+@space_options(metric=True, letters=True)
 @_limit
 @_seconds
 @output_options()
@@ -104,7 +105,7 @@ def expand(expression: str, space: SpaceOptions, limit: int, out: Output) -> Non
 @click.command(cls=ExpressionCommand)
 @click.argument("expression", metavar="EXPR")
 @click.option("--steps", is_flag=True, help="Show every syzygy that is used (scalars only).")
-@space_options(metric=True)
+@space_options(metric=True, letters=True)
 @_limit
 @_seconds
 @output_options()
@@ -150,7 +151,7 @@ class _Polynomial:
         return "\n".join(self._lines(shown, "", " = "))
 
     def latex(self) -> str:
-        return "\n".join(self._lines(lambda p: _latex(p.to_expr()), " \\\\", " = "))
+        return "\n".join(self._lines(lambda p: _latex(in_letters(p)), " \\\\", " = "))
 
     def _lines(
         self, shown: Callable[[BracketPolynomial | ExtensorPolynomial], str], end: str, equals: str

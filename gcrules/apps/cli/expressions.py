@@ -6,7 +6,7 @@ from collections.abc import Callable
 from typing import TypeVar
 
 from gcrules.algebra.expr import Expr
-from gcrules.algebra.language.statements import parse_assumption
+from gcrules.algebra.language.statements import parse_assumption, parse_letters
 from gcrules.algebra.language.syntax import Context, parse
 from gcrules.algebra.language.words import with_infinity
 from gcrules.apps.cli.files import read_stdin, working
@@ -27,6 +27,8 @@ def context_of(space: SpaceOptions, assumptions: tuple[str, ...] = ()) -> Contex
     at = Context(space.rank, space.points, space.ideal)
     for kind, names in space.metric:
         at = with_infinity(at, kind, names)
+    if space.letters:
+        at = parse_letters(space.letters, at)
     for written in assumptions:
         at = parse_assumption(written, at)
     return at

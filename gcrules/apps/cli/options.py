@@ -45,18 +45,22 @@ given_option = click.option(
 
 @dataclass(frozen=True)
 class SpaceOptions:
-    """The rank, the declared points and the points at infinity; `metric` are those by which right angles are known."""
+    """The rank, the declared points and the points at infinity; `metric` are those by which right angles are known,
+    `letters` the text that declares lines and planes.
+    """
 
     rank: int
     points: tuple[str, ...]
     ideal: tuple[str, ...]
     metric: tuple[tuple[str, tuple[str, ...]], ...] = ()
+    letters: str = ""
 
 
-def space_options(*, rank: bool = True, metric: bool = False) -> Callable[[_Command], _Command]:
+def space_options(*, rank: bool = True, metric: bool = False, letters: bool = False) -> Callable[[_Command], _Command]:
     """--rank, --points, --ideal; the command receives them as `space`.
 
-    With `metric` also --isotropic and --orthonormal, which the metric words of expressions need.
+    With `metric` also --isotropic and --orthonormal, which the metric words of expressions need, with `letters` also
+    --letters.
     """
 
     def decorate(command: _Command) -> _Command:
@@ -64,7 +68,8 @@ def space_options(*, rank: bool = True, metric: bool = False) -> Callable[[_Comm
         def with_space(**options: Any) -> Any:
             points, ideal, *found = (_names(options.pop(key, "")) for key in ("points", "ideal", *METRICS))
             known = tuple((kind, names) for kind, names in zip(METRICS, found, strict=True) if names)
-            return command(space=SpaceOptions(options.pop("rank", 4), points, ideal, known), **options)
+            written = options.pop("letters", "")
+            return command(space=SpaceOptions(options.pop("rank", 4), points, ideal, known, written), **options)
 
         decorators = [
             *(
@@ -80,6 +85,18 @@ def space_options(*, rank: bool = True, metric: bool = False) -> Callable[[_Comm
             ),
             click.option("--ideal", default="", metavar="NAMES", help='Points at infinity: "i j k".'),
             *(click.option(f"--{k}", default="", metavar="NAMES", help=h) for k, h in _METRIC.items() if metric),
+            *(
+                [
+                    click.option(
+                        "--letters",
+                        default="",
+                        metavar="LETTERS",
+                        help='What letters stand for lines and planes: "line L M, plane P".',
+                    )
+                ]
+                if letters
+                else []
+            ),
         ]
         return decorated(with_space, decorators)
 

@@ -9,18 +9,22 @@ from gcrules.algebra.bracket import BracketPolynomial, ExtensorPolynomial
 from gcrules.algebra.expr import Expr
 from gcrules.algebra.language.syntax import Context
 from gcrules.algebra.language.text import text
+from gcrules.algebra.letters import letter_of
 from gcrules.algebra.names import step_name
+from gcrules.algebra.whole_letters import in_letters
 from gcrules.apps.repl.reading import as_typed
-from gcrules.apps.repl.state import Settings
+from gcrules.apps.repl.state import PromptState, Settings
 from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import GcrulesError, LimitReached
 from gcrules.rules.script import ClaimResult, Result, RewriteResult, ShowResult
 from gcrules.views.formulas.latex import latex
+from gcrules.views.results.polynomial import points_shown
 
 __all__ = [
     "Answer",
     "answer_of",
     "bound_text",
+    "context_text",
     "fault_answer",
     "polynomial_text",
     "result_of",
@@ -101,7 +105,7 @@ def _in_full(result: Result, settings: Settings) -> str | None:
         return result.proof.text(unicode=settings.unicode)
     if isinstance(result, ShowResult) and result.polynomial is not None:
         return value_text(
-            result.polynomial.to_expr(short=settings.short), settings, (*result.names, *result.polynomial.points)
+            in_letters(result.polynomial, short=settings.short), settings, (*result.names, *result.polynomial.points)
         )
     return None
 
@@ -111,7 +115,7 @@ def _latex(result: Result) -> str | None:
         case ClaimResult(proof=proof) if proof is not None:
             return f"{proof.latex()}\n% {proof.verdict}: {proof.reason}"
         case ShowResult(polynomial=polynomial) if polynomial is not None:
-            return latex(polynomial.to_expr())
+            return latex(in_letters(polynomial))
         case RewriteResult(rewriting=rewriting) if rewriting is not None:
             return f"\\begin{{align*}}\n{rewriting.latex()}\n\\end{{align*}}"
     return None
@@ -121,7 +125,7 @@ def result_of(result: Result) -> Expr | None:
     """What % stands for after a result."""
     match result:
         case ShowResult(polynomial=polynomial) if polynomial is not None:
-            return polynomial.to_expr()
+            return in_letters(polynomial)
         case RewriteResult(rewriting=rewriting) if rewriting is not None:
             return rewriting.after
     return None
@@ -129,12 +133,15 @@ def result_of(result: Result) -> Expr | None:
 
 def value_text(e: Expr, settings: Settings, names: tuple[str, ...]) -> str:
     """An expression as the settings ask for it; `names` are the declared points."""
-    return latex(e) if settings.latex else text(e, unicode=settings.unicode, names=names)
+    if settings.latex:
+        return latex(e)
+    shown = text(e, unicode=settings.unicode, names=[n for n in names if letter_of(n) is None])
+    return "  # ".join([shown, *filter(None, [points_shown(shown)])])
 
 
 def polynomial_text(p: Polynomial, settings: Settings, context: Context) -> str:
     """A polynomial as the settings ask for it."""
-    return value_text(p.to_expr(short=settings.short), settings, (*context.points, *p.points))
+    return value_text(in_letters(p, short=settings.short), settings, (*context.points, *p.points))
 
 
 def bound_text(name: str, context: Context, settings: Settings) -> str:
@@ -144,6 +151,23 @@ def bound_text(name: str, context: Context, settings: Settings) -> str:
     return f"{name} = {value_text(e, settings, names)}" + (
         "" if settings.latex else f", {step_name(e.step, context.rank)}"
     )
+
+
+def context_text(state: PromptState, settings: Settings) -> str:
+    """What is declared, named and assumed, a line for each."""
+    at = state.context
+    facts = {
+        "rank": [str(at.rank)],
+        "points": [" ".join(at.points)] if at.points else [],
+        "ideal": [" ".join(at.ideal)] if at.ideal else [],
+        "metric": [str(at.infinity)] if at.infinity else [],
+        "letters": [f"{name}, {step_name(step, at.rank)}" for name, step in at.letters.items()],
+        "given": list(dict.fromkeys(map(str, at.given))),
+        "let": [bound_text(n, at, settings) for n in at.bound],
+        "rules": [", ".join(r.id for r in state.rules)] if state.rules else [],
+        "%": [value_text(e, settings, at.points) for e in state.results[:1]],
+    }
+    return "\n".join(f"{key if i == 0 else '':<10}  {v}" for key, vs in facts.items() for i, v in enumerate(vs))
 
 
 def wrapped(shown: str, width: int) -> str:

@@ -19,7 +19,7 @@ from gcrules.algebra.language.text import Names
 from gcrules.algebra.names import step_name
 from gcrules.algebra.shortening.limits import SECONDS as SECONDS_TO_SHORTEN
 from gcrules.algebra.straightening.straighten import straighten, straighten_steps
-from gcrules.apps.repl.answers import Answer, bound_text, polynomial_text, value_text
+from gcrules.apps.repl.answers import Answer, context_text, polynomial_text
 from gcrules.apps.repl.help import help_text
 from gcrules.apps.repl.reading import is_blank
 from gcrules.apps.repl.request import Request
@@ -257,18 +257,7 @@ def _seconds(repl: PromptSession, request: Request) -> Iterator[Answer]:
 
 
 def _context(repl: PromptSession, request: Request) -> Iterator[Answer]:
-    at, settings = repl.state.context, replace(repl.settings, latex=False)
-    facts = {
-        "rank": [str(at.rank)],
-        "points": [" ".join(at.points)] if at.points else [],
-        "ideal": [" ".join(at.ideal)] if at.ideal else [],
-        "metric": [str(at.infinity)] if at.infinity else [],
-        "given": list(dict.fromkeys(map(str, at.given))),
-        "let": [bound_text(n, at, settings) for n in at.bound],
-        "rules": [", ".join(r.id for r in repl.state.rules)] if repl.state.rules else [],
-        "%": [value_text(e, settings, at.points) for e in repl.state.results[:1]],
-    }
-    yield Answer("\n".join(f"{key if i == 0 else '':<10}  {v}" for key, vs in facts.items() for i, v in enumerate(vs)))
+    yield Answer(context_text(repl.state, replace(repl.settings, latex=False)))
 
 
 def _rules(repl: PromptSession, request: Request) -> Iterator[Answer]:

@@ -12,6 +12,7 @@ import re
 from collections.abc import Iterable, Iterator, Mapping
 
 from gcrules.algebra.language.words import CONSTRUCTIONS
+from gcrules.algebra.names import step_name
 from gcrules.apps.repl.help import TOPICS
 from gcrules.apps.repl.reading import first_word, split_command
 from gcrules.apps.repl.state import PromptState
@@ -96,6 +97,7 @@ def _names(before: str, state: PromptState) -> Iterator[Completion]:
     known = (
         dict.fromkeys(at.points, "a point")
         | dict.fromkeys(at.ideal, "at infinity")
+        | {n: step_name(step, at.rank) for n, step in at.letters.items()}
         | {n: f"= {e}" for n, e in _bound(state)}
     )
     for begin in range(max(1, len(word) - 1)):

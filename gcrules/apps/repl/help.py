@@ -19,6 +19,10 @@ _MORE: Mapping[str, str] = {
         "given [abcd] == 0\n"
         "given isotropic i j, concyclic(a, b, c, d)"
     ),
+    "line": (
+        "line L M\nIn brackets, meets, given and claim:  [a b L],  L ^ P,  given incident(a, L)\n"
+        "L is the join of two points without names; `line` and `plane` before a name are reserved."
+    ),
     "let": "let p = ab /\\ cde",
     "claim": 'claim "two forms": ab /\\ cd == [abcd]\nAn equation without `claim` is decided too, but not saved.',
     "show": "show ab /\\ cde\nAn expression without `show` is expanded too, but not saved.",

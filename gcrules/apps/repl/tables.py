@@ -10,6 +10,7 @@ from gcrules.algebra.discovery.limits import RELATIONS as DISCOVERED
 from gcrules.algebra.language.relations import RELATION_NAMES
 from gcrules.algebra.language.relations import RELATIONS as METRIC_RELATIONS
 from gcrules.algebra.language.words import CONSTRUCTIONS, METRICS
+from gcrules.algebra.letters import LETTERS
 from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import InputError
 from gcrules.core.hints import near
@@ -42,6 +43,9 @@ STATEMENTS: Mapping[str, tuple[str, str]] = {
     "ideal": ("ideal NAMES", "points at infinity"),
     "isotropic": ("isotropic i j", "in the plane: points at infinity on all circles, for metric words"),
     "orthonormal": ("orthonormal i j k", "in space: directions at right angles, for metric words; in the plane two"),
+    "line": ("line NAMES", "letters that stand for lines, each with Plücker coordinates of its own"),
+    "plane": ("plane NAMES", "letters that stand for planes"),
+    "hyperplane": ("hyperplane NAMES", "letters that stand for hyperplanes, of one step less than the rank"),
     "given": ("given collinear(a, b, c), …", "what is assumed: relations of points, lines and planes, LHS == RHS too"),
     "let": ("let NAME = EXPR", "a name for an expression"),
     "claim": ('claim ["label":] LHS == RHS', "an equation, or a relation, to prove and to save"),
@@ -52,7 +56,7 @@ STATEMENTS: Mapping[str, tuple[str, str]] = {
 """How each statement is written and what it is."""
 
 RULE_WORDS = ("if", "source", "fires", "silent")
-RELATIONS = (*RELATION_NAMES, "ideal", *METRICS)
+RELATIONS = (*RELATION_NAMES, "ideal", *METRICS, *LETTERS)
 WORDS: Mapping[str, tuple[str, str]] = {
     w.name: (w.usage, w.meaning) for w in (*CONSTRUCTIONS.values(), *METRIC_RELATIONS.values())
 }

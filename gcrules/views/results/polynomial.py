@@ -2,23 +2,28 @@
 
 from __future__ import annotations
 
+import re
 from itertools import chain
 
 from gcrules.algebra import expr as ex
 from gcrules.algebra.bracket import BracketPolynomial, ExtensorPolynomial, repeats
 from gcrules.algebra.language.text import SHORT_NAME
 from gcrules.algebra.language.text import text as expression_text
+from gcrules.algebra.letters import letter_of, letters_of, names_of
 from gcrules.algebra.superbrackets.shortest import SuperbracketForm
+from gcrules.algebra.whole_letters import in_letters
 from gcrules.core.budget import watched
 from gcrules.views.formulas import latex as formulas
 
-__all__ = ["as_latex", "as_text", "form_latex", "form_text"]
+__all__ = ["as_latex", "as_text", "form_latex", "form_text", "points_shown"]
 
 
 def as_text(p: BracketPolynomial | ExtensorPolynomial, *, unicode: bool = False, short: bool = False) -> str:
     """The text of the language; `short` writes many equal brackets as a power (of which the language reads those up to
     64 back).
     """
+    if letters_of(p.points):
+        return _of_letters(p, unicode, short)
     if isinstance(p, BracketPolynomial) and not (short and any(map(repeats, p.terms))):
         return _of_brackets(p, unicode)
     return expression_text(p.to_expr(short=short), unicode=unicode, names=p.points)
@@ -38,9 +43,30 @@ def _of_brackets(p: BracketPolynomial, unicode: bool) -> str:
     return "".join(words) or "0"
 
 
+def _of_letters(p: BracketPolynomial | ExtensorPolynomial, unicode: bool, short: bool) -> str:
+    """In whole letters where that can be; a comment says what points are shown of others."""
+    e = in_letters(p, short=short)
+    shown = expression_text(e, unicode=unicode, names=[n for n in p.points if letter_of(n) is None])
+    return "  # ".join([shown, *filter(None, [points_shown(shown)])])
+
+
+def points_shown(shown: str) -> str:
+    """What the points of letters are that a text shows: "L = L₁ ∨ L₂", for each letter.
+
+    >>> points_shown("[abc L₁]")
+    'L = L₁ ∨ L₂, whichever points of it these are'
+    """
+    found = letters_of(_MARKED.findall(shown))
+    told = [f"{name} = {' ∨ '.join(names_of(name, step))}" for name, step in found.items()]
+    return f"{', '.join(told)}, whichever points of {'it' if len(told) == 1 else 'them'} these are" if told else ""
+
+
+_MARKED = re.compile(r"[A-Za-z][A-Za-z0-9_]*'*[₁-₉]+")
+
+
 def as_latex(p: BracketPolynomial | ExtensorPolynomial) -> str:
     """Without dollar signs."""
-    return formulas.latex(p.to_expr())
+    return formulas.latex(in_letters(p))
 
 
 def form_text(form: SuperbracketForm, *, unicode: bool = False) -> str:

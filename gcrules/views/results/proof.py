@@ -2,11 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Any
+
+from gcrules.algebra.evaluate import plucker
 from gcrules.algebra.language.text import text as expression_text
+from gcrules.algebra.letters import letter, letter_of, letters_of
 from gcrules.algebra.prove import Proof, number_text
 from gcrules.views.formulas import latex as formulas
+from gcrules.views.results.polynomial import points_shown
 
-__all__ = ["as_latex", "as_text", "conditions"]
+__all__ = ["as_latex", "as_text", "conditions", "dual_lines"]
 
 _SIGNS = {"proved": "=", "refuted": "\\neq", "undecided": "\\stackrel{?}{=}"}
 
@@ -14,12 +20,41 @@ _SIGNS = {"proved": "=", "refuted": "\\neq", "undecided": "\\stackrel{?}{=}"}
 def as_text(proof: Proof, *, unicode: bool = False) -> str:
     """The verdict in words, with the counterexample if there is one."""
     left, right = (expression_text(e, unicode=unicode) for e in (proof.left, proof.right))
-    lines = [f"{proof.verdict}: {proof.relation or f'{left} == {right}'}", f"  {proof.reason}"]
+    lines = [f"{proof.verdict}: {proof.relation or f'{left} == {right}'}", *dual_lines(proof), f"  {proof.reason}"]
     if proof.counterexample is not None:
-        lines += [f"  {name} = ({', '.join(map(str, c))})" for name, c in proof.counterexample.items()]
+        lines += [f"  {name} = {c}" for name, c in _coordinates(proof.counterexample, proof.rank)]
+        lines += ["  the dual fails at the hyperplanes with these coordinates"] if proof.dual else []
     if proof.values is not None and not proof.relation:
         lines += [f"  left side  = {number_text(proof.values[0])}", f"  right side = {number_text(proof.values[1])}"]
     return "\n".join([*lines, *conditions(proof)])
+
+
+def dual_lines(proof: Proof) -> list[str]:
+    """The lines that say what the dual is, and by what it is decided; none for other claims."""
+    if proof.dual is None:
+        return []
+    given = f" where {', '.join(proof.dual.given)}" if proof.dual.given else ""
+    how = "points and hyperplanes change places, joins and meets too, which keeps what holds"
+    return [
+        *(f"  {declared}" for declared in proof.dual.letters),
+        f"  the dual: {' and '.join(proof.dual.claims)}{given}",
+        f"  decided for the claim that it is the dual of: {how}",
+    ]
+
+
+def _coordinates(points: Mapping[str, Sequence[Any]], rank: int) -> Iterator[tuple[str, str]]:
+    """The coordinates of points and of letters, in place of the points that these are joins of."""
+    found = letters_of(points)
+    for name, step in found.items():
+        value = plucker(letter(name, step), points)
+        if step == rank - 1:
+            value = tuple((-1) ** (step - i) * c for i, c in enumerate(reversed(value)))
+        kind = "coordinates of the hyperplane" if step == rank - 1 else "Plücker coordinates"
+        yield name, f"{number_text(value)}, {_KINDS.get((step, rank), kind)}"
+    yield from ((name, number_text(tuple(c))) for name, c in points.items() if letter_of(name) is None)
+
+
+_KINDS = {(2, 3): "coordinates of the line", (3, 4): "coordinates of the plane"}
 
 
 def conditions(proof: Proof) -> list[str]:
@@ -28,7 +63,10 @@ def conditions(proof: Proof) -> list[str]:
     """
     meanings = proof.meanings or [""] * len(proof.assumed)
     shown = [f"{e} ({m})" if m else e for e, m in zip(proof.assumed, meanings, strict=True)]
-    lines = [f"  assumed not to vanish: {', '.join(shown)}"] if shown else []
+    of = ", in the claim that it is the dual of" if proof.dual else ""
+    lines = [f"  assumed not to vanish{of}: {', '.join(shown)}"] if shown else []
+    told = "".join((*proof.assumed, *(e for k in proof.kinds for e in (*k.where, *k.assumed))))
+    lines += [f"  where {points}" for points in filter(None, [points_shown(told)])]
     lines += [
         f"  at all positions that this speaks of {a} and {b} are one point, which the assumptions do not say"
         for a, b in proof.together

@@ -6,6 +6,8 @@ from collections import Counter
 from collections.abc import Sequence
 
 from gcrules.algebra.language.text import text as expression_text
+from gcrules.algebra.letters import letter_of
+from gcrules.algebra.whole_letters import in_letters
 from gcrules.rules.script import ClaimResult, Result, RewriteResult, RuleResult, ScriptResult, ShowResult
 from gcrules.views.formulas import latex as formulas
 from gcrules.views.formulas.latex_text import latex_words
@@ -22,7 +24,7 @@ def claim(r: ClaimResult, *, unicode: bool = False) -> str:
     if r.proof is None:
         details = [f"  {r.reason}"] if r.verdict != "proved" else []
     elif r.verdict == "proved":
-        details = proof.conditions(r.proof)
+        details = [*proof.dual_lines(r.proof), *proof.conditions(r.proof)]
     else:
         details = proof.as_text(r.proof, unicode=unicode).splitlines()[1:]
     return "\n".join([*lines, *("  " + line for line in details)])
@@ -32,7 +34,9 @@ def shown(r: ShowResult, *, unicode: bool = False) -> str:
     """The expansion."""
     if r.polynomial is None:
         return f"line {r.line}: undecided: {_shortened(r.label)}\n    {r.reason}"
-    expansion = expression_text(r.polynomial.to_expr(), unicode=unicode, names=(*r.names, *r.polynomial.points))
+    e, names = in_letters(r.polynomial), [n for n in (*r.names, *r.polynomial.points) if letter_of(n) is None]
+    expansion = expression_text(e, unicode=unicode, names=names)
+    expansion = "  # ".join([expansion, *filter(None, [polynomial.points_shown(expansion)])])
     return f"line {r.line}: {_shortened(r.label)} = {expansion}"
 
 

@@ -1,0 +1,117 @@
+r"""Letters that stand for lines, planes and hyperplanes: each is the join of points that have no name of their own.
+
+A line L is L₁ ∨ L₂, a plane P of space P₁₃ ∨ P₂₃ ∨ P₃₃: of a letter of step k the i-th point is marked by i, and by k
+behind it where k is not 2. So every line is reached, and only lines are: the Plücker coordinates of a join satisfy the
+quadratic relation. Nobody can write the names of these points, and where all of them stand side by side the letter is
+printed.
+
+>>> str(letter("L", 2)), grouped(("a", *names_of("L", 2), "b"))
+('L', ('a', 'L', 'b'))
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+
+from gcrules.algebra.expr import Expr, Join, Point
+from gcrules.core.english import with_article
+from gcrules.core.errors import InputError
+
+__all__ = [
+    "LETTERS",
+    "grouped",
+    "letter",
+    "letter_of",
+    "letter_step",
+    "letters_of",
+    "named_letter",
+    "names_of",
+    "plain_name",
+    "split_letters",
+]
+
+LETTERS = ("line", "plane", "hyperplane")
+"""The words that declare letters of other steps than that of a point."""
+
+_TO_MARKS = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
+_FROM_MARKS = {ord(mark): str(i) for i, mark in enumerate("₀₁₂₃₄₅₆₇₈₉")}
+_MARKS = "₁₂₃₄₅₆₇₈₉"
+
+
+def letter_step(kind: str, rank: int) -> int:
+    """The step of a line, a plane or a hyperplane. Raises InputError where the rank has no room for it."""
+    step = rank - 1 if kind == "hyperplane" else LETTERS.index(kind) + 2
+    if not 2 <= step < rank:
+        what = {rank: "the whole space", 1: "a point"}.get(step, "more than the whole space")
+        hint = f"`rank {max(step, 2) + 1}` in a file, --rank {max(step, 2) + 1} in the shell"
+        raise InputError(f"{with_article(kind)} is {what} in rank {rank}", hint=hint)
+    return step
+
+
+def names_of(name: str, step: int) -> tuple[str, ...]:
+    """The names of the points that a letter is the join of.
+
+    >>> names_of("L", 2), names_of("P", 3)
+    (('L₁', 'L₂'), ('P₁₃', 'P₂₃', 'P₃₃'))
+    """
+    behind = "" if step == 2 else str(step)
+    return tuple(name + f"{i}{behind}".translate(_TO_MARKS) for i in range(1, step + 1))
+
+
+def letter(name: str, step: int) -> Expr:
+    """What a letter stands for."""
+    return Join(tuple(map(Point, names_of(name, step))))
+
+
+def letter_of(point: str) -> tuple[str, int, int] | None:
+    """The letter that a point belongs to, the number of the point and the step of the letter; None for other points."""
+    if point[-1:] not in _MARKS:
+        return None
+    name = point.rstrip(_MARKS)
+    digits = point[len(name) :].translate(_FROM_MARKS)
+    return name, int(digits[0]), int(digits[1:] or 2)
+
+
+def plain_name(point: str) -> str:
+    """The name of a point with the marks of a letter as digits: for what knows no others.
+
+    >>> plain_name("P₁₃"), plain_name("a")
+    ('P13', 'a')
+    """
+    return point.translate(_FROM_MARKS)
+
+
+def grouped(names: Sequence[str]) -> tuple[str, ...]:
+    """Points side by side with letters in place of all their points, where these stand in their order."""
+    if not any(n[-1:] in _MARKS for n in names):
+        return tuple(names)
+    found, at = [], 0
+    while at < len(names):
+        of = letter_of(names[at])
+        whole = of is not None and tuple(names[at : at + of[2]]) == names_of(of[0], of[2])
+        found.append(of[0] if of is not None and whole else names[at])
+        at += of[2] if of is not None and whole else 1
+    return tuple(found)
+
+
+def letters_of(names: Iterable[str]) -> Mapping[str, int]:
+    """The letters to which some of the points belong, each with its step."""
+    found = (of for n in names if (of := letter_of(n)) is not None)
+    return {name: step for name, _, step in found}
+
+
+def named_letter(e: Expr) -> str | None:
+    """The name of an expression that is a letter."""
+    points = tuple(a.name for a in e.args if isinstance(a, Point)) if isinstance(e, Join) else ()
+    if not isinstance(e, Join) or len(points) != len(e.args):
+        return None
+    found = grouped(points)
+    return found[0] if len(found) == 1 else None
+
+
+def split_letters(rows: Iterable[Sequence[str]]) -> Iterator[str]:
+    """The letters of which points stand alone in a row, each once."""
+    seen: dict[str, None] = {}
+    for row in rows:
+        seen.update((of[0], None) for n in grouped(row) if (of := letter_of(n)) is not None)
+    yield from seen
