@@ -11,15 +11,15 @@ of all hyperplanes; a letter of step k, in rank d, becomes one of step d - k of 
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 
 from gcrules.algebra import expr as ex
 from gcrules.algebra import scalars
 from gcrules.algebra.assumptions.incidences import equations
 from gcrules.algebra.expr import Expr
 from gcrules.algebra.language.text import text
-from gcrules.algebra.letters import grouped, letter, letter_of, letters_of
-from gcrules.algebra.names import point_key, step_name
+from gcrules.algebra.letters import declarations, grouped, letter, letter_of, letters_of
+from gcrules.algebra.names import point_key
 from gcrules.algebra.space import Assumption
 from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import InputError
@@ -108,7 +108,7 @@ def dual_of(
     names |= {n: rank - step for n, step in letters_of(ex.points_of(*written)).items()}
     claims = _said(relation, rank) if relation else [_equation(*pair, rank) for pair in sides]
     return Dual(
-        tuple(_declared(names, rank)),
+        declarations({n: k for n, k in sorted(names.items(), key=_by_name) if k > 1}, rank),
         tuple(dict.fromkeys(one for a in given for one in _said(a, rank))),
         tuple(claims),
     )
@@ -118,15 +118,8 @@ def _equation(left: Expr, right: Expr, rank: int) -> str:
     return f"{text(dual(left, rank))} == {text(dual(right, rank))}"
 
 
-def _declared(names: Mapping[str, int], rank: int) -> Iterator[str]:
-    """The declarations of names, each with its step."""
-    for step in sorted(set(names.values())):
-        found = " ".join(sorted((n for n, k in names.items() if k == step), key=point_key))
-        if step > 1:
-            kind = {2: "line", 3: "plane"}.get(step, "hyperplane")
-            if step > 3 and step != rank - 1:
-                raise InputError(f"the dual has letters that are {step_name(step, rank)}, which have no name here")
-            yield f"{kind} {found}"
+def _by_name(named: tuple[str, int]) -> tuple[str, int, int]:
+    return point_key(named[0])
 
 
 _WORDS = {("collinear", 3): "concurrent", ("coplanar", 4): "concurrent"}

@@ -14,11 +14,13 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from gcrules.algebra.expr import Expr, Join, Point
+from gcrules.algebra.names import step_name
 from gcrules.core.english import with_article
 from gcrules.core.errors import InputError
 
 __all__ = [
     "LETTERS",
+    "declarations",
     "grouped",
     "letter",
     "letter_of",
@@ -32,6 +34,8 @@ __all__ = [
 
 LETTERS = ("line", "plane", "hyperplane")
 """The words that declare letters of other steps than that of a point."""
+
+_WORDS = {2: "line", 3: "plane"}
 
 _TO_MARKS = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
 _FROM_MARKS = {ord(mark): str(i) for i, mark in enumerate("₀₁₂₃₄₅₆₇₈₉")}
@@ -107,6 +111,21 @@ def named_letter(e: Expr) -> str | None:
         return None
     found = grouped(points)
     return found[0] if len(found) == 1 else None
+
+
+def declarations(steps: Mapping[str, int], rank: int) -> tuple[str, ...]:
+    """The texts that declare letters, each with its step. Raises InputError for steps that have no word.
+
+    >>> declarations({"L": 2, "P": 3, "M": 2}, 4)
+    ('line L M', 'plane P')
+    """
+    found = []
+    for step in sorted(set(steps.values())):
+        names = " ".join(n for n, k in steps.items() if k == step)
+        if step > 3 and step != rank - 1:
+            raise InputError(f"{names}: there are no letters that are {step_name(step, rank)} in rank {rank}")
+        found.append(f"{_WORDS.get(step, 'hyperplane')} {names}")
+    return tuple(found)
 
 
 def split_letters(rows: Iterable[Sequence[str]]) -> Iterator[str]:

@@ -6,6 +6,7 @@ import re
 from dataclasses import field
 
 from gcrules.algebra.expr import Expr
+from gcrules.algebra.letters import letter_of
 from gcrules.algebra.metric import Infinity
 from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import InputError, Span
@@ -72,7 +73,7 @@ class Space:
         if self.rank not in RANKS:
             raise InputError(f"rank {self.rank} is outside the supported ranks {RANKS[0]} to {RANKS[-1]}")
         for n in (*self.points, *self.ideal):
-            if not NAME.fullmatch(n):
+            if not NAME.fullmatch(n) and letter_of(n) is None:
                 raise InputError(f"{shortened(n)!r} cannot name a point", hint=NAMES_HINT)
         if len(self.declared()) > MAX_NAMES:
             raise InputError(f"more than {MAX_NAMES} declared names")

@@ -19,6 +19,7 @@ from gcrules.algebra.language.statements import parse_assumption, parse_letters,
 from gcrules.algebra.language.syntax import Context, parse
 from gcrules.algebra.letters import letters_of, names_of, plain_name
 from gcrules.algebra.whole_letters import in_letters
+from gcrules.apps.repl.interpreter import Interpreter
 from gcrules.core.errors import GcrulesError, InputError
 from gcrules.rules.script import run_script
 
@@ -205,3 +206,53 @@ def test_formulas_set_letters_and_their_points() -> None:
     assert gc.expand("(a L1) ^ M'", letters="line L1 M'").latex() == "M' \\wedge L_{1}a"
     one = gc.algebra.bracket.BracketPolynomial(4, (*names_of("L", 2), "a", "b", "c"), {((0, 2, 3, 4),): 1})
     assert one.latex() == "[L_{1}abc]"
+
+
+LEGS = [
+    ("line L M", "Aa Ab Bc Bd L M", "two-planes-three-lines"),
+    ("line L", "Aa Ab Ac Bd Be L", "three-tetrahedra"),
+    ("line L, plane P Q", "Aa, Ab, Bc, Bd, L, P ^ Q", ""),
+]
+
+
+@pytest.mark.parametrize(("letters", "legs", "kind"), LEGS)
+def test_legs_that_are_letters_need_no_points(letters: str, legs: str, kind: str) -> None:
+    """The condition of a platform is the determinant of the lines' coordinates."""
+    found = gc.analyze(legs, given=letters)
+    s = found.structure
+    lines = [parse(word.strip(), context=parse_letters(letters, Context(4))) for word in _words(legs)]
+    rng = Random(legs)
+    names = sorted({*gc.algebra.expr.points_of(*lines), *s.names})
+    at = {n: tuple(rng.randrange(PRIME) for _ in range(4)) for n in names}
+    rows = [[v % PRIME for v in Evaluator(at, 4, PRIME).value(line)] for line in lines]
+    assert kind in ("", found.condition.kind)
+    if kind:
+        value = Evaluator(at, 4, PRIME).value(found.condition.expression)[0]
+        assert (found.condition.coefficient * value - determinant(rows)) % PRIME == 0
+        assert "letters      L = L₁ " in found.text()
+
+
+def _words(legs: str) -> list[str]:
+    return [w for part in legs.split(",") for w in ([part] if "^" in part else part.split())]
+
+
+def test_transversals_and_the_prompt_take_letters_as_legs() -> None:
+    found = gc.transversals("Aa Ab Bc Bd L M", given="line L M")
+    assert "(AB /\\ L)(Aab /\\ Bcd /\\ M)" in str(found.condition.expression)
+    answers = [a.text for a in Interpreter().feed("line L M\n:transversals Aa Ab Bc Bd L M\n:context")]
+    assert "L and M" in answers[0]
+    assert "letters     L, a line (step 2)" in answers[-1]
+
+
+LEG_FAULTS = [
+    ("line L", "ab cd ef gh ij aL", "expected a line, found a plane (step 3)"),
+    ("plane P", "ab cd ef gh ij P", "expected a line, found a plane (step 3)"),
+    ("line L", "ab cd ef gh ij L + ab", "a leg"),
+]
+
+
+@pytest.mark.parametrize(("letters", "legs", "message"), LEG_FAULTS)
+def test_letters_that_are_no_lines_are_no_legs(letters: str, legs: str, message: str) -> None:
+    with pytest.raises(GcrulesError) as fault:
+        gc.analyze(legs, given=letters)
+    assert message in str(fault.value)

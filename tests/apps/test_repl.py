@@ -130,6 +130,9 @@ def test_the_words_are_those_of_the_grammar(root: Path) -> None:
     words = set(re.findall(r'"([a-z]{2,})"', grammar))
     relations = re.search(r"RELATION\.1: /\(([a-z_|]+)\)", grammar)
     assert relations is not None
+    letters = re.search(r"LETTERS\.1: /\(([a-z|]+)\)", grammar)
+    assert letters is not None
+    words.update(letters[1].split("|"))
     assert words | set(relations[1].split("|")) == {*STATEMENTS, *RULE_WORDS, *RELATIONS}
 
 

@@ -8,7 +8,7 @@ r"""Reading legs: from text or pairs of names to a structure.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Any
 
 from gcrules.algebra.expr import Expr, points_of
@@ -17,6 +17,7 @@ from gcrules.algebra.language.statements import parse_assumption
 from gcrules.algebra.language.syntax import Context
 from gcrules.algebra.language.text import Names, split_names
 from gcrules.algebra.language.text import text as as_text
+from gcrules.algebra.letters import letters_of
 from gcrules.algebra.structure import NoLine, Structure, leg_text, legs_text
 from gcrules.core.errors import GcrulesError, InputError, Span
 
@@ -37,19 +38,21 @@ def read_legs(
     """Six legs from text ("ab af cb cd ed ef", "S1A1, S2A2, …", "left top, right top, …") or pairs of names.
 
     With `built` a leg may be a line built from points, in text or as an expression: "abc /\\ def". `given` holds
-    what is assumed, as `gcrules.prove` takes it; points that only help to say it are declared in `points`. In another
-    `rank` there are n (n − 1) / 2 lines. Raises InputError (with its place in the text) for anything else.
+    what is assumed, as `gcrules.prove` takes it; a letter that it declares by "line L" is a leg by
+    itself; points that only help to say it are declared in `points`. In another `rank` there are n (n − 1) / 2 lines.
+    Raises InputError (with its place in the text) for anything else.
     """
     points = split_names(points)
-    if isinstance(legs, str):
-        found = tuple(_read_text(legs, points, rank, built))
-        source: str | None = legs
-    else:
-        found = tuple(_read_item(item, points, rank, built) for item in legs)
-        source = None
     at = Context(rank, points, split_names(ideal))
     for written in filter(str.strip, [given] if isinstance(given, str) else given):
         at = parse_assumption(written, at)
+    reading = Context(rank, points, letters=at.letters)
+    if isinstance(legs, str):
+        found = tuple(_read_text(legs, reading, built))
+        source: str | None = legs
+    else:
+        found = tuple(_read_item(item, reading, built) for item in legs)
+        source = None
     try:
         structure = _with_stand_ins(found, at)
         if structure.given or structure.stand_ins:
@@ -81,26 +84,31 @@ def _with_stand_ins(found: Sequence[Leg | Expr], at: Context) -> Structure:
     return Structure(tuple(legs), at.points, at.ideal, at.given, at.rank, tuple(stand_ins))
 
 
-def _read_text(text: str, points: Sequence[str], rank: int = 4, built: bool = True) -> Iterator[Leg | Expr]:
+def _read_text(text: str, at: Context, built: bool = True) -> Iterator[Leg | Expr]:
     for word, span in split_lines(text):
         try:
-            yield read_line(re.sub(r"(?<=[\w'])\s*[-–]\s*(?=\w)", " ", word), points, rank, built)
+            yield read_line(re.sub(r"(?<=[\w'])\s*[-–]\s*(?=\w)", " ", word), at.points, at.rank, built, at.letters)
         except GcrulesError as fault:
             hint = _FILE if re.search(r"\.ya?ml\s*$", text, re.IGNORECASE) else fault.hint
             inner = InputError(f"{word!r} is not a leg: {fault.message}", hint=hint)
             raise inner.located(text, span=span) from None
 
 
-def _read_item(item: str | Sequence[str] | Expr, points: Sequence[str], rank: int, built: bool) -> Leg | Expr:
+def _read_item(item: str | Sequence[str] | Expr, at: Context, built: bool) -> Leg | Expr:
     """A leg from a pair, a text or an expression."""
     if isinstance(item, Expr):
-        return read_line(as_text(item, names=points), points, rank, built)
+        return read_line(as_text(item, names=at.points), at.points, at.rank, built, at.letters)
     if isinstance(item, str):
-        return read_line(item, points, rank, built)
+        return read_line(item, at.points, at.rank, built, at.letters)
     pair: Any = item  # whatever a caller's list holds
     if not isinstance(pair, Sequence) or len(pair) != 2 or not all(isinstance(n, str) for n in pair):
         raise InputError(f"{item!r} is not a leg; expected two points")
-    return read_line(" ".join(pair), (*points, *pair), rank)
+    return read_line(" ".join(pair), (*at.points, *pair), at.rank, letters=at.letters)
+
+
+def _letters(structure: Structure) -> Mapping[str, int]:
+    """The letters among the legs."""
+    return letters_of(n for leg in structure.legs for n in leg)
 
 
 def read_order(text: str | Sequence[int | str], structure: Structure) -> tuple[int, ...]:
@@ -111,7 +119,11 @@ def read_order(text: str | Sequence[int | str], structure: Structure) -> tuple[i
     words: Iterable[int | str | Leg | Expr] = text
     if isinstance(text, str):
         numbers = re.fullmatch(r"[\d\s,]+", text)
-        words = re.findall(r"\d+", text) if numbers else _read_text(text, structure.points)
+        words = (
+            re.findall(r"\d+", text)
+            if numbers
+            else _read_text(text, Context(points=structure.points, letters=_letters(structure)))
+        )
     places: dict[Leg | Expr, int] = {line: i for i, line in enumerate(structure.lines)}
     places |= {end: i for i, (a, b) in enumerate(structure.legs) for end in ((a, b), (b, a))}
     order = []
@@ -121,7 +133,7 @@ def read_order(text: str | Sequence[int | str], structure: Structure) -> tuple[i
         elif isinstance(word, str) and word.isdigit():
             order.append(int(word) - 1)
         else:
-            leg = read_line(word, structure.points) if isinstance(word, str) else word
+            leg = read_line(word, structure.points, letters=_letters(structure)) if isinstance(word, str) else word
             if leg not in places:
                 raise InputError(f"{leg if isinstance(leg, Expr) else leg_text(leg)} is not one of the legs")
             order.append(places[leg])

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
+from functools import partial
 from math import inf, nan
 from os.path import expanduser
 from typing import Any
@@ -16,6 +17,7 @@ from gcrules.algebra.factoring.limits import SECONDS as SECONDS_TO_FACTOR
 from gcrules.algebra.language.legs_text import Structure, read_legs
 from gcrules.algebra.language.statements import parse_script
 from gcrules.algebra.language.text import Names
+from gcrules.algebra.letters import declarations
 from gcrules.algebra.names import step_name
 from gcrules.algebra.shortening.limits import SECONDS as SECONDS_TO_SHORTEN
 from gcrules.algebra.straightening.straighten import straighten, straighten_steps
@@ -194,6 +196,8 @@ def _legs(repl: PromptSession, request: Request, reading: Callable[..., Loaded])
     text = request.source.text
     place = request.span
     try:
+        if at.letters.keys() & set(word.replace(",", " ").split()):
+            reading = partial(read_legs, given=declarations(at.letters, at.rank))
         legs = reading(word, points=(*at.points, *at.ideal))
         if not isinstance(legs, Structure):
             return legs

@@ -24,7 +24,10 @@ _MORE: Mapping[str, str] = {
         "L is the join of two points without names; `line` and `plane` before a name are reserved."
     ),
     "let": "let p = ab /\\ cde",
-    "claim": 'claim "two forms": ab /\\ cd == [abcd]\nAn equation without `claim` is decided too, but not saved.',
+    "claim": (
+        'claim "two forms": ab /\\ cd == [abcd]\nAn equation without `claim` is decided too, but not saved.\n'
+        "claim dual([abcd] == 0)   its dual: points and hyperplanes change places, in what is given too"
+    ),
     "show": "show ab /\\ cde\nAn expression without `show` is expanded too, but not saved.",
     "rule": (
         'rule meet "a line meets a plane": ab /\\ cde => [acde] b - [bcde] a\n'

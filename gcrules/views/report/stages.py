@@ -21,6 +21,7 @@ from gcrules.views.report.dimension_items import DIMENSIONS, condition_beside, d
 from gcrules.views.report.items import Formula, Item, KeyValue
 from gcrules.views.report.stage_ids import TITLES
 from gcrules.views.results.at_infinity import at_infinity
+from gcrules.views.results.polynomial import points_shown
 
 __all__ = [
     "Recognised",
@@ -156,6 +157,8 @@ def structure_items(a: Analysis) -> list[Item]:
     """The legs, the two bodies, the class, and what is in special position."""
     s = a.structure
     items: list[Item] = [KeyValue("legs", s.text())]
+    lettered = points_shown(" ".join(n for leg in s.legs for n in leg))
+    items += [KeyValue("letters", lettered)] if lettered else []
     if s.base:
         items += [KeyValue("base", " ".join(s.base)), KeyValue("platform", " ".join(s.platform))]
     without = [n for n in s.names if n not in s.sides and any(n in leg for leg in s.legs)]
