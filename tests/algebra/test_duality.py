@@ -165,7 +165,8 @@ def test_duals_of_theorems_hold_of_lines_as_they_are_printed(name: str, script: 
             at = parse_assumption(written, at)
         for e in (a for one in at.given for a in equations(one, 3)):
             assert not any(v % PRIME for v in Evaluator(places, 3, PRIME).value(e))
-        ((left, right),) = parse_claim(*proof.dual.claims, at).equations
+        (claim,) = proof.dual.claims
+        ((left, right),) = parse_claim(claim, at).equations
         assert right == ex.ZERO
         assert any(v % PRIME for v in Evaluator(places, 3, PRIME).value(left)) == (verdict == "refuted")
 

@@ -148,7 +148,7 @@ def test_a_counterexample_shows_coordinates_of_letters() -> None:
     points = found.counterexample
     assert points is not None
     p, q = (plucker(*(points[n] for n in names_of(k, 2))) for k in "LM")
-    assert moment(p, q) == found.values[0] % PRIME  # type: ignore[index]
+    assert moment(p, q) == found.values[0] % PRIME
     shown = found.text()
     assert "L = (" in shown
     assert "Plücker coordinates" in shown
