@@ -17,6 +17,7 @@ from gcrules.algebra.language.relations import parse_claim
 from gcrules.algebra.language.statements import parse_assumption, parse_letters, parse_script
 from gcrules.algebra.language.syntax import Context, parse
 from gcrules.algebra.letters import letter_of, letters_of, names_of
+from gcrules.apps.repl.interpreter import Interpreter
 from gcrules.core.errors import GcrulesError
 from gcrules.rules.script import ClaimResult, run_script
 
@@ -182,6 +183,11 @@ def test_the_answer_says_what_the_dual_is() -> None:
     assert "the dual fails at the hyperplanes with these coordinates" in gc.prove("dual([abcd] == 0)").text()
     with pytest.raises(GcrulesError, match="by duality"):
         gc.proof_file(found)
+
+
+def test_the_prompt_decides_duals() -> None:
+    answers = [a.text for a in Interpreter().feed("rank 3\ndual(collinear(a, b, c))\ndual([abc] == -[bac])")]
+    assert [a.split(":")[0] for a in answers] == ["refuted", "proved"]
 
 
 FAULTS = [

@@ -77,8 +77,9 @@ def first_word(text: str) -> str:
 
 
 def is_claim(text: str) -> bool:
-    """Whether a text that is no statement claims something: an equation, or a relation."""
-    return "==" in text or first_word(text) in RELATION_NAMES
+    """Whether a text that is no statement claims something: an equation, a relation, or the dual of one."""
+    inner = re.sub(r"^\s*dual\(", "", text)
+    return "==" in text or first_word(inner) in RELATION_NAMES
 
 
 def split_command(text: str) -> tuple[str, int] | None:
