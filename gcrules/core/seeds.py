@@ -137,7 +137,7 @@ class _NotKept(Exception):
 
 
 class _Remembered(Generic[P, T]):
-    def __init__(self, function: Callable[P, T], most: int, keep: Callable[[T], bool]) -> None:
+    def __init__(self, function: Callable[P, T], most: int, keep: Callable[[Any], bool]) -> None:
         update_wrapper(self, function)
 
         @lru_cache(maxsize=most)
@@ -158,7 +158,7 @@ class _Remembered(Generic[P, T]):
 
 
 def remembered(
-    most: int, *, keep: Callable[[T], bool] = lambda _: True
+    most: int, *, keep: Callable[[Any], bool] = lambda _: True
 ) -> Callable[[Callable[P, T]], _Remembered[P, T]]:
     """Keep the last answers of a function, as `lru_cache` does, each for the seed with which it was drawn: what was
     found with a seed of the user's is no answer for those who chose none. Arguments are hashable. Answers that are not
