@@ -14,15 +14,14 @@ import gzip
 import hashlib
 import json
 import math
-from typing import TYPE_CHECKING, Any
+from typing import Any, Protocol
 
 from gcrules.core.errors import FileError, InputError, LimitReached
 from gcrules.core.version import __version__
 from gcrules.poses.maps.cells import MEANINGS
 from gcrules.poses.maps.grid import Grid
-
-if TYPE_CHECKING:
-    from gcrules.poses.maps.report import SingularMap
+from gcrules.poses.maps.slices import SliceFactor
+from gcrules.poses.maps.task import Slice
 
 __all__ = ["FORMAT", "LETTERS", "MAX_CELLS", "cell_certificate", "cells_bytes", "check_map_kind", "is_certificate"]
 
@@ -31,6 +30,19 @@ LETTERS = "fxuo"
 """Of the statuses, in their order; o is for robots of joints, of which there is no certificate."""
 MAX_CELLS = 4_000_000
 """Cells that a certificate may have."""
+
+
+class _Map(Protocol):
+    """A `SingularMap`, as far as it is needed here."""
+
+    @property
+    def grid(self) -> Slice: ...
+    @property
+    def factors(self) -> tuple[SliceFactor, ...] | None: ...
+    @property
+    def everywhere(self) -> bool: ...
+
+    def values(self, name: str) -> Any: ...
 
 
 def is_certificate(path: str) -> bool:
@@ -52,7 +64,7 @@ def check_map_kind(grid: Any) -> Grid:
     return grid
 
 
-def cell_certificate(m: SingularMap) -> dict[str, Any]:
+def cell_certificate(m: _Map) -> dict[str, Any]:
     """The robot, the slice and the status of each cell, as JSON; numbers are exact, and texts. Cells are listed by the
     axes, the last of which is a text: f free, x crossed, u undecided. `digest` is the SHA-256 of all else.
 
@@ -94,7 +106,7 @@ def cell_certificate(m: SingularMap) -> dict[str, Any]:
     return {**found, "digest": _digest(found)}
 
 
-def cells_bytes(m: SingularMap, path: str) -> bytes:
+def cells_bytes(m: _Map, path: str) -> bytes:
     """The file, packed where its name ends in .gz. Raises FileError for a name of something else."""
     if not is_certificate(path):
         raise FileError("not a name for a certificate", filename=path, hint="certificates end in .json or .json.gz")
