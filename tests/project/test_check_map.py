@@ -30,7 +30,7 @@ CHECK = checker("check_map")
 FILES = [ROOT / "checkers" / f"{name}.py" for name in ("check_map", "map_slice", "map_polynomials", "map_turns")]
 OCTAHEDRAL = str(EXAMPLES / "octahedral.yaml")
 FLAT = {"legs": "ad ae be bf cf cd", "points": {n: (k, k * k, 0) for k, n in enumerate("abc")}}
-FLAT["points"] |= {n: (k, 5 - k * k, 0) for k, n in enumerate("def")}  # type: ignore[operator]
+FLAT["points"] |= {n: (k, 5 - k * k, 0) for k, n in enumerate("def")}
 MAPS: dict[str, tuple[Any, list[str], dict[str, Any]]] = {
     "shifts": (OCTAHEDRAL, ["x -300:300:7", "z -500:100:7"], {}),
     "in space": (OCTAHEDRAL, ["x -300:300:4", "y -300:300:4", "z -500:100:4"], {}),
