@@ -15,12 +15,14 @@ import pytest
 import gcrules as gc
 from gcrules.algebra.evaluate import PRIME, Evaluator
 from gcrules.algebra.expand import expand
+from gcrules.algebra.language.legs_text import read_legs
 from gcrules.algebra.language.statements import parse_assumption, parse_letters, parse_script
 from gcrules.algebra.language.syntax import Context, parse
 from gcrules.algebra.letters import letters_of, names_of, plain_name
 from gcrules.algebra.whole_letters import in_letters
 from gcrules.apps.repl.interpreter import Interpreter
 from gcrules.core.errors import GcrulesError, InputError
+from gcrules.rules.factorization import factored
 from gcrules.rules.script import run_script
 
 SPACE = parse_letters("line K L M N, plane P Q", Context(4))
@@ -236,6 +238,13 @@ def test_transversals_and_the_prompt_take_letters_as_legs() -> None:
     answers = [a.text for a in Interpreter().feed("line L M\n:transversals Aa Ab Bc Bd L M\n:context")]
     assert "L and M" in answers[0]
     assert "letters     L, a line (step 2)" in answers[-1]
+
+
+def test_no_factorization_is_sought_of_legs_that_are_letters() -> None:
+    structure = read_legs("ab bc ca L M N", given="line L M N")
+    whole = expand(structure.superbracket)
+    found = factored([whole], structure, None)  # type: ignore[arg-type, list-item]
+    assert found.note == "no factorization was sought: only expressions of points are factored"
 
 
 LEG_FAULTS = [
