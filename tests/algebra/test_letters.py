@@ -243,7 +243,7 @@ def test_transversals_and_the_prompt_take_letters_as_legs() -> None:
 def test_no_factorization_is_sought_of_legs_that_are_letters() -> None:
     structure = read_legs("ab bc ca L M N", given="line L M N")
     whole = expand(structure.superbracket)
-    found = factored([whole], structure, None)  # type: ignore[arg-type, list-item]
+    found = factored([whole], structure, None)
     assert found.note == "no factorization was sought: only expressions of points are factored"
 
 
