@@ -16,7 +16,7 @@ from gcrules.algebra.assumptions.construction import ConstructionStep
 from gcrules.algebra.assumptions.incidences import Helper
 from gcrules.algebra.expr import Bracket, Expr, Join, Meet, Point, Product, points_of
 from gcrules.algebra.language.text import text
-from gcrules.algebra.letters import grouped, letter_of, named_letter
+from gcrules.algebra.letters import grouped, letter_of, letters_of, named_letter
 from gcrules.algebra.parts import substitute
 
 __all__ = ["assumed", "chosen", "fewest", "words"]
@@ -72,7 +72,8 @@ def _chosen(e: Expr) -> Expr | None:
         of = letter_of(n)
         if of is not None and e.step - 1 < of[2]:
             rest = ex.join(*(a for a in e.args if a != Point(n)), rank=e.step)
-            return None if isinstance(rest, Point) else _chosen(rest)
+            if of[0] not in letters_of(points_of(rest)):  # it would change with the choice
+                return None if isinstance(rest, Point) else _chosen(rest)
     return e
 
 
