@@ -6,7 +6,7 @@ meets of them are is computed without the engine.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from itertools import combinations, permutations
 from random import Random
 
@@ -21,7 +21,7 @@ from gcrules.algebra.language.syntax import Context, parse
 from gcrules.algebra.letters import letters_of, names_of, plain_name
 from gcrules.algebra.whole_letters import in_letters
 from gcrules.apps.repl.interpreter import Interpreter
-from gcrules.core.errors import GcrulesError, InputError
+from gcrules.core.errors import GcrulesError, InputError, SyntaxFault
 from gcrules.rules.factorization import factored
 from gcrules.rules.script import run_script
 
@@ -259,3 +259,10 @@ def test_letters_that_are_no_lines_are_no_legs(letters: str, legs: str, message:
     with pytest.raises(GcrulesError) as fault:
         gc.analyze(legs, given=letters)
     assert message in str(fault.value)
+
+
+@pytest.mark.parametrize(("read", "text"), [(parse_assumption, "conic K"), (parse_script, "rank 3\nquadric Q\n")])
+def test_conics_have_no_letters(read: Callable[[str], object], text: str) -> None:
+    with pytest.raises(SyntaxFault, match=r"expected (==|claim, .*line, plane or hyperplane)") as caught:
+        read(text)
+    assert (caught.value.hint or "").startswith("letters stand for lines and planes")

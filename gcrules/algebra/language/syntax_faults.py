@@ -33,6 +33,7 @@ _TERMINALS = {
     "RUN": "a run of points (R...)",
     "RELATION": "a relation such as collinear(a, b, c)",
     "CONSTRUCTION": "a word such as midpoint(a, b)",
+    "LETTERS": "line, plane or hyperplane",
     "$END": "the end",
 }
 _STARTERS = {"WORD", "NUMBER", "LPAR", "LSQB", "DOT", "RUN"}
@@ -48,6 +49,7 @@ _HINTS: tuple[tuple[re.Pattern[str], str], ...] = (
         "one == stands between two expressions, for `prove`, for `claim`, or alone at the prompt",
     ),
 )
+_NO_LETTER = re.compile(r"\s*(conic|quadric|circle|sphere)\s+[A-Za-z]")
 _CALL = re.compile(r"(?<![A-Za-z0-9_'])([A-Za-z_]+)\s*\(")
 _INFIX = {
     **dict.fromkeys(("meet", "cap", "intersect", "intersection", "regressive", "wedge"), (" /\\ ", "the meet")),
@@ -85,12 +87,20 @@ def syntax_fault(found: object, text: str, literals: Mapping[str, str], relation
         what = "the input ends too early" if text.strip() else "the input is empty"
     hint = _equated(text, span.start, relations)
     hint = hint or next((h for pattern, h in _HINTS if pattern.match(text, span.start)), None)
+    hint = hint or _no_letter(text, span.start)
     hint = hint or _misspelt(text, span.start, words_of(literals["CONSTRUCTION"]), relations)
     if hint is None and "RPAR" in accepted and _unclosed(text[: span.start], "()"):
         hint = "a parenthesis is not closed"
     elif hint is None and "RSQB" in accepted and _unclosed(text[: span.start], "[]"):
         hint = "a bracket is not closed"
     return SyntaxFault(f"{what}; expected {_expected(accepted, literals)}", span=span, hint=hint)
+
+
+def _no_letter(text: str, at: int) -> str | None:
+    """What takes the place of letters that there are not, where the line up to a place declares one."""
+    if not _NO_LETTER.match(text, text.rfind("\n", 0, at) + 1):
+        return None
+    return "letters stand for lines and planes; conics are given by points, as in on_conic(a, b, c, d, e, f)"
 
 
 def words_of(pattern: str) -> list[str]:
