@@ -14,7 +14,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from gcrules.algebra.expr import Expr, Join, Point
-from gcrules.algebra.names import step_name
+from gcrules.algebra.names import NAME, step_name
 from gcrules.core.english import with_article
 from gcrules.core.errors import InputError
 
@@ -69,9 +69,9 @@ def letter(name: str, step: int) -> Expr:
 
 def letter_of(point: str) -> tuple[str, int, int] | None:
     """The letter that a point belongs to, the number of the point and the step of the letter; None for other points."""
-    if point[-1:] not in _MARKS:
-        return None
     name = point.rstrip(_MARKS)
+    if name == point or not NAME.fullmatch(name):
+        return None
     digits = point[len(name) :].translate(_FROM_MARKS)
     return name, int(digits[0]), int(digits[1:] or 2)
 

@@ -2,7 +2,13 @@
 
 from __future__ import annotations
 
-__all__ = ["point_key", "step_name"]
+import re
+
+__all__ = ["NAME", "NAMES_HINT", "point_key", "step_name"]
+
+NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]*'*")
+"""Of points, lines and planes."""
+NAMES_HINT = "names begin with a letter and go on with letters, digits or _, then primes: left, S1, A'"
 
 _STEP_NAMES = {1: "a point", 2: "a line", 3: "a plane"}
 

@@ -2,21 +2,19 @@ r"""Where expressions live: the rank, the points in tableau order, those at infi
 
 from __future__ import annotations
 
-import re
 from dataclasses import field
 
 from gcrules.algebra.expr import Expr
 from gcrules.algebra.letters import letter_of
 from gcrules.algebra.metric import Infinity
+from gcrules.algebra.names import NAME, NAMES_HINT
 from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import InputError, Span
 
-__all__ = ["MAX_NAMES", "NAME", "NAMES_HINT", "RANKS", "Assumption", "SourcePlace", "Space", "shortened"]
+__all__ = ["MAX_NAMES", "RANKS", "Assumption", "SourcePlace", "Space", "shortened"]
 
 RANKS = range(2, 9)
 MAX_NAMES = 500
-NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]*'*")
-NAMES_HINT = "names begin with a letter and go on with letters, digits or _, then primes: left, S1, A'"
 
 _SHOWN = 40  # characters of a word in a message
 

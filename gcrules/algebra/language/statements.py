@@ -17,8 +17,8 @@ from gcrules.algebra.language.rule_text import Case, RuleText, instances
 from gcrules.algebra.language.syntax import Builder, Context
 from gcrules.algebra.language.words import METRICS, with_infinity
 from gcrules.algebra.letters import LETTERS, letter_step
-from gcrules.algebra.names import step_name
-from gcrules.algebra.space import NAME, NAMES_HINT, SourcePlace, shortened
+from gcrules.algebra.names import NAME, NAMES_HINT, step_name
+from gcrules.algebra.space import SourcePlace, shortened
 from gcrules.core.dataclass import dataclass
 from gcrules.core.english import listed
 from gcrules.core.errors import GcrulesError, InputError, Span
