@@ -16,8 +16,8 @@ A pose moves each point p of the platform to R (p - c) + c + t. It is singular w
 * Else a determinant with bounds decides, cut further where it has to be: `map_turns.py` says how. Where turns are
   quarter turns, values at nodes are exact.
 
-Exit codes: 0 all cells are as the file says, and none is undecided; 1 not so; 2 the file is no certificate of a map
-that is known here, or names another digest; 3 the file leaves cells undecided, and the others are as it says.
+Exit codes: 0 all cells are as the file says, and none is undecided; 1 one is not; 2 the file is no certificate of a map
+that is known here, or names another digest; 3 cells are undecided, by the file or here, the others are as it says.
 All this is recomputed, not proved in Coq.
 """
 
@@ -29,6 +29,7 @@ import hashlib
 import io
 import json
 import sys
+import zlib
 from itertools import product
 
 from certificate_bounds import Refused, once
@@ -113,7 +114,7 @@ def digest_of(data):
 
 
 def checked(data, say=None):
-    """What is proved, in words, and how many cells are called undecided. Raises Refused."""
+    """What is proved, in words, and how many cells are left undecided, by the file or here. Raises Refused."""
     s = Slice(data)
     expect(data["digest"] == digest_of(data), "it names another digest")
     counts = dict.fromkeys(WORDS.values(), 0)
@@ -138,27 +139,35 @@ def checked(data, say=None):
         for place, what in cells_of(one, s.shape, not s.kind, say).items():
             found[place] = "x" if "x" in (what, found.get(place)) else what
     zero = not s.kind and not things
-    more = {"f": 0, "x": 0, "u": 0}
+    more, unseen = {"f": 0, "x": 0, "u": 0}, dict.fromkeys(WORDS.values(), 0)
     for place, letter in listed_cells(data["cells"], s.shape):
         what = "x" if zero else found.get(place, "f")
         if letter == "u":
             more[what] += 1
+        elif what == "u":
+            unseen[WORDS[letter]] += 1
         elif what != letter:
-            ends = [(a.name, a.start + k * a.step, a.start + (k + 1) * a.step) for a, k in zip(s.axes, place)]
-            at = ", ".join(f"{name} {low}..{high}" for name, low, high in ends)
-            other = "that is not seen here" if what == "u" else f"it is {WORDS[what]}"
-            raise Refused(f"the cell {at} is called {WORDS[letter]}, and {other}")
+            ends = [
+                f"{a.name} {a.start + k * a.step}..{a.start + (k + 1) * a.step} {a.unit}".strip()
+                for a, k in zip(s.axes, place)
+            ]
+            raise Refused(f"the cell {', '.join(ends)} is called {WORDS[letter]}, and it is {WORDS[what]}")
     left = counts["undecided"]
     seen = f" (of which {more['f']} are free and {more['x']} crossed, as is seen here)" if left else ""
     lines = [
-        f"recomputed: {counts['free']:,} cells free, {counts['crossed']:,} crossed, undecided: "
-        + (f"{left:,}{seen}" if left else "none"),
+        f"recomputed: {counts['free'] - unseen['free']:,} cells free, "
+        + f"{counts['crossed'] - unseen['crossed']:,} crossed, undecided: {f'{left:,}{seen}' if left else 'none'}",
+        *(
+            f"NOT decided here: {n:,} cells that are called {word}; nothing speaks against it, and nothing for it"
+            for word, n in unseen.items()
+            if n
+        ),
         "  free: no pose is singular; crossed: some pose is; the cells cover the slice",
         f"  {how}; recomputed, not proved in Coq; limits of legs are not considered",
         *(f"  {line}" for line in s.words()),
         f"digest {data['digest']}",
     ]
-    return "\n".join(lines), left
+    return "\n".join(lines), left + sum(unseen.values())
 
 
 def read(name):
@@ -178,6 +187,8 @@ def main():
     parser = argparse.ArgumentParser(description="Recompute the cells of a map of gcrules.")
     parser.add_argument("file", metavar="FILE.json[.gz]")
     arguments = parser.parse_args()
+    if isinstance(sys.stdout, io.TextIOWrapper):
+        sys.stdout.reconfigure(errors="backslashreplace")
     try:
         words, left = checked(read(arguments.file), lambda text: print(text, file=sys.stderr))
     except Malformed as fault:
@@ -186,7 +197,7 @@ def main():
     except Refused as fault:
         print(f"refused: {fault}")
         return 1
-    except (OSError, EOFError, ValueError, RecursionError, ArithmeticError) as fault:
+    except (OSError, EOFError, zlib.error, ValueError, RecursionError, ArithmeticError) as fault:
         print(f"refused: no certificate ({type(fault).__name__}: {str(fault)[:200]})")
         return 2
     print(words)
