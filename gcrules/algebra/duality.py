@@ -18,7 +18,7 @@ from gcrules.algebra import scalars
 from gcrules.algebra.assumptions.incidences import equations
 from gcrules.algebra.expr import Expr
 from gcrules.algebra.language.text import text
-from gcrules.algebra.letters import declarations, grouped, letter, letter_of, letters_of
+from gcrules.algebra.letters import declarations, letter, letter_of, letters_of, named_letter, wholes
 from gcrules.algebra.names import point_key
 from gcrules.algebra.space import Assumption
 from gcrules.core.dataclass import dataclass
@@ -77,19 +77,13 @@ def _superbracket(lines: Sequence[Expr], rank: int) -> Expr:
 
 def _duals(args: Sequence[Expr], rank: int) -> Iterator[Expr]:
     """The duals of what is joined, of letters as a whole."""
-    at = 0
-    while at < len(args):
-        first = args[at]
-        of = letter_of(first.name) if isinstance(first, ex.Point) else None
-        if of is None:
-            yield dual(first, rank)
-            at += 1
-            continue
-        name, _, step = of
-        run = [a.name for a in args[at : at + step] if isinstance(a, ex.Point)]
-        assert grouped(run) == (name,), "a point of a letter stands alone"
-        yield _named(name, rank - step)
-        at += step
+    for part in wholes(args):
+        name = named_letter(part)
+        if name is not None:
+            yield _named(name, rank - part.step)
+        else:
+            assert not isinstance(part, ex.Point) or letter_of(part.name) is None, "a point of a letter stands alone"
+            yield dual(part, rank)
 
 
 def _named(name: str, step: int) -> Expr:

@@ -30,6 +30,7 @@ __all__ = [
     "names_of",
     "plain_name",
     "split_letters",
+    "wholes",
 ]
 
 LETTERS = ("line", "plane", "hyperplane")
@@ -95,6 +96,23 @@ def grouped(names: Sequence[str]) -> tuple[str, ...]:
         whole = of is not None and tuple(names[at : at + of[2]]) == names_of(of[0], of[2])
         found.append(of[0] if of is not None and whole else names[at])
         at += of[2] if of is not None and whole else 1
+    return tuple(found)
+
+
+def wholes(args: Sequence[Expr]) -> tuple[Expr, ...]:
+    """What is joined, with each letter as one where all its points stand side by side in their order."""
+    found: list[Expr] = []
+    at = 0
+    while at < len(args):
+        first = args[at]
+        of = letter_of(first.name) if isinstance(first, Point) else None
+        run = args[at : at + of[2]] if of is not None else ()
+        if of is not None and tuple(a.name for a in run if isinstance(a, Point)) == names_of(of[0], of[2]):
+            found.append(letter(of[0], of[2]))
+        else:
+            found.append(first)
+            run = (first,)
+        at += len(run)
     return tuple(found)
 
 

@@ -9,6 +9,7 @@ from gcrules.algebra import expr as ex
 from gcrules.algebra.certificate import Certificate
 from gcrules.algebra.expr import Expr, Join, Meet, Point
 from gcrules.algebra.language.legs_text import Structure
+from gcrules.algebra.letters import letters_of
 from gcrules.algebra.straightening.straighten import is_zero
 from gcrules.core.english import listed
 from gcrules.core.errors import EngineFault, LimitReached
@@ -153,8 +154,8 @@ def certify(condition: Condition, structure: Structure, *, claimed_by: str = "")
 
 
 def in_special_position(condition: Condition, structure: Structure, oracle: RandomWitness) -> Condition:
-    """The condition with a sentence that takes account of points at infinity."""
-    if not structure.ideal:
+    """The condition with a sentence that takes account of points at infinity, and of letters as a whole."""
+    if not structure.ideal and not letters_of(structure.names):
         return condition
     if condition.kind in _SAID_BY_WORDS:
         words = sentence(condition.expression, structure, oracle, condition.cofactor)

@@ -16,6 +16,7 @@ from itertools import groupby
 from gcrules.algebra import expr as ex
 from gcrules.algebra.expr import ONE, Bracket, Expr, Join, Meet, Number, Point, Power, Product
 from gcrules.algebra.language.legs_text import Structure
+from gcrules.algebra.letters import letter_of, wholes
 from gcrules.core.dataclass import dataclass
 from gcrules.rules.random_witness import RandomWitness
 from gcrules.rules.statement import Flat, Part, Statement, listing, say, together
@@ -93,7 +94,7 @@ class _Words:
 
     def _tetrahedron(self, e: Bracket) -> bool:
         ideal = sum(self.oracle.at_infinity(a) for a in e.args) if self.structure.special else 0
-        return all(isinstance(a, Point) for a in e.args) and ideal < 2
+        return all(isinstance(a, Point) and letter_of(a.name) is None for a in e.args) and ideal < 2
 
     def _flat(self, brackets: Sequence[Bracket]) -> Statement:
         if self.rank == 4:
@@ -106,7 +107,7 @@ class _Words:
     def _clause(self, e: Expr) -> Statement:
         match e:
             case Bracket(args=args):
-                return self._dependent(args)
+                return self._dependent(wholes(args))
             case Meet(args=args) if e.step == 0:
                 return self._meeting(args)
         return say("{} is zero", self.plain(e))

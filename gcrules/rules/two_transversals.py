@@ -14,6 +14,7 @@ from gcrules.algebra import expr as ex
 from gcrules.algebra.certificate import Certificate
 from gcrules.algebra.expr import Bracket, Expr, Meet, meet
 from gcrules.algebra.language.legs_text import Leg, Structure
+from gcrules.algebra.letters import wholes
 from gcrules.core.dataclass import dataclass
 from gcrules.rules.common_lines import CommonLine
 from gcrules.rules.condition import Condition
@@ -185,6 +186,8 @@ def _alternatives(legs: dict[str, Expr], found: _Comparison, ideal: tuple[str, .
     for t in found.tetrahedra:
         if sum(str(p) in ideal for p in t.children) > 1:
             yield say("the points {} lie in one plane", listing(t.children))
+        elif len(parts := wholes(t.children)) < len(t.children):
+            yield say("{} lie in one plane", listing(parts))
         else:
             yield say("the tetrahedron {} is flat (its four points lie in one plane)", ex.join(*t.children))
     if not found.crossing:

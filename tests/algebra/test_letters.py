@@ -266,3 +266,9 @@ def test_conics_have_no_letters(read: Callable[[str], object], text: str) -> Non
     with pytest.raises(SyntaxFault, match=r"expected (==|claim, .*line, plane or hyperplane)") as caught:
         read(text)
     assert (caught.value.hint or "").startswith("letters stand for lines and planes")
+
+
+def test_a_letter_is_no_corner_of_a_tetrahedron() -> None:
+    found = gc.analyze("Aa Ab L Bc Bd Ce", given="line L, incident(A, L)")
+    assert "tetrahedra ABCe and ABcd is flat" in str(found.condition.statement)
+    assert "the line L, a and b lie in one plane" in str(found.condition.statement)
