@@ -309,7 +309,10 @@ def _vanishes(cause: Assumption, e: Expr, rank: int) -> Facts:
             return Facts((_vanishing(cause, e, rank),))
     if e.step == 0:
         return Facts((_vanishing(cause, e, rank),))
-    raise fault(cause, "it is not linear in a point", "use incident(X, Y), collinear(a, b, c) or coplanar(a, b, c, d)")
+    hint = "use incident(X, Y), collinear(a, b, c) or coplanar(a, b, c, d)"
+    if isinstance(e, Sum):
+        hint += "; of two extensors that are equal write one in place of the other"
+    raise fault(cause, "it is not linear in a point", hint)
 
 
 def equal(cause: Assumption, row: Mapping[Expr, Fraction], rank: int) -> Facts:

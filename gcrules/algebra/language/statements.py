@@ -21,7 +21,7 @@ from gcrules.algebra.names import NAME, NAMES_HINT, step_name
 from gcrules.algebra.space import SourcePlace, shortened
 from gcrules.core.dataclass import dataclass
 from gcrules.core.english import listed
-from gcrules.core.errors import GcrulesError, InputError, Span
+from gcrules.core.errors import GcrulesError, InputError, Span, SyntaxFault
 
 __all__ = [
     "Claim",
@@ -98,9 +98,13 @@ def parse_assumption(text: str, context: Context | None = None) -> Context:
 
 def parse_letters(text: str, context: Context) -> Context:
     """The context with letters that stand for lines, planes or hyperplanes: "line L M, plane P". Raises InputError."""
-    found = parse_assumption(text, context)
+    hint = f'letters are declared by {listed(LETTERS)}: "line L M, plane P"'
+    try:
+        found = parse_assumption(text, context)
+    except SyntaxFault as fault:
+        fault.hint = fault.hint or hint
+        raise
     if replace(found, letters=context.letters) != context or found.letters == context.letters:
-        hint = f'letters are declared by {listed(LETTERS)}: "line L M, plane P"'
         raise InputError("this declares more than letters, or none", hint=hint, span=Span(0, len(text)), source=text)
     return found
 

@@ -23,7 +23,11 @@ def as_text(proof: Proof, *, unicode: bool = False) -> str:
     lines = [f"{proof.verdict}: {proof.relation or f'{left} == {right}'}", *dual_lines(proof), f"  {proof.reason}"]
     if proof.counterexample is not None:
         lines += [f"  {name} = {c}" for name, c in _coordinates(proof.counterexample, proof.rank)]
-        lines += ["  the dual fails at the hyperplanes with these coordinates"] if proof.dual else []
+        lines += (
+            [f"  the dual fails at the hyperplanes with {_OF[bool(letters_of(proof.counterexample))]}"]
+            if proof.dual
+            else []
+        )
     if proof.values is not None and not proof.relation:
         lines += [f"  left side  = {number_text(proof.values[0])}", f"  right side = {number_text(proof.values[1])}"]
     return "\n".join([*lines, *conditions(proof)])
@@ -54,6 +58,7 @@ def _coordinates(points: Mapping[str, Sequence[Any]], rank: int) -> Iterator[tup
     yield from ((name, number_text(tuple(c))) for name, c in points.items() if letter_of(name) is None)
 
 
+_OF = ("these coordinates", "the coordinates of the points, and where the letters go with them")
 _KINDS = {(2, 3): "coordinates of the line", (3, 4): "coordinates of the plane"}
 
 
