@@ -1,9 +1,9 @@
 """Which tests are chosen: `--spread` for `make test`, `--fast` for `make test-fast`. Without either all of them run.
 
-`data/costs.txt` holds the processor time of one case, of each test with cases of more than 0.3 s, of more than 4 s
-together, or with more than 40 of them; `make costs` measures it again.
+`data/costs.txt` holds the processor time of one case, of each test with cases of more than 0.3 s, of more than 2 s
+together, or with more than 20 of them; `make costs` measures it again.
 
-`--spread` tries of a test as many cases as take 4 s, at least three, evenly from the first to the last. What it leaves
+`--spread` tries of a test as many cases as take 2 s, at least three, evenly from the first to the last. What it leaves
 out are more robots, classes, documents or numbers for a claim that is tried with others of them; `make test-all`, to be
 run before a release and after a change of what all of them go through, tries them all.
 
@@ -25,7 +25,7 @@ from places import DATA
 
 __all__ = ["COSTS", "chosen", "fast", "processor_seconds", "spread", "table"]
 
-_CASE, _TEST, _CASES = 0.3, 4.0, 40
+_CASE, _TEST, _CASES = 0.3, 2.0, 20
 """Processor seconds of a slow case and of all cases of a test that are tried; as many cases where none are known."""
 
 _TABLE = (DATA / "costs.txt").read_text(encoding="utf-8").splitlines()
@@ -89,7 +89,7 @@ def table(measured: Iterable[tuple[str, float]]) -> str:
         if nodeid.startswith("tests/"):
             tests[name_of(nodeid)].append(seconds)
     rows = [
-        f"{max(median(cases), 0.01):7.2f} {name}"
+        f"{max(median(cases), 0.001):7.3f} {name}"
         for name, cases in sorted(tests.items())
         if median(cases) > _CASE or median(cases) * len(cases) > _TEST or len(cases) > _CASES
     ]

@@ -42,7 +42,7 @@ def test_tests_that_cost_much_are_there() -> None:
 
 @pytest.mark.parametrize(
     ("seconds", "number", "tried"),
-    [(1.0, 4, [0, 1, 2, 3]), (1.0, 11, [0, 3, 7, 10]), (9.0, 5, [0, 2, 4]), (0.5, 1, [0])],
+    [(0.5, 4, [0, 1, 2, 3]), (0.5, 11, [0, 3, 7, 10]), (9.0, 5, [0, 2, 4]), (0.5, 1, [0])],
 )
 def test_cases_are_spread_evenly(
     seconds: float, number: int, tried: list[int], monkeypatch: pytest.MonkeyPatch
@@ -61,8 +61,8 @@ def test_costs_are_of_one_case_and_the_small_ones_left_out() -> None:
         ("tests/a.py::c", 0.2),
         ("gcrules/a.py::d", 9.0),
     ]
-    assert table(measured).splitlines()[1:] == ["   0.50 a.py::b"]
-    assert table([(f"tests/a.py::b[{n}]", 0.1) for n in range(70)]).splitlines()[1:] == ["   0.10 a.py::b"]
+    assert table(measured).splitlines()[1:] == ["  0.500 a.py::b"]
+    assert table([(f"tests/a.py::b[{n}]", 0.1) for n in range(70)]).splitlines()[1:] == ["  0.100 a.py::b"]
 
 
 def test_a_run_says_how_many_cases_it_left_out(tmp_path: Path) -> None:
