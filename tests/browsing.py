@@ -14,13 +14,14 @@ ARGS = (
     "--use-gl=angle",
     "--use-angle=swiftshader",
     "--enable-unsafe-swiftshader",
+    "--disable-gpu-rasterization",
     "--disable-dev-shm-usage",
     "--disable-background-networking",
     "--disable-component-update",
     "--disable-sync",
     "--no-first-run",
 )
-"""Software rendering, and nothing that calls home."""
+"""Software rendering, of pages without the GPU that software imitates, which takes longer; nothing that calls home."""
 
 
 @contextmanager
