@@ -42,6 +42,7 @@ COMMANDS = {
     "discover",
     "expand",
     "factor",
+    "factors",
     "prove",
     "rewrite",
     "rules",
