@@ -97,7 +97,8 @@ def test_the_robot_is_where_a_sample_says(asked: Asked, page: Page, source: dict
     for sample in some:
         if sample["pose"]:
             there = page.ask("pose", source=source, pose=sample["pose"])
-            assert there["margin"] == pytest.approx(sample["margin"], abs=1e-5)
+            at_a_place = sample["parameter"] in [p["parameter"] for p in found["places"]]  # which has its bound below
+            assert there["margin"] == pytest.approx(sample["margin"], abs=1e-5 if at_a_place else 1e-6)
     for place in found["places"]:
         there = page.ask("pose", source=source, pose=place["pose"])
         assert there["verdict"] != "regular"
