@@ -13,7 +13,7 @@ from gcrules.core.deferred import deferred
 
 __all__ = ["Factors", "factors"]
 
-found = deferred("gcrules.algebra.factoring.factors:factors")
+_factors = deferred("gcrules.algebra.factoring.factors:factors")
 
 
 @public
@@ -36,7 +36,7 @@ def factors(
     points, LimitReached where the factors themselves take more than a limit.
     """
     at = where(rank, points, ideal, isotropic, orthonormal)
-    answer: Factors = found(
+    answer: Factors = _factors(
         e if isinstance(e, (BracketPolynomial, ExtensorPolynomial)) else expression_of(e, at),
         points=at.points,
         ideal=at.ideal,
