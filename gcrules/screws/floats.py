@@ -44,6 +44,8 @@ class Floats(Field):
             raise InputError(f"the length {self.length!r} is not positive")
 
     def number(self, value: Any, what: str = "a number") -> Any:
+        if isinstance(value, float) and abs(value) <= _LARGEST:
+            return float(value)
         try:
             found = np.asarray(value, dtype=float)
         except (TypeError, ValueError, OverflowError):
@@ -75,6 +77,8 @@ class Floats(Field):
     def matrix(self, rows: Sequence[Row]) -> Matrix:
         if not rows:
             return np.zeros((0, 6))
+        if all(isinstance(x, float) for row in rows for x in row):
+            return np.array(rows, dtype=float)
         shape = _common_shape((np.shape(x) for row in rows for x in row), "the screws")
         made = np.empty((*shape, len(rows), len(rows[0])))
         for i, row in enumerate(rows):
@@ -120,7 +124,7 @@ class Floats(Field):
         return found if np.ndim(found) else float(found)
 
     def projection(self, basis: Matrix, vector: Row) -> Row:
-        stacked = np.stack(np.broadcast_arrays(*vector), axis=-1)
+        stacked = self.matrix([vector])[..., 0, :]
         found = np.einsum("...ki,...k->...i", basis, np.einsum("...ki,...i->...k", basis, stacked))
         return tuple(found[..., i] for i in range(found.shape[-1]))
 
@@ -180,6 +184,8 @@ class Floats(Field):
         return bool(np.any(sum(np.square(x) for x in components) == 0))
 
     def choose(self, condition: Any, yes: Any, no: Any) -> Any:
+        if not np.ndim(condition):
+            return yes if condition else no
         found = np.where(condition, yes, no)
         return found if found.ndim else float(found)
 
