@@ -155,13 +155,9 @@ def test_dependent_points_are_placed_in_all_ways() -> None:
     assert " <> " not in statement(script, pappus.name.replace(" ", "_"))
 
 
-WITHOUT_PROOFS = {"butterfly"}
-"""Theorems that have no proof file, and so no script."""
-
-
 def test_theorems_of_the_examples_have_scripts() -> None:
     for path in sorted((EXAMPLES / "theorems").glob("*.gca")):
-        if path.stem not in {*WITHOUT_PROOFS, "double-six"}:  # which takes a minute
+        if path.stem != "double-six":  # which takes a minute
             assert coq.without_script(ProofFile(path.stem, of_example(path))) == {}
 
 
