@@ -135,6 +135,29 @@ def test_bar_and_rail_of_a_phone_have_all_buttons_apart(sit_down: SitDown, width
             assert apart >= (0 if "tools" in where else 2) or a["y"] != b["y"]
 
 
+@pytest.mark.parametrize("width", [390, 1280])
+def test_a_panel_and_a_step_begin_at_their_top(sit_down: SitDown, width: int) -> None:
+    """However far down the one before was read."""
+    desk = opened(sit_down(viewport={"width": width, "height": 740}).visit(), "class 3-3.3")
+
+    def in_sight(title: str) -> bool:
+        box, rail = desk.page.get_by_role("heading", name=title).bounding_box(), desk.page.locator(".rail").bounding_box()
+        top = rail["y"] + rail["height"] if width == 390 else rail["y"]
+        return bool(top <= box["y"] < top + 120)
+
+    for panel, title in (("where", "Where can it go"), ("motion", "Path and map"), ("take-away", "Take away")):
+        desk.one(f"panel-{panel}").click()
+        assert in_sight(title), panel
+        desk.page.locator("#content section").last.scroll_into_view_if_needed()
+        if width == 390:
+            assert not in_sight(title), panel
+    desk.one("panel-guided").click()
+    for title in ("Structure", "Superbracket", "Shortest form"):
+        assert in_sight(title)
+        desk.page.keyboard.press("n")
+        desk.painted()
+
+
 @pytest.mark.parametrize("width", [320, 390, 430, 480, 1280])
 def test_the_list_of_layers_is_wholly_in_sight(sit_down: SitDown, width: int) -> None:
     """Whatever row its button is in."""

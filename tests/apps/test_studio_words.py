@@ -60,6 +60,26 @@ def test_words_by_mouse_and_keyboard(desk: Desk, kind: str, name: str) -> None:
     assert desk.faults == []
 
 
+def test_a_word_is_set_like_its_sentence(desk: Desk) -> None:
+    """In lists that have buttons too; and the sign after it stays in its line."""
+    desk.open("example", "octahedral")
+    desk.slide("z", -400)
+    desk.let_go("z")
+    desk.page.locator(".crossings button.term").first.wait_for()
+    assert desk.run(
+        """[...document.querySelectorAll('button.term')].filter(word => {
+            const own = getComputedStyle(word), around = getComputedStyle(word.parentElement);
+            return own.fontSize !== around.fontSize || own.padding !== '0px' || own.color !== around.color;
+        }).map(word => word.textContent)"""
+    ) == []
+    desk.open("robot", "3-rps", "limbs")
+    signs = desk.page.locator(".stage .term-and-sign", has_text="wrenches")
+    assert signs.first.inner_text() == "wrenches."
+    for width in range(380, 460, 8):
+        desk.page.set_viewport_size({"width": width, "height": 740})
+        assert len(signs.first.evaluate("one => [...new Set([...one.getClientRects()].map(r => r.bottom))]")) == 1
+
+
 def test_words_by_touch(desk: Desk) -> None:
     context = desk.page.context.browser.new_context(
         viewport={"width": 390, "height": 844}, has_touch=True, is_mobile=True, reduced_motion="reduce"

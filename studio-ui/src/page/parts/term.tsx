@@ -12,7 +12,22 @@ export function Term({ name, children }: { name: string; children: ComponentChil
   );
 }
 
-/** A plain text with its terms. */
+/** A plain text with its terms; the sign that follows a term stays in its line. */
 export function Termed({ text, seen }: { text: string; seen?: Set<string> }) {
-  return <>{inTerms(text, seen).map(({ text: word, entry }) => (entry ? <Term name={entry.term}>{word}</Term> : word))}</>;
+  const pieces = inTerms(text, seen);
+  const signOf = (at: number): string => (pieces[at - 1]?.entry && /^[^\p{L}\p{N}\s]+/u.exec(pieces[at]?.text ?? "")?.[0]) || "";
+  return (
+    <>
+      {pieces.map(({ text: word, entry }, at) =>
+        entry ? (
+          <span class="term-and-sign">
+            <Term name={entry.term}>{word}</Term>
+            {signOf(at + 1)}
+          </span>
+        ) : (
+          word.slice(signOf(at).length)
+        ),
+      )}
+    </>
+  );
 }

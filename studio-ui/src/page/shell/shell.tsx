@@ -1,5 +1,5 @@
 // The frame of the page: bar, rail, the panel that is open, and beside it the robot in 3D with its pose.
-import { useEffect, useRef } from "preact/hooks";
+import { useEffect, useLayoutEffect, useRef } from "preact/hooks";
 import { panelsOf } from "../panels";
 import { listen } from "../parts/pointing";
 import { Safe } from "../parts/safe";
@@ -18,6 +18,8 @@ import { ViewerPane } from "./viewer-pane";
 
 export function Shell({ store }: { store: Store }) {
   const root = useRef<HTMLDivElement>(null);
+  const body = useRef<HTMLDivElement>(null);
+  const content = useRef<HTMLElement>(null);
   const below = useRef<HTMLDivElement>(null);
   const drawn = useRef(false);
   const opened = useRef<string | null>(null);
@@ -35,6 +37,9 @@ export function Shell({ store }: { store: Store }) {
 
   const panels = panelsOf(store);
   const panel = panels.find(({ id }) => id === store.panel$.value) ?? panels[0];
+  useLayoutEffect(() => {
+    for (const scroller of [body, content]) scroller.current?.scrollTo(0, 0); // a panel, and a step, begins at its top
+  }, [panel?.id, store.stage$.value]);
   if (!panel) return null;
   const waits = panel.needs === "study" && !study;
   const beside = panel.layout === "beside" && study !== null;
@@ -47,13 +52,13 @@ export function Shell({ store }: { store: Store }) {
       </a>
       <TopBar />
       <Banner />
-      <div class="body">
+      <div class="body" ref={body}>
         <Rail />
         <main
           class={beside ? "split" : "split single"}
           style={{ "--across": `${100 * across.value}%`, "--down": `${100 * down.value}%` }}
         >
-          <section id="content" class={`content ${panel.layout}`} tabIndex={-1} aria-label={panel.title}>
+          <section id="content" ref={content} class={`content ${panel.layout}`} tabIndex={-1} aria-label={panel.title}>
             <Safe of={`${panel.id} ${store.stage$.value} ${study?.title}`}>{waits ? <Opening /> : <Content store={store} />}</Safe>
           </section>
           {beside && <Splitter share={across} direction="across" label="Width of the steps" />}
