@@ -138,6 +138,14 @@ def test_a_map(repeat: Repeat, source: Any, over: Any, pose: Any) -> None:
     assert shell
 
 
+def test_noise_of_a_closed_loop_is_not_written(repeat: Repeat) -> None:
+    """A turn of 1e-16 radians is none, and no zero has a sign."""
+    level = driven(-0.07979095477305656, 0.19147721917954913, -0.27710147202083046)  # turned by roll alone
+    line = repeat.lines("path", THREE_RPS, start=driven(0, 0, 0), goal=level)["shell"]
+    assert line.count("pitch=0deg") == 2
+    assert "=-0" not in line.replace("z=-0.", "")
+
+
 @pytest.mark.parametrize(("source", "pose"), [(OCTAHEDRAL, MOVED), (FIVE_BARS, driven(0.05, -0.02))])
 def test_free_poses_and_assembly_modes(repeat: Repeat, source: Any, pose: Any) -> None:
     shown = repeat.page.ask("free", source=source, pose=pose, shape="ball")

@@ -213,4 +213,15 @@ def test_answers_of_the_bench_are_broken_once(sit_down: SitDown, width: int) -> 
         (first, end), *others = line["rows"]
         assert all(left > first for left, _ in others)
         assert end > line["right"] - 160
+    if width > 390:  # where there is room, what goes on stands below what is said
+        facts = desk.page.locator(".said span").evaluate_all(
+            """spans => spans.filter(span => /^ *\\S+(?: \\S+)*? {2,18}\\S/.test(span.textContent)).map(span => {
+            const fact = /^ *\\S+(?: \\S+)*? {2,}/.exec(span.textContent)[0].length, range = document.createRange();
+            if (fact > 18) return null;
+            range.setStart(span.firstChild, fact); range.setEnd(span.firstChild, fact + 1);
+            const goesOn = span.getBoundingClientRect().left + parseFloat(getComputedStyle(span).paddingLeft);
+            return Math.abs(range.getBoundingClientRect().left - goesOn); }).filter(off => off !== null)"""
+        )
+        assert facts
+        assert max(facts) < 1
     assert desk.run(RUNS_OUT) == []

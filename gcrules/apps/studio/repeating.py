@@ -92,12 +92,13 @@ def _named(subject: Subject, *, alone: bool) -> tuple[str, str | None, RepeatedF
 
 
 def _number(value: float) -> str:
-    return f"{value:.12g}"
+    return f"{value + 0.0:.12g}"  # 0 has no sign
 
 
 def _values(values: Mapping[str, float], angles: frozenset[str] = ANGLES) -> str:
-    """Coordinates, or actuators, with as many digits as count."""
-    return ", ".join(f"{n}={_number(degrees(v))}deg" if n in angles else f"{n}={_number(v)}" for n, v in values.items())
+    """Coordinates, or actuators, with as many digits as count; of degrees at most twelve after the point."""
+    turned = {n: round(degrees(v), 12) if n in angles else v for n, v in values.items()}
+    return ", ".join(f"{n}={_number(v)}{'deg' if n in angles else ''}" for n, v in turned.items())
 
 
 def _words(at: Any) -> str:
