@@ -158,6 +158,20 @@ def test_a_panel_and_a_step_begin_at_their_top(sit_down: SitDown, width: int) ->
         desk.painted()
 
 
+@pytest.mark.parametrize("width", [320, 390])
+def test_what_belongs_together_stays_in_one_line_on_a_phone(sit_down: SitDown, width: int) -> None:
+    """The two ends of a range; a title and the cross that closes what it names."""
+    desk = opened(sit_down(viewport={"width": width, "height": 740}).visit(), "class 3-3.3")
+    desk.one("panel-motion").click()
+    for axis in (0, 1):
+        low, high = (desk.one(f"map-{end}-{axis}").bounding_box()["y"] for end in ("low", "high"))
+        assert low == high
+    desk.one("keys").click()
+    title, cross = (one.bounding_box() for one in (desk.page.locator(".key-list h2"), desk.one("key-list-close")))
+    assert cross["y"] <= title["y"] + title["height"] / 2 <= cross["y"] + cross["height"]
+    desk.one("key-list-close").click()
+
+
 @pytest.mark.parametrize("width", [320, 390, 430, 480, 1280])
 def test_the_list_of_layers_is_wholly_in_sight(sit_down: SitDown, width: int) -> None:
     """Whatever row its button is in."""
