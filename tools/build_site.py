@@ -70,10 +70,13 @@ _SCRIPT = re.compile(r"<script>(.*?)</script>", re.DOTALL)
 
 
 def _scripts_apart(site: Path) -> None:
-    """Scripts in pages as files beside them, so that a server may forbid all scripts that stand in pages."""
+    """Scripts in pages as files beside them, so that a server may forbid all scripts that stand in pages.
+
+    Reports keep theirs: from a folder, a frame without access to the page around it may load no file.
+    """
     folder = site / "assets" / "javascripts" / "of-pages"
     folder.mkdir(parents=True)
-    for page in site.rglob("*.html"):
+    for page in {*site.rglob("*.html")} - {*(site / "assets" / "reports").glob("*.html")}:
 
         def apart(match: re.Match[str], page: Path = page) -> str:
             name = f"{hashlib.sha256(match[1].encode()).hexdigest()[:16]}.js"

@@ -6,6 +6,7 @@
 * The first use of each term of the glossary leads there (site_glossary.py).
 * The lines of the page on Python become what docstrings say (site_api.py).
 * A link to a file of the repository outside docs/ leads to a page that shows the file.
+* A report of an example that a page shows in a frame is made: assets/reports/NAME.html, of examples/NAME.yaml.
 * The pages of the catalog and of the robots come into the navigation by themselves.
 """
 
@@ -25,6 +26,7 @@ import site_glossary
 import site_grammar
 from site_parts import PLACE
 
+import gcrules as gc
 from gcrules.views.drawing.palette import ROLES
 
 __all__ = ["Guide"]
@@ -37,6 +39,7 @@ GENERATED = re.compile(r"^<!-- generated: ([\w-]+) -->$", re.MULTILINE)
 SESSION = re.compile(r"^```python\n>>> ", re.MULTILINE)
 LINK = re.compile(r"(\]\()((?:\.\./)+[^)#\s]+)((?:#[^)\s]*)?\))")
 IMAGE = re.compile(r"!\[((?:[^\[\]]|\[[^\[\]]*\])*)\]\(([^):\s]+\.svg)\)")
+REPORT = re.compile(r'<iframe src="(?:\.\./)*assets/reports/([a-z0-9-]+)\.html"')
 LANGUAGES = {".gca": "gca", ".lark": "text", ".yaml": "yaml", ".py": "python", ".toml": "toml", ".md": "markdown"}
 
 
@@ -167,6 +170,9 @@ class Guide:
             # A page with no other ones beside it has nothing to navigate to.
             _write(folder / "docs" / name, text if name in beside else f"---\nhide: [navigation]\n---\n\n{text}")
         _write(folder / "docs" / "assets" / "figures.css", _colours())
+        for name in {name for text in texts.values() for name in REPORT.findall(text)}:
+            report = gc.report(str(self.root / "examples" / f"{name}.yaml"))
+            _write(folder / "docs" / "assets" / "reports" / f"{name}.html", report)
         for name, part in self.parts.items():
             _write(folder / "parts" / name, part)
         return {**config, "nav": nav}

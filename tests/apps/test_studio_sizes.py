@@ -141,7 +141,8 @@ def test_a_panel_and_a_step_begin_at_their_top(sit_down: SitDown, width: int) ->
     desk = opened(sit_down(viewport={"width": width, "height": 740}).visit(), "class 3-3.3")
 
     def in_sight(title: str) -> bool:
-        box, rail = desk.page.get_by_role("heading", name=title).bounding_box(), desk.page.locator(".rail").bounding_box()
+        box = desk.page.get_by_role("heading", name=title).bounding_box()
+        rail = desk.page.locator(".rail").bounding_box()
         top = rail["y"] + rail["height"] if width == 390 else rail["y"]
         return bool(top <= box["y"] < top + 120)
 

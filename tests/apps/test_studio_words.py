@@ -66,12 +66,15 @@ def test_a_word_is_set_like_its_sentence(desk: Desk) -> None:
     desk.slide("z", -400)
     desk.let_go("z")
     desk.page.locator(".crossings button.term").first.wait_for()
-    assert desk.run(
-        """[...document.querySelectorAll('button.term')].filter(word => {
+    assert (
+        desk.run(
+            """[...document.querySelectorAll('button.term')].filter(word => {
             const own = getComputedStyle(word), around = getComputedStyle(word.parentElement);
             return own.fontSize !== around.fontSize || own.padding !== '0px' || own.color !== around.color;
         }).map(word => word.textContent)"""
-    ) == []
+        )
+        == []
+    )
     desk.open("robot", "3-rps", "limbs")
     signs = desk.page.locator(".stage .term-and-sign", has_text="wrenches")
     assert signs.first.inner_text() == "wrenches."

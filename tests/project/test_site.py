@@ -80,6 +80,19 @@ def test_every_page_is_there(site: Path) -> None:
         assert built.is_file(), page
 
 
+@pytest.mark.browser
+def test_a_report_stands_in_a_page_by_the_line_that_the_studio_gives(site: Path) -> None:
+    line = re.search("<iframe.*</iframe>", (ROOT / "docs" / "report.md").read_text(encoding="utf-8"))
+    assert line
+    given = (ROOT / "studio-ui" / "src" / "page" / "panels" / "take-away" / "embed.tsx").read_text(encoding="utf-8")
+    assert re.sub('(src|title)="[^"]*"', r'\1="…"', line[0]) in re.sub(r'(src|title)="\$[^"]*"', r'\1="…"', given)
+    with chromium() as browser:
+        page = browser.new_page()
+        page.goto((site / "report.html").as_uri())
+        page.locator("article iframe").scroll_into_view_if_needed()
+        page.frame_locator("article iframe").locator(".gcrules-viewer").first.wait_for()
+
+
 def test_no_place_of_this_machine(site: Path) -> None:
     for path in site.rglob("*.html"):
         assert str(ROOT) not in path.read_text(encoding="utf-8"), path
