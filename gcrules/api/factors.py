@@ -25,6 +25,7 @@ def factors(
     ideal: Names = (),
     isotropic: Names = (),
     orthonormal: Names = (),
+    letters: str = "",
     limit: int = MAX_EXTENSORS,
     seconds: float = SECONDS,
 ) -> Factors:
@@ -35,7 +36,7 @@ def factors(
     search for a form, the factor is undecided. Raises InputError for zero and for what is not homogeneous in the
     points, LimitReached where the factors themselves take more than a limit.
     """
-    at = where(rank, points, ideal, isotropic, orthonormal)
+    at = where(rank, points, ideal, isotropic, orthonormal, letters)
     answer: Factors = _factors(
         e if isinstance(e, (BracketPolynomial, ExtensorPolynomial)) else expression_of(e, at),
         points=at.points,

@@ -155,6 +155,7 @@ def factor(
     ideal: Names = (),
     isotropic: Names = (),
     orthonormal: Names = (),
+    letters: str = "",
     all: bool = False,
     cofactor: bool = False,
     limit: int = MAX_EXTENSORS,
@@ -167,7 +168,7 @@ def factor(
     where there is none. Raises InputError for zero and for what is not homogeneous in the points, LimitReached beyond
     `limit` extensors or `seconds`.
     """
-    at = where(rank, points, ideal, isotropic, orthonormal)
+    at = where(rank, points, ideal, isotropic, orthonormal, letters)
     answer: Factorization = decided(
         e if isinstance(e, (BracketPolynomial, ExtensorPolynomial)) else expression_of(e, at),
         points=at.points,
@@ -190,6 +191,7 @@ def shorten(
     ideal: Names = (),
     isotropic: Names = (),
     orthonormal: Names = (),
+    letters: str = "",
     limit: int = MAX_MONOMIALS,
     seconds: float = SECONDS_TO_SHORTEN,
 ) -> Shortening:
@@ -199,7 +201,7 @@ def shorten(
     with fewer terms equals it; `bound` says why) and `minimal` (whether these agree). After `seconds` what was found is
     the answer. Raises InputError for extensors, LimitReached beyond `limit` bracket monomials of the multidegree.
     """
-    at = where(rank, points, ideal, isotropic, orthonormal)
+    at = where(rank, points, ideal, isotropic, orthonormal, letters)
     answer: Shortening = shortened(
         e if isinstance(e, (BracketPolynomial, ExtensorPolynomial)) else expression_of(e, at),
         points=at.points,
@@ -348,17 +350,20 @@ def superbracket(
     form: int = 24,
     points: Names = (),
     ideal: Names = (),
+    letters: str = "",
 ) -> SuperbracketForm:
     """The superbracket of six legs as a bracket polynomial, in the 24-term or 16-term form."""
-    structure = read_legs(legs, points=points, ideal=ideal)
+    structure = read_legs(legs, points=points, ideal=ideal, letters=letters)
     chosen = range(6) if order is None else read_order(order, structure)
     return superbracket_form(structure.legs, chosen, form, points=structure.points, ideal=structure.ideal)
 
 
 @public
-def shortest(legs: str | Iterable[str | Sequence[str]], *, points: Names = (), ideal: Names = ()) -> SuperbracketForm:
+def shortest(
+    legs: str | Iterable[str | Sequence[str]], *, points: Names = (), ideal: Names = (), letters: str = ""
+) -> SuperbracketForm:
     """The shortest superbracket over all 720 orders and both forms."""
-    structure = read_legs(legs, points=points, ideal=ideal)
+    structure = read_legs(legs, points=points, ideal=ideal, letters=letters)
     return shortest_forms(structure.legs, points=structure.points, ideal=structure.ideal)[0]
 
 

@@ -108,9 +108,15 @@ _RULES = listed(
 )
 _THRESHOLD = ANYTHING  # whoever reads it says what is missing: the unit
 
-_SPACE = {"rank": optional(WHOLE), "points": NAMES, "ideal": NAMES, "isotropic": NAMES, "orthonormal": NAMES}
+_SPACE = {
+    "rank": optional(WHOLE),
+    "points": NAMES,
+    "ideal": NAMES,
+    "isotropic": NAMES,
+    "orthonormal": NAMES,
+    "letters": TEXT,
+}
 _LIMITED = {**_SPACE, "limit": COUNT}
-_LETTERED = {**_LIMITED, "letters": TEXT}
 
 SIGNATURES: dict[str, dict[str, ArgumentKind]] = {
     "analyze": {
@@ -119,6 +125,7 @@ SIGNATURES: dict[str, dict[str, ArgumentKind]] = {
         "points": NAMES,
         "ideal": NAMES,
         "given": TEXTS,
+        "letters": TEXT,
         "rank": WHOLE,
         "catalogs": _FILES,
         "recheck": FLAG,
@@ -181,7 +188,7 @@ SIGNATURES: dict[str, dict[str, ArgumentKind]] = {
         "seconds": DURATION,
     },
     "evaluate": {"e": _EXPR, "points": _POINTS, "rank": optional(WHOLE), "modulus": optional(COUNT)},
-    "expand": {"e": _EXPR, **_LETTERED},
+    "expand": {"e": _EXPR, **_LIMITED},
     "export": {"source": _SOURCE, "language": TEXT, "coordinates": optional(_VARIABLES), "about": _ABOUT},
     "export_model": {"source": _SOURCE, "format": TEXT, "unit": TEXT},
     "factor": {"e": _SCALAR, **_LIMITED, "all": FLAG, "cofactor": FLAG, "seconds": DURATION},
@@ -273,7 +280,7 @@ SIGNATURES: dict[str, dict[str, ArgumentKind]] = {
     },
     "paper": {"source": _SOURCE, "folder": FILE, "full": FLAG, "force": FLAG, "plugins": _FOLDERS},
     "proof_file": {"answer": ANYTHING},
-    "prove": {"claim": _EXPR, "right": optional(_EXPR), **_LETTERED, "given": TEXTS},
+    "prove": {"claim": _EXPR, "right": optional(_EXPR), **_LIMITED, "given": TEXTS},
     "report": {
         "source": _SOURCE,
         "interactive": FLAG,
@@ -295,10 +302,10 @@ SIGNATURES: dict[str, dict[str, ArgumentKind]] = {
         "free": optional(TEXT),
         "plugins": _FOLDERS,
     },
-    "rewrite": {"e": _EXPR, "rules": _RULES, **_SPACE, "letters": TEXT},
+    "rewrite": {"e": _EXPR, "rules": _RULES, **_SPACE},
     "seeded": {"seed": WHOLE},
     "shorten": {"e": _SCALAR, **_LIMITED, "seconds": DURATION},
-    "shortest": {"legs": _LEGS, "points": NAMES, "ideal": NAMES},
+    "shortest": {"legs": _LEGS, "points": NAMES, "ideal": NAMES, "letters": TEXT},
     "singular": {
         "source": _SOURCE,
         "towards": optional(_POSE),
@@ -322,7 +329,7 @@ SIGNATURES: dict[str, dict[str, ArgumentKind]] = {
         "part": optional(_PART),
         "scheduler": optional(TEXT),
     },
-    "straighten": {"e": _SCALAR, **_LETTERED},
+    "straighten": {"e": _SCALAR, **_LIMITED},
     "studio": {
         "source": _SOURCE,
         "pose": ANYTHING,
@@ -330,8 +337,22 @@ SIGNATURES: dict[str, dict[str, ArgumentKind]] = {
         "browser": FLAG,
         "plugins": _FOLDERS,
     },
-    "superbracket": {"legs": _LEGS, "order": optional(_ORDER), "form": WHOLE, "points": NAMES, "ideal": NAMES},
-    "transversals": {"legs": _LINES, "every": FLAG, "points": NAMES, "ideal": NAMES, "given": TEXTS},
+    "superbracket": {
+        "legs": _LEGS,
+        "order": optional(_ORDER),
+        "form": WHOLE,
+        "points": NAMES,
+        "ideal": NAMES,
+        "letters": TEXT,
+    },
+    "transversals": {
+        "legs": _LINES,
+        "every": FLAG,
+        "points": NAMES,
+        "ideal": NAMES,
+        "given": TEXTS,
+        "letters": TEXT,
+    },
     "view": {"source": _SOURCE, "pose": ANYTHING, "plugins": _FOLDERS},
     "working_modes": {
         "source": _SOURCE,

@@ -150,6 +150,7 @@ def analyze(
     points: Names = (),
     ideal: Names = (),
     given: str | Iterable[str] = (),
+    letters: str = "",
     rank: int = 4,
     catalogs: Iterable[Own] = (),
     recheck: bool = False,
@@ -162,7 +163,7 @@ def analyze(
     `legs` is text ("ab af cb cd ed ef") or pairs of names, a leg written with one body's joint first throughout. A line
     that is no pair of joints is built from points: "abc /\\ def". `order` keeps the user's own order of legs instead of
     the shortest one; `points` declares long names, `ideal` the points at infinity, `given` what is assumed of points
-    (as `gcrules.prove` takes it), and `rank` another space, in which there are n (n − 1) / 2 lines.
+    (as `gcrules.prove` takes it), `letters` those that are lines or planes ("line L M"), and `rank` another space, in which there are n (n − 1) / 2 lines.
 
     `catalogs` adds files of the user's own, `plugins` folders whose rules and catalogs take part; `strategy` says which
     rules run, then those of `plugins` too where it names them. With `recheck` readings that are instances of catalog
@@ -171,11 +172,11 @@ def analyze(
     resolved.
     """
     if isinstance(legs, Structure):
-        if points or ideal or given or rank not in (4, legs.rank):
-            raise InputError("a structure has its own points, assumptions and rank")
+        if points or ideal or given or letters or rank not in (4, legs.rank):
+            raise InputError("a structure has its own points, letters, assumptions and rank")
         structure = legs
     else:
-        structure = read_legs(legs, points=points, ideal=ideal, given=given, rank=rank, built=True)
+        structure = read_legs(legs, points=points, ideal=ideal, given=given, letters=letters, rank=rank, built=True)
     folders = tuple(plugins)
     strategy = strategy or load_rules(folders=folders, identities=bool(folders)).strategy()
     catalog = load(catalogs, (r.id for r in strategy.incidences), packs(folders, "catalogs"))

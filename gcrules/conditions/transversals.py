@@ -80,19 +80,20 @@ def transversals(
     points: Names = (),
     ideal: Names = (),
     given: str | Iterable[str] = (),
+    letters: str = "",
 ) -> Transversals:
     """The condition of six legs that compares the turns about two lines p and q, found from their common joints alone.
 
     p and q meet four of the legs; g and h are the other two. The reading with the smallest cofactor is given, then the
-    one with the fewest operations; with `every` all of them, each proved by normal forms. Legs, `points`, `ideal` and
-    `given` are as `analyze` takes them. Raises InputError for anything but six lines of space.
+    one with the fewest operations; with `every` all of them, each proved by normal forms. Legs, `points`, `ideal`,
+    `given` and `letters` are as `analyze` takes them. Raises InputError for anything but six lines of space.
 
     Source: derived here.
     """
     if isinstance(legs, Structure):
         structure = legs
     else:
-        structure = read_legs(legs, points=points, ideal=ideal, given=given, built=True)
+        structure = read_legs(legs, points=points, ideal=ideal, given=given, letters=letters, built=True)
     found = readings(structure, oracle := RandomWitness(structure))
     if not found:
         reason, definite = _reason(structure, oracle)

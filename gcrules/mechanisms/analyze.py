@@ -40,6 +40,7 @@ def analyze(
     points: Names = (),
     ideal: Names = (),
     given: str | Iterable[str] = (),
+    letters: str = "",
     rank: int = 4,
     catalogs: Iterable[Own] = (),
     recheck: bool = False,
@@ -54,7 +55,7 @@ def analyze(
     `source` is what `gcrules.load` takes, with `plugins`; what was analysed before is given back. A line that is no
     pair of joints is built from points: "abc /\\ def". `order` keeps the user's own order of legs instead of the
     shortest one; `points` declares long names, `ideal` the points at infinity, `given` what is assumed of points (as
-    `gcrules.prove` takes it), and `rank` another space, in which there are n (n − 1) / 2 lines.
+    `gcrules.prove` takes it), `letters` those that are lines or planes ("line L M"), and `rank` another space, in which there are n (n − 1) / 2 lines.
 
     `catalogs` adds files of the user's own, `plugins` folders whose rules and catalogs take part; `strategy` says which
     rules run, then those of `plugins` too where it names them. With `recheck` readings that are instances of catalog
@@ -65,12 +66,13 @@ def analyze(
     contradict, and for options that the source does not take: robots of joints take `search`, `plugins`, `facts` and
     `tolerance` only.
     """
-    loaded = load(source, plugins=plugins, points=points, ideal=ideal, given=given, rank=rank)
+    loaded = load(source, plugins=plugins, points=points, ideal=ideal, given=given, letters=letters, rank=rank)
     options: dict[str, Any] = {
         "order": order,
         "points": points,
         "ideal": ideal,
         "given": given,
+        "letters": letters,
         "rank": None if rank == 4 else rank,
         "catalogs": catalogs,
         "recheck": recheck,
@@ -78,7 +80,7 @@ def analyze(
     }
     chosen = {name: value for name, value in options.items() if value}
     if isinstance(loaded, Structure) and loaded is not source:  # read with them just now
-        chosen = {name: value for name, value in chosen.items() if name not in ("points", "ideal", "given", "rank")}
+        chosen = {name: value for name, value in chosen.items() if name not in ("points", "ideal", "given", "letters", "rank")}
     if isinstance(loaded, (Robot, Analysis, RobotAnalysis)) and chosen:
         what = f"the robot {loaded.id}" if isinstance(loaded, Robot) else "what was analysed before"
         hint = "they are for legs and platforms" if isinstance(loaded, Robot) else "analyze its structure again"

@@ -88,6 +88,7 @@ def load(
     points: Names = (),
     ideal: Names = (),
     given: str | Iterable[str] = (),
+    letters: str = "",
     rank: int = 4,
     filename: str = "<input>",
     stdin: Callable[[], str] | None = None,
@@ -97,7 +98,7 @@ def load(
     A text is, in this sequence, the text of a geometry file or robot file; the name of such a file (with its ending, a
     folder, or there on the disk), or of a model of links and joints (URDF, SDF, MJCF, also as text); the id of a robot
     or of a class of a catalog (shipped, or of `plugins`, folders of the user's own), or of an example; else legs. Legs
-    may be a sequence of pairs, too, and are read with `points`, `ideal`, `given` and `rank` as for `gcrules.analyze`. A
+    may be a sequence of pairs, too, and are read with `points`, `ideal`, `given`, `letters` and `rank` as for `gcrules.analyze`. A
     mapping holds the data of a file. What was loaded or analysed before is given back as it is. `filename` names texts
     and data in messages; "-" is standard input where there is one.
 
@@ -119,7 +120,7 @@ def load(
     if kind == "legs":
         if not isinstance(source, Iterable):
             raise InputError(f"{described(source)} is not a source", hint="give legs, a file, an id, or data")
-        return read_legs(source, points=points, ideal=ideal, given=given, rank=rank, built=True)
+        return read_legs(source, points=points, ideal=ideal, given=given, letters=letters, rank=rank, built=True)
     assert isinstance(source, str)
     if kind == "text":
         return read_text(source, filename)

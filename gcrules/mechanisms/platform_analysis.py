@@ -29,13 +29,15 @@ def analyze_legs(
 ) -> Analysis:
     """`gcrules.conditions.analysis.analyze`, with its options, for platforms with coordinates too: their analysis has
     the numbers in the pose of the file and, with `facts`, what the dimensions say of the bodies up to the `tolerance`,
-    a part of their size. Raises InputError for other ranks and points at infinity beside coordinates, and for
+    a part of their size. Raises InputError for other ranks, letters and points at infinity beside coordinates, and for
     assumptions that these contradict.
     """
     if not isinstance(legs, Platform):
         return analyze(legs, **options)
     if options.pop("rank", 4) != 4:
         raise InputError(f"{legs.filename} gives coordinates: other ranks are for legs without")
+    if options.pop("letters", ""):
+        raise InputError(f"{legs.filename} gives coordinates: letters for lines are for legs without")
     declared, ideal = split_names(options.pop("points", ())), split_names(options.pop("ideal", ()))
     structure = legs_of(legs, declared, ideal, options.pop("given", ()))
     if structure.given:

@@ -13,7 +13,7 @@ from typing import Any
 
 from gcrules.algebra.expr import Expr, points_of
 from gcrules.algebra.language.line_text import Leg, read_line, split_lines
-from gcrules.algebra.language.statements import parse_assumption
+from gcrules.algebra.language.statements import parse_assumption, parse_letters
 from gcrules.algebra.language.syntax import Context
 from gcrules.algebra.language.text import Names, split_names
 from gcrules.algebra.language.text import text as as_text
@@ -32,18 +32,20 @@ def read_legs(
     points: Names = (),
     ideal: Names = (),
     given: str | Iterable[str] = (),
+    letters: str = "",
     rank: int = 4,
     built: bool = False,
 ) -> Structure:
     """Six legs from text ("ab af cb cd ed ef", "S1A1, S2A2, …", "left top, right top, …") or pairs of names.
 
     With `built` a leg may be a line built from points, in text or as an expression: "abc /\\ def". `given` holds
-    what is assumed, as `gcrules.prove` takes it; a letter that it declares by "line L" is a leg by
+    what is assumed, as `gcrules.prove` takes it; a letter that `letters` or `given` declares by "line L" is a leg by
     itself; points that only help to say it are declared in `points`. In another `rank` there are n (n − 1) / 2 lines.
     Raises InputError (with its place in the text) for anything else.
     """
     points = split_names(points)
     at = Context(rank, points, split_names(ideal))
+    at = parse_letters(letters, at) if letters else at
     for written in filter(str.strip, [given] if isinstance(given, str) else given):
         at = parse_assumption(written, at)
     reading = Context(rank, points, letters=at.letters)

@@ -38,7 +38,7 @@ _seconds = time_limit()
 @click.command(cls=ExpressionCommand)
 @click.argument("claim", metavar="CLAIM")
 @given_option
-@space_options(metric=True, letters=True)
+@space_options(metric=True)
 @_limit
 @_seconds
 @proof_options
@@ -83,7 +83,7 @@ def prove(
 
 @click.command(cls=ExpressionCommand)
 @click.argument("expression", metavar="EXPR")
-@space_options(metric=True, letters=True)
+@space_options(metric=True)
 @_limit
 @_seconds
 @output_options()
@@ -105,7 +105,7 @@ def expand(expression: str, space: SpaceOptions, limit: int, out: Output) -> Non
 @click.command(cls=ExpressionCommand)
 @click.argument("expression", metavar="EXPR")
 @click.option("--steps", is_flag=True, help="Show every syzygy that is used (scalars only).")
-@space_options(metric=True, letters=True)
+@space_options(metric=True)
 @_limit
 @_seconds
 @output_options()

@@ -61,7 +61,7 @@ class AnalysisOptions:
     def beside_order_and_names(self) -> bool:
         """Whether more was said than an order of the legs and names of points."""
         of_rules = self.choice.words or self.choice.without
-        special = self.assumptions or self.space.rank != _SPACE.rank or self.search != SECONDS
+        special = self.assumptions or self.space.rank != _SPACE.rank or self.space.letters or self.search != SECONDS
         return bool(self.mode or self.recheck or self.catalogs or of_rules or special)
 
     def loaded(self, words: tuple[str, ...]) -> Loaded:
@@ -74,6 +74,7 @@ class AnalysisOptions:
             ideal=self.space.ideal,
             given=self.assumptions,
             rank=self.space.rank,
+            letters=self.space.letters,
         )
 
     def analysis(self, words: tuple[str, ...]) -> Analysis | RobotAnalysis:
@@ -95,7 +96,13 @@ class AnalysisOptions:
     def _of_lines(self, loaded: Loaded) -> Analysis | RobotAnalysis:
         space = self.space
         of_file: dict[str, Any] = (
-            {"points": space.points, "ideal": space.ideal, "rank": space.rank, "given": self.assumptions}
+            {
+                "points": space.points,
+                "ideal": space.ideal,
+                "rank": space.rank,
+                "given": self.assumptions,
+                "letters": space.letters,
+            }
             if isinstance(loaded, Platform)
             else {}
         )

@@ -56,11 +56,10 @@ class SpaceOptions:
     letters: str = ""
 
 
-def space_options(*, rank: bool = True, metric: bool = False, letters: bool = False) -> Callable[[_Command], _Command]:
-    """--rank, --points, --ideal; the command receives them as `space`.
+def space_options(*, rank: bool = True, metric: bool = False) -> Callable[[_Command], _Command]:
+    """--rank, --points, --ideal, --letters; the command receives them as `space`.
 
-    With `metric` also --isotropic and --orthonormal, which the metric words of expressions need, with `letters` also
-    --letters.
+    With `metric` also --isotropic and --orthonormal, which the metric words of expressions need.
     """
 
     def decorate(command: _Command) -> _Command:
@@ -85,17 +84,11 @@ def space_options(*, rank: bool = True, metric: bool = False, letters: bool = Fa
             ),
             click.option("--ideal", default="", metavar="NAMES", help='Points at infinity: "i j k".'),
             *(click.option(f"--{k}", default="", metavar="NAMES", help=h) for k, h in _METRIC.items() if metric),
-            *(
-                [
-                    click.option(
-                        "--letters",
-                        default="",
-                        metavar="LETTERS",
-                        help='What letters stand for lines and planes: "line L M, plane P".',
-                    )
-                ]
-                if letters
-                else []
+            click.option(
+                "--letters",
+                default="",
+                metavar="LETTERS",
+                help='What letters stand for lines and planes: "line L M, plane P".',
             ),
         ]
         return decorated(with_space, decorators)

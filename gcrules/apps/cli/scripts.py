@@ -36,7 +36,7 @@ _seconds = time_limit()
 @click.argument("expression", metavar="EXPR")
 @rules_options
 @given_option
-@space_options(metric=True, letters=True)
+@space_options(metric=True)
 @_seconds
 @output_options()
 def rewrite(expression: str, choice: Choice, assumptions: tuple[str, ...], space: SpaceOptions, out: Output) -> None:

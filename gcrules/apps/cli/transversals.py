@@ -47,7 +47,14 @@ def transversals(
     """
     source = read_stdin() if legs == ("-",) else " ".join(legs)
     with working("looking for transversals"):
-        found = compared(source, every=out.full, points=space.points, ideal=space.ideal, given=assumptions)
+        found = compared(
+            source,
+            every=out.full,
+            points=space.points,
+            ideal=space.ideal,
+            given=assumptions,
+            letters=space.letters,
+        )
     out.show(found)
     if found.exists:
         proofs.write(found)
