@@ -14,13 +14,19 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
+from gcrules.algebra.duality import Dual, dual_of
 from gcrules.algebra.evaluate import vanishes
 from gcrules.algebra.expand import MAX_TERMS
-from gcrules.algebra.language.relations import Claimed
+from gcrules.algebra.expr import points_of
+from gcrules.algebra.language.relations import Claimed, parse_claim
+from gcrules.algebra.language.statements import parse_assumption
+from gcrules.algebra.language.syntax import Context
+from gcrules.algebra.language.text import text
+from gcrules.algebra.letters import declarations, letter_of, letters_of, named_letter
 from gcrules.algebra.prove import Proof, prove
-from gcrules.algebra.space import Space
+from gcrules.algebra.space import Assumption, Space
 from gcrules.core.english import listed
-from gcrules.core.errors import InputError
+from gcrules.core.errors import GcrulesError, InputError
 
 __all__ = ["decide"]
 
@@ -30,9 +36,59 @@ _VERDICTS = ("refuted", "undecided", "proved")
 def decide(claimed: Claimed, at: Space, *, limit: int = MAX_TERMS) -> Proof:
     """The verdict on what is claimed in a space, with what is given there: refuted if one of its equations is.
 
-    What the claim's words make is assumed not to vanish, and told as such where the claim is proved. Raises StepError
-    and InputError as `prove` does, and InputError where a word makes what exists nowhere.
+    What the claim's words make is assumed not to vanish, and told as such where the claim is proved. A claim about
+    hyperplanes alone that stays undecided is proved as the dual of one about points, if that is. Raises StepError and
+    InputError as `prove` does, and InputError where a word makes what exists nowhere.
     """
+    found = _decided(claimed, at, limit)
+    if found.verdict == "undecided" and (other := _of_points(claimed, at)) is not None:
+        of_points = _decided(*other, limit)
+        if of_points.proved:
+            written = claimed.relation or _written(claimed)
+            given = tuple(dict.fromkeys(a.text for a in at.given))
+            letters = declarations(letters_of(sorted(_names(claimed, at))), at.rank)
+            return replace(of_points, relation=written, dual=Dual(letters, given, (written,)))
+    return found
+
+
+def _names(claimed: Claimed, at: Space) -> tuple[str, ...]:
+    return points_of(*(e for pair in claimed.equations for e in pair), *(e for a in at.given for e in a.args))
+
+
+def _written(claimed: Claimed) -> str:
+    return " and ".join(f"{text(left)} == {text(right)}" for left, right in claimed.equations)
+
+
+def _of_points(claimed: Claimed, at: Space) -> tuple[Claimed, Space] | None:
+    """The claim about points that a claim about hyperplanes is the dual of, with what is given; None for other claims,
+    and where there is no such claim in the language.
+    """
+    names = _names(claimed, at)
+    steps = letters_of(names)
+    alone = all(letter_of(n) is not None for n in names) and set(steps.values()) == {at.rank - 1}
+    made = (*claimed.nonzero, *(e for a in at.given for e in a.exists))  # a letter is never zero, as a point is not
+    special = at.ideal or claimed.required or claimed.dual or any(a.also for a in at.given)
+    special = special or any(named_letter(e) is None for e in made)
+    if not alone or special:
+        return None
+    try:
+        relation = Assumption(claimed.kind, claimed.args, claimed.relation) if claimed.kind else None
+        other = dual_of(claimed.equations, relation, at.given, at.rank)
+        space = Context(at.rank)
+        for given in other.given:
+            space = parse_assumption(given, space)
+        claims = [parse_claim(one, space) for one in other.claims]
+    except GcrulesError:
+        return None
+    if any(one.required for one in claims):
+        return None
+    nonzero = tuple(e for one in claims for e in one.nonzero)
+    equations = tuple(pair for one in claims for pair in one.equations)
+    return Claimed(equations, claimed.relation, nonzero=nonzero), space
+
+
+def _decided(claimed: Claimed, at: Space, limit: int) -> Proof:
+    """The verdict on the claim as it is."""
     for r in claimed.required:
         if vanishes(r.expr, rank=at.rank, ideal=at.ideal, samples=2):
             raise InputError(f"{r.text} vanishes at all positions")

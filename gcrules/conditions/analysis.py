@@ -20,6 +20,7 @@ from gcrules.algebra import expr as ex
 from gcrules.algebra.expr import Expr, Meet
 from gcrules.algebra.language.legs_text import Structure, read_legs, read_order
 from gcrules.algebra.language.text import Names, text
+from gcrules.algebra.plain_letters import in_plain_letters, names_in
 from gcrules.algebra.superbrackets.shortest import SuperbracketForm
 from gcrules.conditions import superbracket_forms as forms
 from gcrules.conditions.dimensions.facts import Dimensions
@@ -109,9 +110,11 @@ class Analysis(Shown):
         return self.derivation.unfolded(self.strategy.rules)
 
     def to_json(self, *, full: bool = False) -> dict[str, Any]:
-        """The interface's JSON object, schema 1; `full` gives each step of the derivation its single `steps`."""
+        """The interface's JSON object, schema 1; `full` gives each step of the derivation its single `steps`.
+        Where legs are letters, `letters` says what points they join.
+        """
         names = self.structure.names
-        return {
+        found = {
             "schema": 1,
             "legs": [_pair(leg, line, names) for leg, line in zip(self.structure.legs, self.lines, strict=True)],
             "lines": list(self.structure.words),
@@ -137,6 +140,7 @@ class Analysis(Shown):
             "dimensions": self.dimensions.to_json(names) if self.dimensions else None,
             "notes": list(self.notes),
         }
+        return in_plain_letters(found, names_in(self.structure))
 
     def __repr__(self) -> str:
         name = self.match.entry.id if self.match else "no class"
@@ -163,7 +167,8 @@ def analyze(
     `legs` is text ("ab af cb cd ed ef") or pairs of names, a leg written with one body's joint first throughout. A line
     that is no pair of joints is built from points: "abc /\\ def". `order` keeps the user's own order of legs instead of
     the shortest one; `points` declares long names, `ideal` the points at infinity, `given` what is assumed of points
-    (as `gcrules.prove` takes it), `letters` those that are lines or planes ("line L M"), and `rank` another space, in which there are n (n − 1) / 2 lines.
+    (as `gcrules.prove` takes it), `letters` those that are lines or planes
+    ("line L M"), and `rank` another space, in which there are n (n − 1) / 2 lines.
 
     `catalogs` adds files of the user's own, `plugins` folders whose rules and catalogs take part; `strategy` says which
     rules run, then those of `plugins` too where it names them. With `recheck` readings that are instances of catalog

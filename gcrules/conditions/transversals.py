@@ -14,6 +14,7 @@ from typing import Any
 
 from gcrules.algebra.language.legs_text import Structure, read_legs
 from gcrules.algebra.language.text import Names, text
+from gcrules.algebra.plain_letters import in_plain_letters, names_in
 from gcrules.core.dataclass import dataclass
 from gcrules.core.english import listed
 from gcrules.core.shown import Shown
@@ -53,16 +54,17 @@ class Transversals(Shown):
 
     def to_json(self) -> dict[str, Any]:
         """`{legs, readings, more, reason, assumed}`; each reading is a condition with `single` (g, h) and `lines`
-        (p, q).
+        (p, q). Where legs are letters, `letters` says what points they join.
         """
         names = self.structure.names
-        return {
+        found = {
             "legs": [list(leg) for leg in self.structure.legs],
             "readings": [_reading(r, names) for r in self.readings],
             "more": self.more,
             "reason": self.reason or None,
             "assumed": [e for e, _ in self.structure.assumed],
         }
+        return in_plain_letters(found, names_in(self.structure))
 
 
 def _reading(r: TransversalCondition, names: tuple[str, ...]) -> dict[str, Any]:

@@ -55,7 +55,8 @@ def analyze(
     `source` is what `gcrules.load` takes, with `plugins`; what was analysed before is given back. A line that is no
     pair of joints is built from points: "abc /\\ def". `order` keeps the user's own order of legs instead of the
     shortest one; `points` declares long names, `ideal` the points at infinity, `given` what is assumed of points (as
-    `gcrules.prove` takes it), `letters` those that are lines or planes ("line L M"), and `rank` another space, in which there are n (n − 1) / 2 lines.
+    `gcrules.prove` takes it), `letters` those that are lines or planes
+    ("line L M"), and `rank` another space, in which there are n (n − 1) / 2 lines.
 
     `catalogs` adds files of the user's own, `plugins` folders whose rules and catalogs take part; `strategy` says which
     rules run, then those of `plugins` too where it names them. With `recheck` readings that are instances of catalog
@@ -80,7 +81,8 @@ def analyze(
     }
     chosen = {name: value for name, value in options.items() if value}
     if isinstance(loaded, Structure) and loaded is not source:  # read with them just now
-        chosen = {name: value for name, value in chosen.items() if name not in ("points", "ideal", "given", "letters", "rank")}
+        read_with = ("points", "ideal", "given", "letters", "rank")
+        chosen = {name: value for name, value in chosen.items() if name not in read_with}
     if isinstance(loaded, (Robot, Analysis, RobotAnalysis)) and chosen:
         what = f"the robot {loaded.id}" if isinstance(loaded, Robot) else "what was analysed before"
         hint = "they are for legs and platforms" if isinstance(loaded, Robot) else "analyze its structure again"

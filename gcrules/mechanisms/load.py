@@ -98,9 +98,9 @@ def load(
     A text is, in this sequence, the text of a geometry file or robot file; the name of such a file (with its ending, a
     folder, or there on the disk), or of a model of links and joints (URDF, SDF, MJCF, also as text); the id of a robot
     or of a class of a catalog (shipped, or of `plugins`, folders of the user's own), or of an example; else legs. Legs
-    may be a sequence of pairs, too, and are read with `points`, `ideal`, `given`, `letters` and `rank` as for `gcrules.analyze`. A
-    mapping holds the data of a file. What was loaded or analysed before is given back as it is. `filename` names texts
-    and data in messages; "-" is standard input where there is one.
+    may be a sequence of pairs, too, and are read with `points`, `ideal`, `given`, `letters` and `rank` as for
+    `gcrules.analyze`. A mapping holds the data of a file. What was loaded or analysed before is given back as it is.
+    `filename` names texts and data in messages; "-" is standard input where there is one.
 
     Raises InputError for what is none of these, FileError with all faults of a file.
     """

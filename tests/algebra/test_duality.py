@@ -204,3 +204,25 @@ def test_what_has_no_dual_is_refused(text: str, message: str) -> None:
         parse_script(text)
     assert message in fault.value.message
     assert fault.value.span is not None
+
+
+PRINTED = [
+    (3, "concurrent(ad, be, cf)", "[(ab /\\ de), (bc /\\ ef), (ca /\\ fd)] == 0"),
+    (4, "collinear(a, b, c)", "[abde] [bcdf] == [abdf][bcde]"),
+    (4, "collinear(a, b, c), collinear(a, d, e)", "coplanar(b, c, d, e)"),
+]
+
+
+@pytest.mark.parametrize(("rank", "given", "claim"), PRINTED)
+def test_a_dual_that_was_printed_is_proved_again(rank: int, given: str, claim: str) -> None:
+    printed = gc.prove(f"dual({claim})", rank=rank, given=given).dual
+    assert printed is not None
+    letters = ", ".join(printed.letters)
+    again = gc.prove(printed.claims[0], rank=rank, given=printed.given, letters=letters)
+    assert again.proved
+    assert again.dual is not None
+    assert (again.dual.letters, again.dual.given, again.dual.claims) == (printed.letters, printed.given, printed.claims)
+    assert again.text().startswith(f"proved: {printed.claims[0]}")
+    false = gc.prove(printed.claims[0], rank=rank, letters=letters)
+    assert false.verdict == "refuted"
+    assert false.dual is None
