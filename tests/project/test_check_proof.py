@@ -20,7 +20,6 @@ from rules.metric_positions import METRIC
 
 import gcrules as gc
 from gcrules.algebra.language.statements import parse_script
-from gcrules.core.errors import InputError
 from gcrules.mechanisms.proofs import proof_file
 from gcrules.rules.catalog.file import load
 from gcrules.rules.script import run_script

@@ -12,7 +12,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 
-from rules.theorem_positions import Position, Vector, between, cross, det, drawn, mixed, vector
+from rules.theorem_positions import Position, Vector, between, cross, drawn, mixed, vector
 
 __all__ = ["METRIC"]
 
