@@ -68,8 +68,7 @@ def _of_points(claimed: Claimed, at: Space) -> tuple[Claimed, Space] | None:
     alone = all(letter_of(n) is not None for n in names) and set(steps.values()) == {at.rank - 1}
     made = (*claimed.nonzero, *(e for a in at.given for e in a.exists))  # a letter is never zero, as a point is not
     special = at.ideal or claimed.required or claimed.dual or any(a.also for a in at.given)
-    special = special or any(named_letter(e) is None for e in made)
-    if not alone or special:
+    if not alone or special or any(named_letter(e) is None for e in made):
         return None
     try:
         relation = Assumption(claimed.kind, claimed.args, claimed.relation) if claimed.kind else None

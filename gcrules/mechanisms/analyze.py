@@ -55,7 +55,7 @@ def analyze(
     `source` is what `gcrules.load` takes, with `plugins`; what was analysed before is given back. A line that is no
     pair of joints is built from points: "abc /\\ def". `order` keeps the user's own order of legs instead of the
     shortest one; `points` declares long names, `ideal` the points at infinity, `given` what is assumed of points (as
-    `gcrules.prove` takes it), `letters` those that are lines or planes
+    `gcrules.prove` takes it), `letters` which stand for lines or planes
     ("line L M"), and `rank` another space, in which there are n (n − 1) / 2 lines.
 
     `catalogs` adds files of the user's own, `plugins` folders whose rules and catalogs take part; `strategy` says which

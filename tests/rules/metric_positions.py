@@ -12,7 +12,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 
-from rules.theorem_positions import Position, Vector, between, cross, drawn, mixed, vector
+from rules.theorem_positions import Position, Vector, between, cross, det, drawn, mixed, vector
 
 __all__ = ["METRIC"]
 
@@ -100,13 +100,20 @@ def circle(rng: random.Random) -> Position:
 
 
 def butterfly(rng: random.Random) -> Position:
-    """A point m, and a and b on a line through it."""
-    points = {n: finite(rng) for n in "pmac"}
-    share = Fraction(rng.randint(1, 9), 11)
-    return weighted(rng, points | {"b": mixed((share, points["a"]), (1 - share, points["m"]))}) | {
-        "i": at_infinity(rng),
-        "j": at_infinity(rng),
-    }
+    """In an affine frame x² + s x y + t y² + u y = 1 is a conic in which m = (0, 0) halves the chord of p = (-1, 0) and
+    q = (1, 0); a and b are on x = k y, c and d on x = l y. With a, b and c one has s, t and u, then d as a second root.
+    The script makes q and d itself, and has to make these.
+    """
+    k, l = (Fraction(n, 7) for n in rng.sample(range(-20, 20), 2))
+    ya, yb, yc = (Fraction(n, 5) for n in rng.sample([n for n in range(-20, 20) if n], 3))
+    rows = [(slope * y * y, y * y, y, 1 - (slope * y) ** 2) for slope, y in ((k, ya), (k, yb), (l, yc))]
+    s, t, _ = (det([r[:n] + r[3:] + r[n + 1 : 3] for r in rows]) / det([r[:3] for r in rows]) for n in range(3))
+    yd = -1 / (yc * (l * l + s * l + t))
+    frame = finite(rng), at_infinity(rng), at_infinity(rng)
+    ends = {"p": (-1, 0), "q": (1, 0), "m": (0, 0)}
+    places = ends | {"a": (k * ya, ya), "b": (k * yb, yb), "c": (l * yc, yc), "d": (l * yd, yd)}
+    points = {n: mixed((1, frame[0]), (x, frame[1]), (y, frame[2])) for n, (x, y) in places.items()}
+    return weighted(rng, points) | {"i": at_infinity(rng), "j": at_infinity(rng)}
 
 
 @dataclass(frozen=True)

@@ -177,6 +177,21 @@ def in_euclids_plane(expression: str, **points: tuple[int, int]) -> list[int]:
     return [int(c) for c in Evaluator(places, 3, EUCLID).value(parse(expression, context=at))]
 
 
+def test_the_points_of_the_butterfly_are_those_of_its_coordinates() -> None:
+    """Where the script says by its words how q and d are made, the position solves for them."""
+    space = parse_script("rank 3\nisotropic i j").context
+    made = {
+        "q": parse("reflection(p, m)", context=space),
+        "d": parse("second_on_conic(m, c, p, q, a, b)", context=space),
+    }
+    for seed in range(8):
+        points = METRIC["butterfly"](random.Random(f"butterfly {seed}"))
+        for name, e in made.items():
+            found = value(e, points, 3)
+            assert any(found)
+            assert not any(cross(vector(*found), points[name]))
+
+
 def test_isotropic_points_make_right_angles_midpoints_and_circles() -> None:
     """What the scripts write with i and j: a perpendicular direction, a midpoint, four points on a circle."""
     assert ROOT * ROOT % EUCLID == EUCLID - 1
