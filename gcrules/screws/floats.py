@@ -184,8 +184,6 @@ class Floats(Field):
         return bool(np.any(sum(np.square(x) for x in components) == 0))
 
     def choose(self, condition: Any, yes: Any, no: Any) -> Any:
-        if not np.ndim(condition):
-            return yes if condition else no
         found = np.where(condition, yes, no)
         return found if found.ndim else float(found)
 
