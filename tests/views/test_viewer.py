@@ -107,6 +107,29 @@ def test_points_are_where_they_are_seen_from(view: Open, renderer: str) -> None:
 
 
 @pytest.mark.browser
+def test_a_picture_that_grows_is_fitted_until_a_view_is_chosen(view: Open) -> None:
+    """As in a frame that is laid out after its report has begun."""
+    shown = view(scene(OCTAHEDRAL))
+
+    def widened(*widths: int) -> dict[str, Any]:
+        for width in widths:
+            shown.run(f"document.getElementById('v').style.width = '{width}px', 0")
+            shown.settled()
+        return {n: shown.run(f"viewer.toScreen('{n}')") for n in "abcdef"}
+
+    try:
+        narrow, wide = (
+            max(y for _, y in widened(w).values()) - min(y for _, y in widened(w).values()) for w in (90, 900)
+        )
+        assert wide > 3 * narrow
+        shown.run("viewer.setView('top'), 0")
+        shown.settled()
+        assert widened(900) == widened(90, 900)
+    finally:
+        widened(900)
+
+
+@pytest.mark.browser
 def test_a_fit_leaves_free_what_the_host_covers(bare: Shown) -> None:
     data = scene(OCTAHEDRAL)
     tall = {**data, "points": {name: [x, y, 6 * z] for name, (x, y, z) in data["points"].items()}}

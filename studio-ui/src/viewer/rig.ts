@@ -61,7 +61,9 @@ export class Rig {
     return Math.max(1 - (2 * (this.options.covered?.() ?? 0)) / this.height, 0.6);
   }
 
+  /** Until someone chooses a view, the drawing is fitted to each size that the picture gets. */
   resize(width: number, height: number): void {
+    this.due ||= !this.chosen && (width !== this.width || height !== this.height);
     [this.width, this.height] = [width, height];
     this.camera.aspect = width / height;
     this.camera.updateProjectionMatrix();

@@ -299,6 +299,7 @@ class Stage implements Viewer, Reach {
     this.easel.resize(width, height);
     this.gizmo?.resize(height);
     if (!this.model) return this.request();
+    this.rig.fit(this.model);
     cancelAnimationFrame(this.frame);
     this.draw(performance.now()); // at once: the canvas was emptied, and would be seen so for a frame
   }
