@@ -391,7 +391,7 @@ def test_limbs_with_their_wrenches(view: Open, renderer: str) -> None:
     assert {frozenset(p["label"]) for p in data["planes"]} == {frozenset(f"r{i}A{i}S{i}") for i in (1, 2, 3)}
     for p in data["planes"]:
         assert all(sum(map(mul, p["normal"], c)) == pytest.approx(p["offset"], abs=1e-9) for c in p["through"])
-    assert shown.page.get_by_text("A1S1", exact=True).count() == 1
+    assert shown.page.locator("[aria-hidden] > span").get_by_text("A1S1", exact=True).count() == 1
     svg = shown.run("viewer.snapshot('svg')")
     assert ROLES["entity3"][0] in svg
     bare = shown.run("(viewer.setVisible('wrenches', false), viewer.snapshot('svg'))")

@@ -14,6 +14,7 @@ export interface Placed {
 
 const SIZES = { joint: 19, construction: 19, entity: 15 } as const;
 const RANKS = { joint: 3, construction: 4, entity: 1 } as const;
+const HALO = 3; // pixels: the width of its stroke
 const ITALIC = '"KaTeX_Math", "STIX Two Text", "Latin Modern Roman", Cambria, "Liberation Serif", Georgia, serif';
 export const UPRIGHT = 'system-ui, "Segoe UI", "Liberation Sans", sans-serif';
 
@@ -65,10 +66,10 @@ export function widthOf(tag: Pick<Tag, "text" | "upright">, size: number): numbe
 const fontOf = (style: "italic" | "sub" | "plain", size: number): string =>
   `${style === "italic" ? "italic " : ""}${style === "sub" ? size * 0.72 : size}px ${style === "plain" ? UPRIGHT : ITALIC}`;
 
-/** Keeps one element for each label and moves them. */
+/** Keeps two elements for each label, its halo and its text, and moves them: a filter, or a layer for each, costs more than the drawing. */
 export class LabelLayer {
   readonly node = document.createElement("div");
-  private readonly spans: { node: HTMLElement; key: string }[] = [];
+  private readonly labels: { halo: HTMLElement; text: HTMLElement; key: string }[] = [];
 
   constructor() {
     this.node.setAttribute("aria-hidden", "true");
@@ -76,31 +77,34 @@ export class LabelLayer {
   }
 
   show(labels: readonly Placed[], paper: string): void {
-    while (this.spans.length < labels.length) {
-      const node = document.createElement("span");
-      node.style.cssText = `position:absolute;left:0;top:0;white-space:pre;line-height:1;will-change:transform`;
-      this.node.append(node);
-      this.spans.push({ node, key: "" });
+    while (this.labels.length < labels.length) {
+      const [halo, text] = [document.createElement("b"), document.createElement("span")];
+      for (const node of [halo, text]) node.style.cssText = "position:absolute;left:0;top:0;white-space:pre;line-height:1";
+      this.node.append(halo, text);
+      this.labels.push({ halo, text, key: "" });
     }
-    this.spans.forEach((span, i) => {
+    this.labels.forEach((shown, i) => {
       const label = labels[i];
-      span.node.hidden = !label;
+      shown.halo.hidden = shown.text.hidden = !label;
       if (!label) return;
       const key = [label.tag.text, label.tag.upright, label.tag.colour, label.tag.strong, label.size, paper].join("|");
-      if (key !== span.key) {
-        span.key = key;
-        fill(span.node, label, paper);
+      if (key !== shown.key) {
+        shown.key = key;
+        // all of the halo beneath: that of a run would cover the run before it
+        fill(shown.halo, label, paper);
+        shown.halo.style.webkitTextStroke = `${HALO}px ${paper}`;
+        fill(shown.text, label, label.tag.colour);
       }
-      span.node.style.transform = `translate(${label.x.toFixed(1)}px,${label.y.toFixed(1)}px) translate(-50%,-50%)`;
+      for (const node of [shown.halo, shown.text])
+        node.style.transform = `translate(${label.x.toFixed(1)}px,${label.y.toFixed(1)}px) translate(-50%,-50%)`;
     });
   }
 }
 
-function fill(node: HTMLElement, { tag, size }: Placed, paper: string): void {
-  node.style.color = tag.colour;
+function fill(node: HTMLElement, { tag, size }: Placed, colour: string): void {
+  node.style.color = colour;
   node.style.fontSize = `${size}px`;
   node.style.fontWeight = tag.strong ? "700" : "400";
-  node.style.filter = [1, 1, 1.5].map((blur) => `drop-shadow(0 0 ${blur}px ${paper})`).join(" "); // of the whole: a shadow of each run would cover the run before
   const parts = tag.upright ? [{ text: tag.text, style: "plain" as const }] : runs(tag.text);
   node.replaceChildren(
     ...parts.map((run) => {
@@ -116,7 +120,7 @@ function fill(node: HTMLElement, { tag, size }: Placed, paper: string): void {
 
 /** The labels as text of an SVG picture, each with a halo. */
 export function svgLabels(labels: readonly Placed[], paper: string): SVGElement[] {
-  const round = { stroke: paper, "stroke-width": 3, "stroke-linejoin": "round", "aria-hidden": "true", class: "halo" };
+  const round = { stroke: paper, "stroke-width": HALO, "stroke-linejoin": "round", "aria-hidden": "true", class: "halo" };
   // all of the halo first: that of a run would cover the run before it
   return labels.flatMap((label) => [lettered(label, { fill: paper, ...round }), lettered(label, { fill: label.tag.colour })]);
 }
@@ -147,7 +151,7 @@ export function drawLabels(pen: CanvasRenderingContext2D, labels: readonly Place
         const base = y + size * (run.style === "sub" ? 0.56 : 0.34);
         if (halo) {
           pen.strokeStyle = paper;
-          pen.lineWidth = 3;
+          pen.lineWidth = HALO;
           pen.strokeText(run.text, left, base);
         } else {
           pen.fillStyle = tag.colour;

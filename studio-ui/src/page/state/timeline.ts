@@ -177,13 +177,15 @@ export function createTimeline(client: Client, editing: Editing, studying: Study
     });
   });
 
-  // the proof, once the hand rests or lets go
+  // the proof, once the hand lets go, or rests and the numbers at the pose, which come first, are there
   let timer = 0;
-  let waiting: (() => void) | null = null; // what the timer starts
+  let waiting: (() => void) | null = null; // what starts it
+  const rests = signal(false);
   effect(() => {
     const [list, threshold, source] = [stops.value, threshold$.value, source$.value];
     const there = studying.study.value !== null;
     known.value = false;
+    rests.value = false;
     window.clearTimeout(timer);
     waiting = null;
     const [start, goal] = [list[0], list.at(-1)];
@@ -193,7 +195,10 @@ export function createTimeline(client: Client, editing: Editing, studying: Study
       waiting = null;
       void runner.start({ source, start, through: list.slice(1, -1), goal, threshold });
     };
-    timer = window.setTimeout(waiting, REST);
+    timer = window.setTimeout(() => (rests.value = true), REST);
+  });
+  effect(() => {
+    if (rests.value && !posing.awaited.value) untracked(() => waiting?.());
   });
   effect(() => {
     void editing.settled.value;
