@@ -487,7 +487,7 @@ def test_known_is_true() -> None:
     for text in (*(case[0] for case in CASES.values()), *((FOLDER / f"{n}.gca").read_text() for n in THEOREMS)):
         at = parse_script(text).context
         figure = figure_of(at)
-        for kind in kinds(at, [n for n in figure.points if n not in figure.bound]):
+        for kind in kinds(at, figure.own):
             known = Known(Position(figure, kind.construction.random_points("known")))
             known.begin(at.given, kind.where)
             for f in known.flats:

@@ -14,13 +14,14 @@ proved collinear(x, y, z)
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Sequence
+from dataclasses import replace
 from functools import partial
 from typing import Any
 
 from gcrules.algebra.assumptions.assumed import PositionKind, kinds
 from gcrules.algebra.assumptions.building import merged
 from gcrules.algebra.assumptions.frame import zero_by
-from gcrules.algebra.assumptions.nondegeneracy import words
+from gcrules.algebra.assumptions.nondegeneracy import chosen, words
 from gcrules.algebra.discovery.exceptions import failing
 from gcrules.algebra.discovery.figure import Figure, Position, figure_of
 from gcrules.algebra.discovery.incidences import Incidence, candidates, incidences
@@ -60,7 +61,7 @@ def discover(
     seconds: float = SECONDS,
 ) -> Discoveries:
     """The incidences of the points that a script declares, assumes something of or defines by `let`, and of the lines
-    and planes that it defines.
+    and planes that it defines or declares as letters.
 
     A proof that takes more than `limit` terms leaves an incidence undecided. For `seconds` positions are looked for at
     which what was found fails. Raises InputError in ranks other than 3 and 4, and for assumptions that are not
@@ -86,7 +87,8 @@ class _Kind:
     """A kind of positions with the figure at some of its positions, and what is known of it."""
 
     def __init__(self, kind: PositionKind, figure: Figure, limit: int) -> None:
-        self.kind, self.construction, self.limit = kind, kind.construction, limit
+        self.construction = replace(kind.construction, nonzero=chosen(kind.construction.nonzero))
+        self.kind, self.limit = replace(kind, construction=self.construction), limit
         seed = ("discover", *map(str, figure.bound.values()), *map(str, kind.where))
         values = (kind.construction.random_points((*seed, k)) for k in range(_SAMPLES))
         self.position, *self.others = (Position(figure, v) for v in values)
@@ -158,8 +160,7 @@ class _Search:
 
     def __init__(self, figure: Figure, limit: int) -> None:
         self.figure = figure
-        own = tuple(n for n in figure.points if n not in figure.bound)
-        self.kinds = [_Kind(k, figure, limit) for k in kinds(figure.space, own)]
+        self.kinds = [_Kind(k, figure, limit) for k in kinds(figure.space, figure.own)]
 
     def run(self) -> None:
         for kind in self.kinds:

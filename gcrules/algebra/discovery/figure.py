@@ -1,4 +1,4 @@
-r"""What a script draws: its points, and the points, lines and planes that are named by `let`, at a random position.
+r"""What a script draws: its points, its letters for lines and planes, and what is named by `let`, at a random position.
 
 >>> from gcrules.algebra.language.statements import parse_script
 >>> figure = figure_of(parse_script("rank 3  let x = ab /\\ cd  let l = xa  claim ab == -ba").context)
@@ -19,6 +19,7 @@ from gcrules.algebra.evaluate import PRIME, Evaluator
 from gcrules.algebra.expr import Expr, Point, points_of
 from gcrules.algebra.language.syntax import Context
 from gcrules.algebra.language.text import text
+from gcrules.algebra.letters import letter, letter_of
 from gcrules.algebra.scalars import bracket
 from gcrules.core.dataclass import dataclass
 from gcrules.core.frozen import FrozenMap
@@ -32,10 +33,11 @@ Vector = tuple[int, ...]
 @dataclass(frozen=True)
 class Figure:
     """The names of `points` in tableau order, those bound by `let` last, and of lines and planes (`flats`); `bound`
-    says what a name means.
+    says what a name means. Drawn at random are `own`: the points that are not bound, and those that letters join.
     """
 
     space: Context
+    own: tuple[str, ...]
     points: tuple[str, ...]
     flats: tuple[str, ...]
     bound: Mapping[str, Expr] = field(default=FrozenMap())
@@ -73,23 +75,27 @@ def figure_of(at: Context) -> Figure:
     """The figure that a script draws."""
     used = [*at.points, *at.ideal]
     used += (n for a in at.given for e in a.args for n in points_of(e))
-    used += (n for e in at.bound.values() for n in points_of(e))
+    letters = {n: letter(n, step) for n, step in at.letters.items()}
+    bound = letters | {n: e for n, e in at.bound.items() if not isinstance(e, Point)}
+    used += (n for e in bound.values() for n in points_of(e))
     own = tableau_order(used, at.points, at.ideal)
-    bound = {n: e for n, e in at.bound.items() if not isinstance(e, Point)}
     points = [n for n, e in bound.items() if e.step == 1]
     flats = [n for n, e in bound.items() if 1 < e.step < at.rank and is_extensor(e, at.rank)]
     kept = FrozenMap((n, bound[n]) for n in (*points, *flats))
-    return Figure(at, (*own, *points), tuple(flats), kept)
+    named = (n for n in own if letter_of(n) is None)
+    return Figure(at, own, (*named, *points), tuple(flats), kept)
 
 
 class Position:
-    """The figure at points modulo `PRIME`. `points` are those that are not zero there, one for each place; `same` says
-    which name stands for a name at its place, `vanishing` which names stand for zero.
+    """The figure at points modulo `PRIME`, of which `drawn` are the coordinates. `points` are those that are not zero
+    there, one for each place; `same` says which name stands for a name at its place, `vanishing` which names stand for
+    zero.
     """
 
     def __init__(self, figure: Figure, values: Mapping[str, Sequence[int]]) -> None:
         self.figure, self.rank = figure, figure.rank
         self.at = Evaluator(values, self.rank, PRIME)
+        self.drawn = {n: normalized(self.at.value(Point(n))) for n in figure.own}
         self.vectors: dict[str, Vector] = {}
         self.same: dict[str, str] = {}
         first: dict[Vector, str] = {}

@@ -118,7 +118,7 @@ def _in_space(a: Expr, b: Expr, c: Expr, position: Position) -> Iterator[Expr]:
     yield from (bracket(ex.join(p, q, rank=4), rank=4) for p, q in ((a, b), (a, c), (b, c)))
     spanned = [*position.span(a), *position.span(b), *position.span(c)]
     if rank(spanned, PRIME) == 3:
-        off = next(n for n in position.points if rank([*spanned, position.vectors[n]], PRIME) == 4)
+        off = next(n for n, vector in position.drawn.items() if rank([*spanned, vector], PRIME) == 4)
         plane = ex.join(b, position.figure.meaning(off), rank=4)
         yield ex.join(ex.meet(a, plane, rank=4), c, rank=4)
 
@@ -216,7 +216,7 @@ def _coplanar(position: Position) -> Iterator[Incidence]:
 def _through(position: Position) -> Iterator[Incidence]:
     """Three lines or more through a point that has no name."""
     figure = position.figure
-    if position.dimension(position.points) < position.rank:
+    if rank(list(position.drawn.values()), PRIME) < position.rank:
         return iter(())
     lines: list[tuple[tuple[str, ...], tuple[Vector, ...]]] = []
     named = {tuple(normalized(position.at.value(e))): n for n in position.flats if (e := figure.meaning(n)).step == 2}

@@ -19,10 +19,9 @@ def as_text(found: Discoveries, *, unicode: bool = False) -> str:
 def _counted(found: Discoveries) -> str:
     number = len(found.found)
     what = f"{number} {'discovery' if number == 1 else 'discoveries'}" if number else "nothing new"
-    among = _number(len(found.points), "point")
-    if found.flats:
-        among += f" and the lines and planes {', '.join(found.flats)}"
-    return f"{what} among {among} ({found.candidates:,} candidates, {found.trivial} trivial incidences)"
+    among = [_number(len(found.points), "point")] if found.points or not found.flats else []
+    among += [f"the lines and planes {', '.join(found.flats)}"] if found.flats else []
+    return f"{what} among {' and '.join(among)} ({found.candidates:,} candidates, {found.trivial} trivial incidences)"
 
 
 def _number(n: int, what: str) -> str:
