@@ -1,9 +1,9 @@
 """Which tests are chosen: `--spread` for `make test`, `--fast` for `make test-fast`. Without either all of them run.
 
-`data/costs.txt` holds the processor time of one case, of each test with cases of more than 0.3 s, of more than 2 s
+`data/costs.txt` holds the processor time of one case, of each test with cases of more than 0.3 s, of more than 1 s
 together, or with more than 20 of them; `make costs` measures it again.
 
-`--spread` tries of a test as many cases as take 2 s, at least three, evenly from the first to the last. What it leaves
+`--spread` tries of a test as many cases as take 1 s, at least two, evenly from the first to the last. What it leaves
 out are more robots, classes, documents or numbers for a claim that is tried with others of them; `make test-all`, to be
 run before a release and after a change of what all of them go through, tries them all.
 
@@ -25,7 +25,7 @@ from places import DATA
 
 __all__ = ["COSTS", "chosen", "fast", "processor_seconds", "spread", "table"]
 
-_CASE, _TEST, _CASES = 0.3, 2.0, 20
+_CASE, _TEST, _CASES = 0.3, 1.0, 20
 """Processor seconds of a slow case and of all cases of a test that are tried; as many cases where none are known."""
 
 _TABLE = (DATA / "costs.txt").read_text(encoding="utf-8").splitlines()
@@ -52,7 +52,7 @@ def name_of(nodeid: str) -> str:
 
 def spread(name: str, cases: list[pytest.Item]) -> list[pytest.Item]:
     """As many as take the time that a test has."""
-    return _evenly(cases, int(_TEST / COSTS[name]) if name in COSTS else _CASES)
+    return _evenly(cases, max(int(_TEST / COSTS[name]), 2) if name in COSTS else _CASES)
 
 
 def fast(name: str, cases: list[pytest.Item]) -> list[pytest.Item]:
@@ -62,7 +62,6 @@ def fast(name: str, cases: list[pytest.Item]) -> list[pytest.Item]:
 
 
 def _evenly(cases: list[pytest.Item], number: int) -> list[pytest.Item]:
-    number = max(number, 3)
     if len(cases) <= number:
         return cases
     return [cases[round(k * (len(cases) - 1) / (number - 1))] for k in range(number)]
