@@ -131,6 +131,21 @@ def test_names_of_the_library_are_not_those_of_theorems() -> None:
     assert [f"Theorem {n}_2 :" in script for n in names] == [True] * 4
 
 
+def alike() -> list[Theorem]:
+    """Theorems called like what belongs to others, like points, and like what scripts use."""
+    names = ["a", "a left", "a relations", "a relations 0", "row 0 1 2 3", "row", "nat", "list", "by", "eq", "part 1"]
+    plain = [proved(n, "[abcd] == [cdab]") for n in names]
+    return [*plain, *(replace(on_one_line(), name=n) for n in ("a case 0", "a case 0 left", "d"))]
+
+
+def test_names_of_theorems_are_not_those_of_what_belongs_to_others() -> None:
+    script = coq_script(alike(), "Names that are alike")
+    names = re.findall(r"^(?:Definition|Theorem) (\w+)", script, re.MULTILINE)
+    assert len(set(names)) == len(names)
+    assert {"a", "a_left", "a__left", "a_left__left", "a_case_0_left", "a_case_0__case_0__left"} <= {*names}
+    assert {"nat", "list", "by"}.isdisjoint(names)
+
+
 def test_assumptions_are_hypotheses_of_the_theorem() -> None:
     script = coq_script([on_one_line()], "On one line")
     assert statement(script, "on_one_line").split("\n") == [
@@ -168,7 +183,7 @@ def test_auxiliary_points_are_meets_that_the_proof_names_and_the_theorem_does_no
     assert proof.count("destruct (plane_is_point _ ") == 3
     assert proof.count("follows_sound plane h_at 2 9") > 3
     assert re.search(r"\(Number \(0\)\) \[\] h_ideal", proof), "a point lies on a side of its own hexagon"
-    assert "[exchange_of row_" in proof, "the equation of the conic up to exchange relations"
+    assert "[exchange_of row__" in proof, "the equation of the conic up to exchange relations"
 
 
 def test_lean_has_the_relations_as_hypotheses() -> None:
@@ -184,6 +199,13 @@ def test_coq_replays_theorems_without_axioms(tmp_path: Path) -> None:
     done = run(coq_script(theorems(), "Five theorems"), tmp_path)
     assert done.returncode == 0, done.stderr
     assert done.stdout.count("Closed under the global context") == 5
+
+
+@pytest.mark.needs("coqc")
+def test_coq_replays_theorems_whose_names_are_alike(tmp_path: Path) -> None:
+    script = without_proofs_of_coordinates(coq_script(alike(), "Names that are alike"))
+    done = run(script[: script.index("Print Assumptions")], tmp_path)
+    assert done.returncode == 0, done.stderr
 
 
 @pytest.mark.needs("coqc")
@@ -212,7 +234,7 @@ def test_coq_refuses_a_claim_in_rank_5_with_another_sign(tmp_path: Path) -> None
 @pytest.mark.needs("coqc")
 def test_coq_refuses_a_claim_with_another_sign(tmp_path: Path) -> None:
     script = coq_script([proved("octahedral", OCTAHEDRON)], "Octahedron")
-    sides = re.search(r"Definition octahedral_right := (.*)\.\n", script)[1]
+    sides = re.search(r"Definition octahedral__right := (.*)\.\n", script)[1]
     wrong = script.replace(sides, f"(Join (Number (-1)) {sides})").replace("\n  = ((", "\n  = ((number space (-1)) · (")
     done = run(wrong, tmp_path)
     assert done.returncode != 0

@@ -27,7 +27,7 @@ from gcrules.algebra.proofs.proof_file import ProofFile
 from gcrules.algebra.proofs.theorem import Theorem
 from gcrules.core.errors import InputError
 from gcrules.views.proofs.coq_assumed import AssumedProof, assumed_proof
-from gcrules.views.proofs.coq_expressions import RESERVED, SPACES, Expressions, geometry, multiple
+from gcrules.views.proofs.coq_expressions import RESERVED, SPACES, Expressions, derived, geometry, multiple
 from gcrules.views.proofs.coq_relations import denominator, named_rows, written_relations
 
 __all__ = ["script", "without_script"]
@@ -142,24 +142,24 @@ def _theorem(name: str, t: dict[str, Any]) -> str:
     at_infinity = "".join(f"  infinite {space} {p} ->\n" for p in points[: t["ideal"]])
     lets = "".join(f"  let {n} := {expressions.statement(e)} in\n" for n, e in expressions.definitions)
     relations = written_relations(name, t["relations"], both)
-    listed = "; ".join(points)
-    variables = f"forall {' '.join(points)} : vector {space},\n" if points else "\n"
+    listed, together = "; ".join(points), " ".join(points)
+    variables = f"forall {together} : vector {space},\n" if points else "\n"
     at = f"(fun place => nth place [{listed}] {points[0]})" if points else f"(fun _ => origin_of_{space})"
     renamed = {old: new for old, new in zip(t["points"], points, strict=True) if old != new}
     return "\n".join(
         [
             f"\n{_note(t['name'], both, renamed)}",
-            *(f"Definition {name}_{n} := {expressions.data(e)}." for n, e in expressions.definitions),
-            f"Definition {name}_left := {expressions.data(left)}.",
-            f"Definition {name}_right := {expressions.data(right)}.",
+            *(f"Definition {derived(name, n)} := {expressions.data(e)}." for n, e in expressions.definitions),
+            f"Definition {derived(name, 'left')} := {expressions.data(left)}.",
+            f"Definition {derived(name, 'right')} := {expressions.data(right)}.",
             *relations,
             "",
             f"Theorem {name} : {variables}{at_infinity}{lets}  {expressions.statement(left)}",
             f"  = {expressions.statement(right)}.",
             "Proof.",
-            "  intros.",
+            f"  {f'intros {together}. ' if points else ''}intros.",
             f"  refine (replay_sound {space} {at} {t['ideal']} {len(points)}",
-            f"    {name}_left {name}_right {name}_relations _ _).",
+            f"    {derived(name, 'left')} {derived(name, 'right')} {derived(name, 'relations')} _ _).",
             "  - let n := fresh in let below := fresh in intros n below;",
             f"    do {t['ideal']} (destruct n as [|n]; [assumption|]); lia.",
             "  - vm_cast_no_check (eq_refl true).",

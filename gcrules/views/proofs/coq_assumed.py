@@ -18,7 +18,7 @@ from gcrules.algebra.proofs.sequences import Sequences
 from gcrules.algebra.proofs.theorem import Theorem, with_roles
 from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import LimitReached
-from gcrules.views.proofs.coq_expressions import multiple
+from gcrules.views.proofs.coq_expressions import derived, multiple
 from gcrules.views.proofs.coq_facts import NO_RULE, Facts
 from gcrules.views.proofs.coq_relations import denominator, written_relations
 from gcrules.views.proofs.coq_statement import CannotWrite, Statement, combination, joined, pairs
@@ -92,10 +92,11 @@ class AssumedProof:
             "given": [s.says(e, "=") for e in s.given],
             "nonzero": [s.says(e, "<>") for e in s.nonzero],
         }
+        cases = [(v, derived(name, f"case_{n}")) for n, v in enumerate(self.variants)]
         introduced = [f"{s.prefix}{kind}_{i}" for kind, those in assumed.items() for i in range(len(those))]
         return "\n".join(
             [
-                *(line for n, v in enumerate(self.variants) for line in v.definitions(f"{name}_case_{n}", factor)),
+                *(line for v, case in cases for line in v.definitions(case, factor)),
                 "",
                 f"Theorem {name} : forall {s.named(s.own)} : vector {s.space},",
                 *(f"  {one} ->" for those in assumed.values() for one in those),
@@ -118,7 +119,7 @@ class AssumedProof:
         """The lines that place the points from one on."""
         if number == len(self.steps):
             (at,) = (n for n, v in enumerate(self.variants) if v.roles == roles)
-            yield from self.variants[at].replayed(f"{name}_case_{at}")
+            yield from self.variants[at].replayed(derived(name, f"case_{at}"))
             return
         step, s = self.steps[number], self.statement
         yield f"  refine ({step.lemma})."
@@ -236,18 +237,18 @@ class _Variant:
         """Both sides times a factor, the places and the relations."""
         lines = []
         for side, (e, own) in zip(("left", "right"), map(self.at.whole, self.statement.claim), strict=True):
-            lines.append(f"Definition {name}_{side} := {self.at.data(multiple(e, factor // own))}.")
+            lines.append(f"Definition {derived(name, side)} := {self.at.data(multiple(e, factor // own))}.")
         separated = ";\n  ".join(f"({i}, {e})" for i, e in self.places)
-        lines.append(f"Definition {name}_places : list (nat * expression) := [\n  {separated}].")
+        lines.append(f"Definition {derived(name, 'places')} : list (nat * expression) := [\n  {separated}].")
         return [*lines, *written_relations(name, self.relations, factor)]
 
     def replayed(self, name: str) -> list[str]:
         """The lines that replay the claim."""
-        s, points = self.statement, self.at.points
+        s, points, parts = self.statement, self.at.points, ("left", "right", "places", "relations")
         on = pairs([f"{s.prefix}on_{n}" for n in reversed(range(len(self.places)))])
         return [
             f"  refine (replay_placed {s.space} (fun place => nth place [{'; '.join(points)}] {points[0]}) {s.ideal}",
-            f"    {len(points)} {name}_left {name}_right {name}_places {name}_relations _ {on} _).",
+            f"    {len(points)} {' '.join(derived(name, part) for part in parts)} _ {on} _).",
             "  - let n := fresh in let below := fresh in intros n below;",
             f"    do {s.ideal} (destruct n as [|n]; [assumption|]); lia.",
             "  - vm_cast_no_check (eq_refl true).",

@@ -8,15 +8,15 @@ from fractions import Fraction
 from math import lcm
 from typing import Any
 
-__all__ = ["RESERVED", "SPACES", "Expressions", "geometry", "multiple", "nested", "point_names"]
+__all__ = ["RESERVED", "SPACES", "Expressions", "derived", "geometry", "multiple", "nested", "point_names"]
 
 SPACES = {3: "plane", 4: "space"}  # with coordinates of their own in the library, and theorems under assumptions
 RESERVED = frozenset(  # words of Coq, and names that statements and proofs use
     re.findall(
         r"\w+",
-        "as at cofix else end exists exists2 fix for forall fun if IF in let match mod return then using where with "
+        "as at by cofix else end exists exists2 fix for forall fun if IF in let match mod return then using where with "
         "Prop Set SProp Type bracket extensor infinite number place plane power pure space superbracket vector "
-        "I conj eq_refl nth true vanishes",
+        "I conj eq_refl list nat nth true vanishes",
     )
 )
 _SIGNS = {"join": " ∨ ", "meet": " ∧ ", "sum": " + ", "product": " · "}
@@ -91,7 +91,7 @@ class Expressions:
     def data(self, e: Any) -> str:
         """An expression as it is computed with."""
         if isinstance(e, str):
-            return f"(Point {self.place[e]})" if e in self.place else f"{self.name}_{defined(e)}"
+            return f"(Point {self.place[e]})" if e in self.place else derived(self.name, defined(e))
         kind, *parts = self.plain(e)
         if kind == "number":
             return f"(Number ({parts[0]}))"
@@ -112,6 +112,11 @@ def nested(constructor: str, parts: Sequence[str]) -> str:
     return found
 
 
+def derived(name: str, part: str) -> str:
+    """The name of what belongs to a theorem; neither theorems nor points have two underscores together."""
+    return f"{name}__{part}"
+
+
 def defined(name: str) -> str:
     return name.replace("#", "part_")
 
@@ -119,7 +124,7 @@ def defined(name: str) -> str:
 def point_names(points: Sequence[str]) -> list[str]:
     taken: list[str] = []
     for i, p in enumerate(points):
-        fits = re.fullmatch(r"(?!part_|plane_|space_|rank_)[A-Za-z][A-Za-z0-9_']*", p) and p not in RESERVED
+        fits = re.fullmatch(r"(?!.*__|part_|plane_|space_|rank_)[A-Za-z][A-Za-z0-9_']*", p) and p not in RESERVED
         name = p if fits else f"point_{i}"
         while name in taken or (name != p and name in points):
             name += "_"

@@ -7,6 +7,8 @@ from fractions import Fraction
 from math import lcm
 from typing import Any
 
+from gcrules.views.proofs.coq_expressions import derived
+
 __all__ = ["denominator", "named_rows", "relation_texts", "written_relations"]
 
 _TOGETHER = 100  # relations in one definition
@@ -39,13 +41,13 @@ def written_relations(name: str, relations: Sequence[Any], factor: int) -> list[
     lines = []
     for i, block in enumerate(blocks):
         separated = ";\n  ".join(block)
-        lines.append(f"Definition {name}_relations_{i} : list relation := [\n  {separated}].")
-    joined = " ++ ".join([*(f"{name}_relations_{i}" for i in range(len(blocks))), "[]"])
-    return [*lines, f"Definition {name}_relations : list relation := {joined}."]
+        lines.append(f"Definition {derived(name, f'relations_{i}')} : list relation := [\n  {separated}].")
+    joined = " ++ ".join([*(derived(name, f"relations_{i}") for i in range(len(blocks))), "[]"])
+    return [*lines, f"Definition {derived(name, 'relations')} : list relation := {joined}."]
 
 
 def _row(row: Sequence[int]) -> str:
-    return "row_" + "_".join(map(str, row))
+    return derived("row", "_".join(map(str, row)))
 
 
 def _rows(relation: Any) -> Iterable[Sequence[int]]:
