@@ -378,8 +378,8 @@ def check(theorem):
 
 def main(path):
     try:
-        with open(path, encoding="utf-8") as file:
-            data = json.load(file)
+        with open(path, encoding="utf-8") as f:
+            data = json.load(f, object_pairs_hook=lambda p: expect(len(dict(p)) == len(p), "a name twice") or dict(p))
         expect((data["format"], data["version"]) == ("gcrules proof", 1) and data["theorems"], "of no known version")
         for theorem in data["theorems"]:
             print(f"proved, called {theorem['name']!r} in the file:\n  {check(theorem)}")

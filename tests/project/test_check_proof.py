@@ -126,6 +126,17 @@ def test_the_formula_of_the_superbracket_changes_its_sign_with_the_ends_of_a_lin
         assert polynomial({a: a + 1, a + 1: a}) == {m: -c for m, c in polynomial({}).items()}
 
 
+def test_a_field_that_is_there_twice_is_refused(tmp_path: Path) -> None:
+    """Readers differ in which of the two they take: what one shows would not be what the other has checked."""
+    file = tmp_path / "proof.json"
+    text = gc.proof_file(ANSWERS["ideal"]()).json_text()
+    file.write_text(text.replace('"ideal":', '"ideal":0,"ideal":', 1), encoding="utf-8")
+    done = subprocess.run([sys.executable, CHECKER, file], capture_output=True, text=True, check=False)
+    assert done.returncode == 2
+    assert "a name twice" in done.stderr
+    assert not done.stdout
+
+
 @pytest.mark.parametrize(
     ("change", "code", "says"),
     [
