@@ -20,7 +20,7 @@ from itertools import combinations
 from typing import Any
 
 from gcrules.algebra.assumptions.assumed import PositionKind, kinds
-from gcrules.algebra.assumptions.building import merged
+from gcrules.algebra.assumptions.building import coinciding
 from gcrules.algebra.assumptions.construction import Construction
 from gcrules.algebra.assumptions.frame import Frame, zero_by
 from gcrules.algebra.assumptions.nondegeneracy import chosen, fewest, words
@@ -73,7 +73,7 @@ class KindVerdict:
     def __str__(self) -> str:
         where = " and ".join(f"{e} == 0" for e in self.where)
         condition = f", where {' and '.join(self.assumed)} {_DO[len(self.assumed) > 1]} not vanish"
-        one = f" ({'; '.join(f'{a} and {b} are one point there' for a, b in self.together)})"
+        one = f" ({'; '.join(f'{a} and {b} coincide there' for a, b in self.together)})"
         return f"where {where}: {self.verdict}{condition if self.assumed else ''}{one if self.together else ''}"
 
 
@@ -86,8 +86,8 @@ class Proof(Shown):
     or "undecided" (`reason` names the limit and what is known).
     `assumed` lists, as text of the language, what was assumed not to vanish: a claim that is proved holds wherever its
     assumptions hold and none of these is zero. Without assumptions that is everywhere; a refutation assumes nothing.
-    `together` lists pairs of points that are one point at all positions that the proof reaches, although nothing says
-    so: then it does not speak of positions at which they differ. Where assumptions allow several kinds of positions,
+    `together` lists pairs of points or letters that coincide at all positions that the proof reaches, though nothing
+    says so: then it does not speak of others. Where assumptions allow several kinds of positions,
     `kinds` holds the verdict for each; proved is what is proved for all of them, refuted what is refuted for one.
     A claim that is one `relation` of the language may be several equations; then `parts` holds the proofs of them all,
     and the sides are those of the one that decides.
@@ -260,7 +260,7 @@ def _under_assumptions(left: Expr, right: Expr, difference: Expr, space: Space, 
         reason = _reason(limited, "; the assumptions are not resolved")
         return Proof(left, right, "undecided", "random-points", reason)
     names = space.declared()
-    proofs = [_at_one_kind(left, right, difference, kind.construction, names, where, limit) for kind in found]
+    proofs = [_at_one_kind(left, right, difference, kind.construction, space, where, limit) for kind in found]
     if len(proofs) == 1:
         return proofs[0]
     told = tuple(
@@ -286,7 +286,7 @@ def _at_one_kind(
     right: Expr,
     difference: Expr,
     construction: Construction,
-    names: Sequence[str],
+    space: Space,
     where: _Positions,
     limit: int,
 ) -> Proof:
@@ -307,8 +307,8 @@ def _at_one_kind(
             reason = f"{_in_frame(zero)}, at all points that satisfy the assumptions"
         method = "frame" if isinstance(zero, Frame) else "normal-form"
         found = Proof(left, right, "proved", method, reason)
-    together = sorted((str(a), str(b)) for a, b in merged(construction))
-    return replace(_assuming(found, construction.nonzero, names), together=tuple(together))
+    found = _assuming(found, construction.nonzero, space.declared())
+    return replace(found, together=coinciding(construction, space.given))
 
 
 def _reason(limited: LimitReached, known: str) -> str:

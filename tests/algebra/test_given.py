@@ -213,7 +213,7 @@ def test_points_that_coincide_without_being_said_to_are_named() -> None:
     one = gc.prove("[aij] == 0", rank=3, ideal="i j", given="incident(j, ia), incident(j, ib)")
     assert one.proved
     assert one.together == (("i", "j"),)
-    assert "i and j are one point, which the assumptions do not say" in str(one)
+    assert "i and j coincide, which the assumptions do not say" in str(one)
     assert one.to_json()["together"] == [["i", "j"]]
     said = gc.prove("[abx] == 0", rank=3, given="x == a")
     assert said.proved

@@ -272,3 +272,22 @@ def test_a_letter_is_no_corner_of_a_tetrahedron() -> None:
     found = gc.analyze("Aa Ab L Bc Bd Ce", given="line L, incident(A, L)")
     assert "tetrahedra ABCe and ABcd is flat" in str(found.condition.statement)
     assert "the line L, a and b lie in one plane" in str(found.condition.statement)
+
+
+@pytest.mark.parametrize(
+    ("letters", "claim", "given", "together"),
+    [
+        ("line L M", "[L M] == 0", "incident(a, L), incident(b, L), incident(a, M), incident(b, M)", (("L", "M"),)),
+        ("line L M", "[L M] == 0", "incident(a, L), incident(a, M)", ()),
+        ("line L M", r"a \/ M == 0", "incident(a, L), incident(b, L), incident(a, M), incident(b, M)", (("L", "M"),)),
+        ("line L, plane P Q", r"L /\ Q == 0", r"incident(L, P), P /\ Q == 0", ()),
+        ("line L M", "[L M] == 0", "incident(L, M)", ()),
+    ],
+)
+def test_letters_that_coincide_without_being_said_to_are_named(
+    letters: str, claim: str, given: str, together: tuple[tuple[str, str], ...]
+) -> None:
+    proof = gc.prove(claim, letters=letters, given=given)
+    assert proof.proved
+    assert proof.together == together
+    assert ("coincide, which the assumptions do not say" in str(proof)) == bool(together)

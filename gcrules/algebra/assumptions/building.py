@@ -14,12 +14,13 @@ from gcrules.algebra.assumptions.position_kinds import flats
 from gcrules.algebra.assumptions.strategies import FURTHER_ROADS, ROADS, on_known_lines, on_pascal_line
 from gcrules.algebra.evaluate import PRIME, Evaluator, random_points, random_rational_points
 from gcrules.algebra.expr import Expr, Meet, Point
-from gcrules.algebra.space import Space
+from gcrules.algebra.letters import letter, letters_of, named_letter, names_of
+from gcrules.algebra.space import Assumption, Space
 from gcrules.core.budget import checkpoint
 from gcrules.core.errors import InputError
 from gcrules.core.seeds import DRAWN, remembered, seed
 
-__all__ = ["collapsed", "constructed", "merged"]
+__all__ = ["coinciding", "collapsed", "constructed", "merged"]
 
 MAX_ORDERS = 200  # orders of a group that are tried
 _ENOUGH = 500  # conditions of the constructions among which the simplest is chosen
@@ -96,6 +97,17 @@ def merged(c: Construction) -> set[tuple[Expr, ...]]:
     """The pairs of points that coincide wherever the construction leads, but for those of which it was said."""
     said = {s.name for s in c.steps if s.exact or isinstance(s.within, Point)}
     return collapsed(c, [Point(n) for n in c.points if n not in said])
+
+
+def coinciding(c: Construction, given: Iterable[Assumption]) -> tuple[tuple[str, str], ...]:
+    """The names of points, and of letters, that coincide wherever the construction leads, but for those of which it was
+    said: that one letter is on the other, or that two hyperplanes have no meet.
+    """
+    letters = {n: letter(n, k) for n, k in letters_of(c.points).items() if {*names_of(n, k)} <= {*c.points}}
+    met = (a.args[0].args if a.kind == "zero" and isinstance(a.args[0], Meet) else a.args for a in given)
+    said = [{*map(named_letter, args)} for args in met]
+    found = (tuple(map(str, pair)) for pair in collapsed(c, letters.values()) | merged(c) if len(pair) == 2)
+    return tuple(sorted((a, b) for a, b in found if {a, b} not in said))
 
 
 class _Builder:

@@ -19,7 +19,7 @@ from functools import partial
 from typing import Any
 
 from gcrules.algebra.assumptions.assumed import PositionKind, kinds
-from gcrules.algebra.assumptions.building import merged
+from gcrules.algebra.assumptions.building import coinciding
 from gcrules.algebra.assumptions.frame import zero_by
 from gcrules.algebra.assumptions.nondegeneracy import chosen, words
 from gcrules.algebra.discovery.exceptions import failing
@@ -144,7 +144,7 @@ class _Kind:
             tuple(assumed),
             tuple(assumed.values()),
             tuple(text(e, names=names) for e in tried),
-            tuple(sorted((str(a), str(b)) for a, b in merged(self.construction))),
+            coinciding(self.construction, figure.space.given),
             tuple(n for n in (*figure.points, *figure.flats) if n in self.position.vanishing),
         )
 

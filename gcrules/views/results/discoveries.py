@@ -52,7 +52,7 @@ def _conditions(found: Discoveries) -> Iterator[str]:
         meanings = kind.meanings or [""] * len(kind.assumed)
         shown = [f"{e} ({m})" if m else e for e, m in zip(kind.assumed, meanings, strict=True)]
         told = [f"assumed not to vanish: {', '.join(shown)}"] if shown else []
-        told += [f"{a} and {b} are one point there, which the assumptions do not say" for a, b in kind.together]
+        told += [f"{a} and {b} coincide there, which the assumptions do not say" for a, b in kind.together]
         told += [f"left out, since they vanish: {', '.join(kind.vanishing)}"] if kind.vanishing else []
         if several:
             yield f"  where {_where(kind)}{': ' if told else ''}{'; '.join(told)}"

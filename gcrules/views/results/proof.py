@@ -73,7 +73,7 @@ def conditions(proof: Proof) -> list[str]:
     told = "".join((*proof.assumed, *(e for k in proof.kinds for e in (*k.where, *k.assumed))))
     lines += [f"  where {points}" for points in filter(None, [points_shown(told)])]
     lines += [
-        f"  at all positions that this speaks of {a} and {b} are one point, which the assumptions do not say"
+        f"  at all positions that this speaks of {a} and {b} coincide, which the assumptions do not say"
         for a, b in proof.together
     ]
     if proof.kinds:
