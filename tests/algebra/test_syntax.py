@@ -426,7 +426,16 @@ def test_relations_are_not_suggested_in_expressions() -> None:
     assert caught.value.hint == "a parenthesis is not closed"
 
 
-@pytest.mark.parametrize(("source", "found"), [("collinear(a)", "1 point is"), ("coplanar(a, b)", "2 points are")])
+@pytest.mark.parametrize(
+    ("source", "found"),
+    [
+        ("collinear(a)", "1 point is"),
+        ("coplanar(a, b)", "2 points are"),
+        ("collinear(a, a, a)", "1 point is"),
+        ("collinear(a, b, b)", "2 points are"),
+        ("coplanar(a, b, c, a, b, c)", "3 points are"),
+    ],
+)
 def test_too_few_points_are_counted(source: str, found: str) -> None:
     with pytest.raises(InputError, match=f": {found} always so; at least"):
         parse_assumption(source, Context())

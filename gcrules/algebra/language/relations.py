@@ -191,7 +191,7 @@ def _expanded(word: Relation, args: Sequence[Expr], at: Space) -> tuple[list[Exp
 
 
 def _points_only(number: int) -> Callable[[tuple[Expr, ...], list[Node], int], None]:
-    """A check that all arguments are points, at least so many."""
+    """A check that all arguments are points, at least so many different ones."""
 
     def check(args: tuple[Expr, ...], trees: list[Node], rank: int) -> None:
         for arg, tree in zip(args, trees, strict=True):
@@ -200,9 +200,10 @@ def _points_only(number: int) -> Callable[[tuple[Expr, ...], list[Node], int], N
                 hint = "separate the points with commas" if joined else None
                 what = f"{step_name(arg.step, rank)} where a point is expected"
                 raise StepError(what, span=span_of(tree), hint=hint)
-        if len(args) < number:
-            found = "1 point is" if len(args) == 1 else f"{len(args)} points are"
-            raise InputError(f"{found} always so; at least {number} are expected")
+        different = len({*args})
+        if different < number:
+            found = "1 point is" if different == 1 else f"{different} points are"
+            raise InputError(f"{found} always so; at least {number} different ones are expected")
 
     return check
 
