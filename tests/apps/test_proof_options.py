@@ -37,6 +37,14 @@ def test_the_proofs_of_an_answer_are_written(command: list[str], theorems: int, 
     assert f"{theorems} theorem{'s' * (theorems > 1)}, digest {data['digest'][:16]}" in done.stderr
 
 
+def test_latex_names_the_digest_of_the_proofs(tmp_path: Path) -> None:
+    file = tmp_path / "proof.json"
+    done = invoke("prove", r"ab /\ cd == [abcd]", "--latex", "--certificate", str(file))
+    digest = json.loads(file.read_text(encoding="utf-8"))["digest"]
+    assert done.stdout.splitlines()[-1] == f"% proofs that a program checks: SHA-256 digest {digest}"
+    assert "SHA-256" not in invoke("prove", r"ab /\ cd == [abcd]", "--latex").stdout
+
+
 def test_claims_and_rules_of_scripts_are_theorems(tmp_path: Path) -> None:
     script, file = tmp_path / "some.gca", tmp_path / "proof.json"
     rules = (ROOT / "plugins" / "plucker" / "plucker.gca").read_text(encoding="utf-8")

@@ -83,6 +83,8 @@ class ProofOptions:
             number = counted(text.count(f"\n{_FORMATS[name].each}"), "theorem")
             of = f", digest {beginning(proofs.digest)}" if name == "certificate" else f" of {len(proofs.theorems)}"
             click.echo(f"{self.files[name]}: {number}{of}", err=True)
+        if "certificate" in texts and click.get_current_context().params.get("as_latex"):
+            click.echo(f"% proofs that a program checks: SHA-256 digest {proofs.digest}")
         for path, why in missing.items():
             click.echo(f"note: {path} is not written: {why}", err=True)
         for absence in proofs.absences if "certificate" in texts else ():
