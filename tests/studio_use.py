@@ -31,6 +31,7 @@ ROUND = """async ([sources, moves]) => {
   const act = async what => { what(); actions += 1; await later(0); };
   for (const source of sources) {
     const {posing, loaded, timeline, undo, redo} = gcrules;
+    const settled = () => loaded.value.state === "ready" && posing.numbers.value && idle(timeline.check);
     await act(() => gcrules.open(source));
     await until(() => loaded.value.state === "ready" && posing.numbers.value);
     for (const tab of document.querySelectorAll("[data-testid^=panel-]")) await act(() => tab.click());
@@ -49,7 +50,8 @@ ROUND = """async ([sources, moves]) => {
     await until(() => idle(timeline.check));
     for (let k = 0; k < 5; k++) await act(undo);
     for (let k = 0; k < 5; k++) await act(redo);
-    await until(() => idle(timeline.check));
+    await until(settled); // what was undone may be that it was opened, and then it is opened again
+    for (let k = 0; k < 2; k++) await frame();
   }
   return actions; }"""
 
