@@ -235,7 +235,8 @@ class LimbsTask(InLayers, HoldsArrays):
         if self.linkage.looped:
             return "where sigma is not 0 no body of the robot can move with the actuators locked"
         return (
-            "no pose is singular before the wrenches of some limb have turned by asin(sigma) relative to the platform"
+            "apart from the limbs' own singularities, no pose is singular while the wrenches of every limb turn by "
+            "less than asin(sigma) relative to the platform"
         )
 
     def about(self, sentence: str) -> dict[str, str]:

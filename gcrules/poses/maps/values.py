@@ -115,7 +115,7 @@ class LegsTask(InLayers, HoldsArrays):
     @property
     def guard(self) -> str:
         """What a margin guarantees."""
-        return "no pose is singular before some leg has turned by asin(sigma) relative to the platform"
+        return "no pose is singular while every leg turns by less than asin(sigma) relative to the platform"
 
     def about(self, sentence: str) -> dict[str, str]:
         """The robot, its condition and the pose of the other coordinates."""
