@@ -270,6 +270,10 @@ test("the gallery finds cards by every word, and shows those first that a newcom
   const named = [item("old", "x", { familiar: 0, words: "six legs hexapod" }), item("new", "y", { words: "hexapod" }), item("hexapod", "z")];
   const ranked = (query: string) => chosen({ ...gallery, examples: named }, "examples", query).map(({ title }) => title);
   assert.deepEqual(ranked("hexapod"), ["z", "y", "x"]);
+  const robots = [item("h4", "4 freedoms", { words: "pick 4-dof" }), item("4-legs", "3 freedoms", { words: "3-dof" })];
+  const freedoms = (query: string) => chosen({ ...gallery, robots }, "robots", query).map(({ title }) => title);
+  for (const four of ["4 dof", "4-DoF", "4dof", "four freedoms", "4 degrees of freedom", "pick four DOFs"]) assert.deepEqual(freedoms(four), ["4 freedoms"], four);
+  assert.deepEqual(freedoms("dof"), ["4 freedoms", "3 freedoms"]);
 });
 
 test("poses compare by value", () => {

@@ -90,6 +90,9 @@ def test_gallery_lists_what_can_be_opened(page: Page) -> None:
     assert called("octahedron") == called("MSSM") == {"3-3.3", "octahedral"}
     assert called("TSSM") == {"6-3.2", "gough-stewart-63"}
     assert called("6-SPS") >= {"6-6", "gough-stewart", "octahedral"}
+    four = {item["id"] for item in found["robots"] if item["group"].startswith("4 ")}
+    assert four == called("4-dof") > {"gallardo-4dof", "h4", "4-ruu"}
+    assert called("6-dof") >= {"6-6", "octahedral", "6-rus"}
 
 
 def product(monomial: dict[str, Any], points: Any) -> Fraction:

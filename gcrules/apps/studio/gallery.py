@@ -62,7 +62,7 @@ FAMILIAR = (
 )
 """The cards that a newcomer knows, which come first."""
 
-_SIX_LEGS = "Gough Stewart platform hexapod six legs 6-SPS 6-UPS"
+_SIX_LEGS = "Gough Stewart platform hexapod six legs 6-SPS 6-UPS 6-dof"
 _LIMBS = {2: "two limbs", 3: "tripod three limbs", 4: "four limbs", 5: "five limbs", 6: "hexapod six limbs"}
 _WORDS = {
     "3-crr": "Cartesian gantry",
@@ -160,7 +160,7 @@ def _of_robot(one: RobotFile) -> GalleryItem | None:
         "detail": robot.chain,
         "group": f"{robot.mobility} degrees of freedom",
         "statement": robot.note,
-        "words": _joined(_WORDS.get(one.id), _LIMBS.get(len(robot.limbs)), _of_six(robot)),
+        "words": _joined(_WORDS.get(one.id), _LIMBS.get(len(robot.limbs)), _of_six(robot), f"{robot.mobility}-dof"),
         "familiar": _familiar("robot", one.id),
         "svg": _of_limbs(robot),
         "source": {"kind": "robot", "id": one.id},

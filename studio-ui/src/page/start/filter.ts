@@ -18,7 +18,7 @@ export interface Group {
 
 /** The cards that hold every word of the query, those whose name holds them first, grouped in the order in which the groups come; those that a newcomer knows stand first, under a heading of their own before anything is asked. */
 export function chosen(gallery: Gallery, section: Section, query: string): Group[] {
-  const wanted = wordsOf(query);
+  const wanted = wordsOf(freedomsJoined(query));
   const kinds = section === "all" ? (["examples", "robots", "classes"] as const) : [section];
   const items = kinds.flatMap((kind) => gallery[kind]).filter((item) => wanted.every((word) => holds(textOf(item), word)));
   const ranks = new Map(items.map((item) => [item, rankOf(item, wanted)]));
@@ -39,6 +39,13 @@ function rankOf({ id, title, words }: GalleryItem, wanted: readonly string[]): n
 }
 
 const FAMILIAR = "Well known";
+
+const COUNTS = ["one", "two", "three", "four", "five", "six"];
+const FREEDOMS = new RegExp(`\\b(\\d|${COUNTS.join("|")})[\\s-]*(?:dofs?\\b|freedoms?\\b|degrees?[\\s-]+of[\\s-]+freedom)`, "gi");
+
+/** A count of freedoms as one word, however it is written: "4-dof", which the robots that have so many are called. */
+const freedomsJoined = (query: string): string =>
+  query.replace(FREEDOMS, (_, count: string) => `${COUNTS.indexOf(count.toLowerCase()) + 1 || count}-dof`);
 
 const textOf = ({ id, title, detail, group, statement, words }: GalleryItem): string =>
   folded([id, title, detail, group, statement, words].join(" "));
