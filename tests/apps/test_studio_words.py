@@ -60,6 +60,14 @@ def test_words_by_mouse_and_keyboard(desk: Desk, kind: str, name: str) -> None:
     assert desk.faults == []
 
 
+REACHED = """() => { const terms = [...document.querySelectorAll("button.term")];
+  const selectors = rules => [...rules].flatMap(rule => rule.selectorText?.split(/,(?![^(]*\\))/)
+    ?? selectors(rule.cssRules ?? []));
+  return [...document.styleSheets].flatMap(sheet => selectors(sheet.cssRules)).map(one => one.trim())
+    .filter(one => / button/.test(one) && !one.includes(".term") && terms.some(term => term.matches(one))); }"""
+"""Rules for the buttons of some place that reach words too."""
+
+
 def test_a_word_is_set_like_its_sentence(desk: Desk) -> None:
     """In lists that have buttons too; and the sign after it stays in its line."""
     desk.open("example", "octahedral")
@@ -75,7 +83,11 @@ def test_a_word_is_set_like_its_sentence(desk: Desk) -> None:
         )
         == []
     )
+    for stage in ("structure", "condition", "statement", "check"):
+        desk.step(stage)
+        assert desk.run(REACHED) == []
     desk.open("robot", "3-rps", "limbs")
+    assert desk.run(REACHED) == []
     signs = desk.page.locator(".stage .term-and-sign", has_text="wrenches")
     assert signs.first.inner_text() == "wrenches."
     for width in range(380, 460, 8):
