@@ -6,7 +6,7 @@ import base64
 import json
 import zlib
 from collections.abc import Callable
-from itertools import pairwise
+from itertools import combinations, pairwise, permutations
 from typing import Any
 
 import pytest
@@ -14,7 +14,9 @@ import pytest
 pytest.importorskip("starlette", reason="needs the extra gcrules[studio]")
 pytest.importorskip("playwright", reason="needs the extra gcrules[dev]")
 
-from studio_page import Desk
+from browsing import ARGS
+from conftest import find_browser
+from studio_page import Desk, Server
 
 pytestmark = pytest.mark.browser
 
@@ -38,6 +40,8 @@ legs:
   - [base_middle_back, platform_joint_one]
 """
 PANELS = ("guided", "manual", "motion", "where", "bench", "draw", "take-away")
+
+SIDES = (("x", "width"), ("y", "height"))
 
 CUT_OFF = """() => { const width = document.documentElement.clientWidth;
   const rolls = e => e.closest(".formula, .monomials, .legend, .viewer, .wide");
@@ -71,6 +75,16 @@ def fragment(doc: dict[str, Any], deflated: bool = False) -> str:
 def opened_long(desk: Desk) -> None:
     desk.run("text => gcrules.open({kind: 'file', text, name: 'long.yaml'})", LONG)
     desk.answered()
+
+
+def touching(boxes: list[dict[str, float]]) -> list[tuple[int, int]]:
+    """The pairs of boxes that have more in common than their edges."""
+    parted = [
+        {(i, j) for (i, a), (j, b) in permutations(enumerate(boxes), 2) if a[at] + a[size] <= b[at] + 1}
+        for at, size in SIDES
+    ]
+    apart = parted[0] | parted[1]
+    return [(i, j) for i, j in combinations(range(len(boxes)), 2) if not {(i, j), (j, i)} & apart]
 
 
 # --- out of all bounds ---------------------------------------------------------------------------------------------
@@ -147,6 +161,37 @@ def test_long_names_are_coloured_set_apart_and_inside(sit_down: SitDown, width: 
     assert desk.run(CUT_OFF) == []
 
 
+NAMES = {
+    "two letters": [*("pa", "pb", "pc"), *("qa", "qb", "qc")],
+    "many digits": [*("A12", "A13", "A14"), *("B1001", "B1002", "B1003")],
+    "below the line": [*("A_1", "A_2", "A_3"), *("B_1'", "B_2'", "B_3'")],
+    "words": [*("base_left", "base_right", "base_middle_back"), *("platform_one", "platform_two", "platform_three")],
+}
+
+
+@pytest.mark.parametrize("names", NAMES.values(), ids=NAMES)
+def test_names_of_all_kinds_are_coloured_and_stand_apart(sit_down: SitDown, names: list[str]) -> None:
+    """In the sentence, and in the drawing of the legs, where no name touches another one or the edge."""
+    old = [line.split(":")[0].strip() for line in LONG.splitlines() if line.startswith("  ") and ": " in line]
+    text = LONG
+    for before, after in zip(old, names, strict=True):
+        text = text.replace(before, f'"{after}"')
+    desk = sit_down(viewport={"width": 320, "height": 800}).visit()
+    desk.run("text => gcrules.open({kind: 'file', text, name: 'names.yaml'})", text)
+    desk.answered()
+    drawing = desk.step("structure").locator("svg.schematic")
+    desk.painted()
+    frame, boxes = drawing.bounding_box(), [one.bounding_box() for one in drawing.locator("text").all()]
+    assert len(boxes) == 6
+    for start, size in SIDES:
+        end = frame[start] + frame[size]
+        assert all(frame[start] <= box[start] and box[start] + box[size] <= end for box in boxes)
+    assert touching(boxes) == []
+    words = desk.step("statement").locator(".sentence .entity-word").all()
+    assert len({word.evaluate("e => getComputedStyle(e).color") for word in words}) == len(words) == 4
+    assert all(word.locator(".pt").count() == 3 for word in words)
+
+
 @pytest.mark.parametrize(("width", "scheme"), [(390, "light"), (320, "dark")])
 def test_on_a_phone_the_panel_comes_first_and_nothing_is_cut_off(sit_down: SitDown, width: int, scheme: str) -> None:
     desk = sit_down(viewport={"width": width, "height": 740}, color_scheme=scheme).visit()
@@ -166,6 +211,35 @@ def test_a_wide_window_gives_its_width_to_the_picture(sit_down: SitDown) -> None
     assert desk.page.locator(".side").bounding_box()["width"] > 1500
     left, right = (desk.page.locator(f".pose-panel > {part}").bounding_box() for part in (".verdict", ".tabbed"))
     assert right["x"] > left["x"] + left["width"]
+
+
+@pytest.mark.parametrize("width", [320, 1280])
+def test_numbers_at_plots_stand_apart(sit_down: SitDown, width: int) -> None:
+    """Also where a path ends far away, so that its axes have long numbers."""
+    desk = sit_down(viewport={"width": width, "height": 800}).visit().open("example", "octahedral")
+    desk.one("panel-motion").click()
+    desk.one("path-to").fill("x=123456, z=-0.0004")
+    desk.one("path-go").click()
+    numbers = desk.page.locator(".plot svg text")
+    numbers.first.wait_for()
+    assert numbers.count() > 4
+    assert touching([one.bounding_box() for one in numbers.all()]) == []
+
+
+def test_nothing_moves_when_the_gallery_is_searched(chromium: Any, server: Server) -> None:
+    """Few cards need no scroll bar, and its place stays."""
+    barred = chromium.browser_type.launch(
+        executable_path=find_browser(), args=list(ARGS), ignore_default_args=["--hide-scrollbars"]
+    )
+    desk = Desk(barred.new_page(viewport={"width": 1920, "height": 1080}), server).visit()
+    search = desk.one("gallery-search")
+    desk.page.locator(".card").first.wait_for()
+    before = search.bounding_box()
+    for words in ("o", "octahedral", "nothing of this name"):
+        search.fill(words)
+        desk.painted()
+        assert search.bounding_box() == before, words
+    barred.close()
 
 
 @pytest.mark.parametrize("scheme", ["light", "dark"])

@@ -10,21 +10,27 @@ from html import escape
 from math import cos, pi, radians, sin
 
 from gcrules.algebra.structure import Structure
+from gcrules.core.dataclass import dataclass
 from gcrules.views.drawing.drawing import XY, name_runs
-from gcrules.views.drawing.graph import layered_order, ring_order
+from gcrules.views.drawing.graph import layered_order, ring_order, shortened, widest_name
 from gcrules.views.drawing.legend import convex_hull
 
 __all__ = ["schematic", "sketch"]
 
 _GAP, _ROWS, _MARGIN = 64.0, 118.0, 30.0
 _RING = 74.0
+_LINE, _APART = 17.0, 12.0  # of names: from line to line, and beside each other
 
 
 def schematic(s: Structure) -> str:
-    """The legs between a row of base joints and a row of platform joints; elements carry `data-point`, `data-leg`."""
-    at = _places(s)
-    width = max(x for x, _ in at.values()) + _MARGIN
-    height = max(y for _, y in at.values()) + _MARGIN
+    """The legs between a row of base joints and a row of platform joints; elements carry `data-point`, `data-leg`.
+
+    Long names are drawn without their middle, in two lines by turns where one has no room for them.
+    """
+    names = _Names(widest_name(s.names), _layered(s))
+    at = _places(s, names)
+    width = max(x for x, _ in at.values()) + names.beside
+    height = max(y for _, y in at.values()) + names.above
     parts = [
         f'<line class="leg" data-leg="{escape(a + b)}" data-ends="{escape(f"{a} {b}")}" '
         f'x1="{at[a][0]:.1f}" y1="{at[a][1]:.1f}" x2="{at[b][0]:.1f}" y2="{at[b][1]:.1f}"/>'
@@ -34,12 +40,13 @@ def schematic(s: Structure) -> str:
     for name, (x, y) in at.items():
         side = s.sides.get(name, "none")
         below = y > middle if s.base else y >= middle
-        label = y + (21 if below else -12)
+        further = _LINE * names.lines_by_turns * (sum(at[n] < (x, y) for n in at if at[n][1] == y) % 2)
+        label = y + (21 + further if below else -12 - further)
         parts.append(
             f'<g class="joint {side}" data-point="{escape(name)}" tabindex="0" role="button"'
             f' aria-label="{escape(f"joint {name}")}"><circle class="hit" cx="{x:.1f}" cy="{y:.1f}" r="14"/>'
             f'<circle cx="{x:.1f}" cy="{y:.1f}" r="5.5"/>'
-            f'<text x="{x:.1f}" y="{label:.1f}" text-anchor="middle">{_label(name)}</text></g>'
+            f'<text x="{x:.1f}" y="{label:.1f}" text-anchor="middle">{_label(shortened(name))}</text></g>'
         )
     title = escape(f"Legs {s.text()}")
     return (
@@ -48,20 +55,52 @@ def schematic(s: Structure) -> str:
     )
 
 
-def _places(s: Structure) -> dict[str, XY]:
-    legs = s.joined
-    layered = bool(legs) and all({s.sides.get(a), s.sides.get(b)} == {"base", "platform"} for a, b in legs)
-    if not layered:
-        names = ring_order(legs)
-        angles = [2 * pi * i / len(names) - pi / 2 for i in range(len(names))]
-        middle = _RING + _MARGIN
-        return {n: (middle + _RING * cos(a), middle + _RING * sin(a)) for n, a in zip(names, angles, strict=True)}
-    lower, upper = layered_order(legs, s.base, s.platform)
-    width = _GAP * max(len(lower), len(upper), 4)
+@dataclass(frozen=True)
+class _Names:
+    """What room the names of joints take that are `wide`, in rows or on a ring."""
+
+    wide: float
+    rows: bool
+
+    @property
+    def lines_by_turns(self) -> bool:
+        """Whether neighbours in a row have their names in different lines."""
+        return self.rows and self.wide > _GAP
+
+    @property
+    def gap(self) -> float:
+        """From joint to joint."""
+        return max(_GAP, (self.wide + _APART) / 2)
+
+    @property
+    def beside(self) -> float:
+        """From the outermost joint to the edge."""
+        return max(_MARGIN, self.wide / 2 + 4)
+
+    @property
+    def above(self) -> float:
+        return _MARGIN + _LINE * self.lines_by_turns
+
+
+def _layered(s: Structure) -> bool:
+    """Whether each leg runs from the base to the platform."""
+    return bool(s.joined) and all({s.sides.get(a), s.sides.get(b)} == {"base", "platform"} for a, b in s.joined)
+
+
+def _places(s: Structure, names: _Names) -> dict[str, XY]:
+    if not names.rows:
+        ring = ring_order(s.joined)
+        radius = max(_RING, names.wide)
+        angles = [2 * pi * i / len(ring) - pi / 2 for i in range(len(ring))]
+        x, y = radius + names.beside, radius + _MARGIN
+        return {n: (x + radius * cos(a), y + radius * sin(a)) for n, a in zip(ring, angles, strict=True)}
+    lower, upper = layered_order(s.joined, s.base, s.platform)
+    width = names.gap * max(len(lower), len(upper), 4)
+    first = max(_MARGIN / 2, names.beside - width / max(len(lower), len(upper)) / 2)
     at: dict[str, XY] = {}
-    for row, y in ((upper, _MARGIN), (lower, _MARGIN + _ROWS)):
+    for row, y in ((upper, names.above), (lower, names.above + _ROWS)):
         gap = width / len(row)
-        at |= {n: (gap * (i + 0.5) + _MARGIN / 2, y) for i, n in enumerate(row)}
+        at |= {n: (gap * (i + 0.5) + first, y) for i, n in enumerate(row)}
     return at
 
 

@@ -12,7 +12,15 @@ from gcrules.views.drawing.labels import Label, place_labels
 from gcrules.views.drawing.legend import ROW, EntityLike, entity_entries, legend, legend_width, rounded
 from gcrules.views.drawing.palette import entity_role
 
-__all__ = ["Legs", "count_crossings", "draw_graph", "layered_order", "ring_order"]
+__all__ = [
+    "Legs",
+    "count_crossings",
+    "draw_graph",
+    "layered_order",
+    "ring_order",
+    "shortened",
+    "widest_name",
+]
 
 Legs = Sequence[tuple[str, str]]
 
@@ -44,7 +52,7 @@ def draw_graph(
     layered = bool(legs) and all((a in base) != (b in base) and (a in platform) != (b in platform) for a, b in legs)
     at = _rows(legs, base, platform) if layered else _circle(legs)
     xs, ys = [x for x, _ in at.values()], [y for _, y in at.values()]
-    margin = max(_MARGIN, _widest(at) / 2 + 6)
+    margin = max(_MARGIN, widest_name(at) / 2 + 6)
     left = margin + (46 if layered else 0)
     shift = (left - min(xs), _MARGIN - min(ys))
     at = {name: (x + shift[0], y + shift[1]) for name, (x, y) in at.items()}
@@ -132,7 +140,7 @@ def _follow(legs: Legs, order: tuple[str, ...], others: Sequence[str]) -> tuple[
 def _rows(legs: Legs, base: Sequence[str], platform: Sequence[str]) -> dict[str, XY]:
     lower, upper = layered_order(legs, base, platform)
     count = max(len(lower), len(upper))
-    width = max(max(_SPACING, _widest((*lower, *upper)) + _APART) * count, _LEAST_WIDTH)
+    width = max(max(_SPACING, widest_name((*lower, *upper)) + _APART) * count, _LEAST_WIDTH)
     at = {}
     for row, y in ((lower, _HEIGHT), (upper, 0.0)):
         gap = width / len(row)
@@ -141,15 +149,15 @@ def _rows(legs: Legs, base: Sequence[str], platform: Sequence[str]) -> dict[str,
     return at
 
 
-def _widest(names: Iterable[str]) -> float:
-    """The width of the longest of the names, as they are drawn."""
-    return max((text_width(Text((0, 0), name_runs(_shortened(name)), _NAMES)) for name in names), default=0.0)
+def widest_name(names: Iterable[str]) -> float:
+    """The width of the longest of the names, as they are drawn: each without its middle if it is long."""
+    return max((text_width(Text((0, 0), name_runs(shortened(name)), _NAMES)) for name in names), default=0.0)
 
 
-def _shortened(name: str) -> str:
+def shortened(name: str) -> str:
     """A long name without its middle.
 
-    >>> _shortened("left_front_corner_of_the_base")
+    >>> shortened("left_front_corner_of_the_base")
     'left_fr…e_base'
     """
     half = _LONGEST // 2
@@ -192,7 +200,7 @@ def _labels(at: Mapping[str, XY], legs: Legs, layered: bool, areas: bool) -> lis
     labels = []
     for name, (x, y) in at.items():
         toward = (0.0, y - middle[1]) if layered else (x - middle[0], y - middle[1])
-        labels.append(Label(name_runs(_shortened(name)), (x, y), toward, _AREA if areas else _JOINT + 2, _NAMES))
+        labels.append(Label(name_runs(shortened(name)), (x, y), toward, _AREA if areas else _JOINT + 2, _NAMES))
     return place_labels(labels, discs=[(xy, _JOINT) for xy in at.values()], strokes=[(at[a], at[b]) for a, b in legs])
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from gcrules.algebra.expr import Expr, Join, Meet, Point
+from gcrules.algebra.language.notation import Row
 from gcrules.conditions.analysis import Analysis
 from gcrules.conditions.gained_motion import factors
 from gcrules.core.dataclass import dataclass
@@ -25,9 +26,8 @@ class DrawnIncidence:
 
 
 def entity_label(names: Sequence[str]) -> str:
-    """The points of an entity side by side, words set apart."""
-    gap = "" if all(len(n.rstrip("*'")) <= 2 for n in names) else " "
-    return gap.join(names)
+    """The points of an entity side by side, words set apart, as in sentences."""
+    return (" " if Row(tuple(n.rstrip("*") for n in names)).words else "").join(names)
 
 
 def entity_data(e: Entity, colour: int) -> EntityView:

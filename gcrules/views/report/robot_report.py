@@ -19,6 +19,7 @@ from gcrules.poses.limbs.pose_report import report_of_limbs
 from gcrules.poses.limbs.singular_members import live_parts
 from gcrules.views.drawing.bsp import XYZ
 from gcrules.views.drawing.figures import graph_figure
+from gcrules.views.drawing.scene_parts import entity_label
 from gcrules.views.drawing.solids import flat_normal
 from gcrules.views.formulas.terms import formula_html
 from gcrules.views.report.items import Formula
@@ -119,8 +120,8 @@ def robot_scene(a: RobotAnalysis) -> SceneData:
                 "id": f"e{i}",
                 "kind": e.kind,
                 "points": list(e.points),
-                "label": "".join(e.points),
-                "starred": "".join(e.points),
+                "label": entity_label(e.points),
+                "starred": entity_label(e.points),
                 "colour": _colour(a, e, i),
             }
             for i, e in enumerate(found)
@@ -157,7 +158,7 @@ def _far_plane(a: RobotAnalysis, e: DrawnFlat, colour: int, size: float) -> Plan
         return None
     offset = sum(n * c for n, c in zip(normal, finite[0], strict=True))
     return {
-        "label": "".join(e.points),
+        "label": entity_label(e.points),
         "normal": list(normal),
         "offset": offset,
         "through": corners,

@@ -35,4 +35,4 @@ export function PointNames({ label }: { label: string }) {
 }
 
 export const letters = (label: string): string[] =>
-  label.includes(" ") ? label.split(/( )/) : (label.match(/[A-Za-z]\d*'*\**|[^A-Za-z]/g) ?? [label]);
+  label.includes(" ") ? label.split(/( )/) : (label.match(/[A-Za-z](?:_?\d+)?'*\**|[^A-Za-z]/g) ?? [label]);
