@@ -139,6 +139,36 @@ def test_a_link_that_inflates_to_megabytes_opens_nothing_and_that_is_said(sit_do
     assert desk.one("unread").count() == 0
 
 
+CLASS = {"kind": "class", "id": "3-3.3"}
+HOSTILE = {
+    "no base64": ("#s=%%%%", True),
+    "no JSON": ("#s=e3t7", True),
+    "nested": ("#s=" + base64.urlsafe_b64encode(b"[" * 200_000).decode(), True),
+    "nothing deflated": ("#z=AAAA", True),
+    "a source that is a list": (fragment({"source": [1]}), True),
+    "an unknown kind": (fragment({"source": {"kind": "evil", "id": "x"}}), True),
+    "a path": (fragment({"source": {"kind": "robot", "id": "../../etc/passwd"}}), False),
+    "a script": (fragment({"source": {"kind": "file", "name": "<img src=x onerror=alert(1)>", "text": "<b>"}}), False),
+    "no turn": (fragment({"source": CLASS, "pose": {"translation": [0, 0, 0], "quaternion": [0, 0, 0, 0]}}), False),
+    "other types": (fragment({"source": CLASS, "panel": 7, "bench": {"x": 1}, "notes": 3, "threshold": []}), False),
+}
+"""Links of strangers, and whether the page says that they cannot be read."""
+
+
+def test_hostile_links_are_refused_or_open_what_is_sound(sit_down: SitDown) -> None:
+    desk = sit_down()
+    asked: list[str] = []
+    desk.page.on("dialog", lambda dialog: (asked.append(dialog.message), dialog.dismiss()))
+    for what, (link, refused) in HOSTILE.items():
+        desk.page.goto("about:blank")
+        desk.visit(link)
+        assert desk.one("unread").count() == refused, what
+        desk.page.wait_for_function("() => ['none', 'ready', 'failed'].includes(gcrules.loaded.value.state)")
+        assert desk.run("gcrules.loaded.value.state === 'ready'") == ("3-3.3" in str(desk.run("gcrules.source$.value")))
+        assert desk.page.locator("img[src=x]").count() == 0
+    assert asked == []
+
+
 # --- names, sizes, colours -----------------------------------------------------------------------------------------
 
 
