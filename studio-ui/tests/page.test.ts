@@ -27,8 +27,8 @@ import { latest } from "../src/page/net/latest";
 import { openClient } from "../src/page/net/client";
 import { openEngine } from "../src/page/net/engine";
 import { differing, inWords as poseInWords, spanned } from "../src/page/lib/pose-words";
-import { driven, liesBetween, type Driven } from "../src/page/lib/way";
-import { moved as shifted, poseAt } from "../src/page/state/timeline";
+import { driven, lastPassed, liesBetween, poseAt, type Driven } from "../src/page/lib/way";
+import { moved as shifted } from "../src/page/state/timeline";
 import { fileAt, seenAt, snapped } from "../src/page/state/joint-places";
 import { placeOf } from "../src/page/shell/warning-place";
 import { isDrawn, modelOf } from "../src/viewer/model";
@@ -37,7 +37,7 @@ import { contrast, legible, ROLES } from "../src/viewer/palette";
 import { sideBySide } from "../src/viewer/names";
 import { rotationVector } from "../src/viewer/pose";
 import { MOST_WAYPOINTS } from "../src/protocol";
-import type { Axis, Entity, GalleryItem, Numbers, Pose, Study, SurfaceAnswer, Vec3 } from "../src/protocol";
+import type { Axis, Entity, GalleryItem, Numbers, PathPlace, Pose, Study, SurfaceAnswer, Vec3 } from "../src/protocol";
 
 const GRID = [-180, -135, -90, -37, 0, 12.5, 90, 179, 180];
 const TURNED: Pose = { translation: [1, -2, 3.5], quaternion: [0.5, 0.5, -0.5, 0.5], coordinates: [0.25] };
@@ -356,6 +356,13 @@ test("waypoints change places, and the way is led between its samples", () => {
   assert.deepEqual(poseAt({ samples }, 0.25)?.translation, [5, 0, 0]);
   assert.deepEqual(poseAt({ samples }, 0)?.translation, [0, 0, 0]);
   assert.equal(poseAt({ samples }, 0.75), null);
+});
+
+test("what is passed last between two places of a way, forth and back", () => {
+  const places = [0.2, 0.5, 0.9].map((parameter) => ({ parameter }) as PathPlace);
+  const last = (from: number, to: number) => lastPassed(places, from, to)?.parameter ?? null;
+  assert.deepEqual([last(0, 1), last(1, 0), last(0, 0.6), last(0.6, 0)], [0.9, 0.2, 0.5, 0.2]);
+  assert.deepEqual([last(0.3, 0.4), last(0.4, 0.3), last(0.3, 0.5)], [null, null, 0.5]);
 });
 
 test("words in the colours of entities can be read, and keep a colour that can be", () => {

@@ -173,10 +173,73 @@ def test_a_table_goes_out_and_comes_in(desk: Desk, tmp_path: Path) -> None:
     desk.page.wait_for_selector(PROVED)
     same = gc.path(FILE, EXAMPLES / "path.csv")
     assert desk.page.get_by_test_id("way-mark").count() == len(same.zeros)
-    bad = tmp_path / "bad.csv"
-    bad.write_text("x, y, z\n1, 2, three\n", encoding="utf-8")
-    desk.one("way-file").set_input_files(bad)
-    assert "three" in desk.text("fault")
+
+
+TABLES = {
+    "a word for a number": ("x, y, z\n0, 0, 0\n1, 2, three\n", "found 'three'", "line 3"),
+    "a row too short": ("x, y, z\n0, 0\n0, 0, 1\n", "2 values", "line 2"),
+    "another table": ("a, b\n1, 2\n", "names no columns of poses", "line 1"),
+    "an empty file": ("", "there are no poses: the file is empty", None),
+    "a single pose": ("x, y, z\n0, 0, 0\n", "two poses or more, found 1", None),
+}
+
+
+def test_a_table_at_fault_is_told_with_its_line_and_changes_nothing(desk: Desk, tmp_path: Path) -> None:
+    drive(desk, -100)
+    before = stops(desk)
+    table = tmp_path / "way.csv"
+    for name, (text, words, line) in TABLES.items():
+        table.write_text(text, encoding="utf-8")
+        desk.one("way-file").set_input_files(table)
+        fault = desk.page.locator("[data-testid=fault]", has_text=words)
+        fault.wait_for()
+        places = [place.get_attribute("aria-label") for place in fault.locator("pre").all()]
+        assert places == ([line] if line else []), name
+        assert stops(desk) == before, name
+    table.write_text("x, y, z, speed\n0, 0, 0, 3\n0, 0, -100, 3\n", encoding="utf-8")
+    desk.one("way-file").set_input_files(table)
+    desk.page.wait_for_function("() => gcrules.timeline.given.value")
+    assert desk.text("way-note") == "columns left out: speed"
+    assert desk.page.get_by_test_id("fault").count() == 0
+
+
+def test_each_crossing_of_a_given_way_is_told_and_again_where_it_is_led_past(desk: Desk, tmp_path: Path) -> None:
+    """Of a table, as of a way that was driven; by keys and when it is played."""
+    table = tmp_path / "down.csv"
+    table.write_text("x, y, z\n0, 0, 0\n0, 0, -200\n0, 0, -490\n", encoding="utf-8")
+    desk.one("way-file").set_input_files(table)
+    desk.page.wait_for_selector("[data-testid=crossed][data-proved=true]")
+    assert "through 3 singular poses, proved; the last at z = \N{MINUS SIGN}408.99 mm." in desk.text("crossed")
+    desk.one("crossed-close").click()
+    assert desk.page.get_by_test_id("crossed").count() == 0
+    desk.one("way-lead").press("Home")
+    for _ in range(16):  # a tenth of the way each time
+        desk.page.keyboard.press("PageUp")
+        if desk.page.get_by_test_id("crossed").count():
+            break
+    at = desk.pose["translation"][2]
+    assert -409 < at < -350
+    last = "353.76" if at < -353.8 else "350"
+    assert f"through a singular pose, proved at z = \N{MINUS SIGN}{last} mm." in desk.text("crossed")
+    assert "The planes abc, aef, bdf and cde meet in a point" in desk.text("crossed")
+    desk.one("crossed-close").click()
+    desk.one("way-speed").select_option("4")
+    desk.one("way-play").click()
+    desk.page.wait_for_function("() => gcrules.timeline.at.value === 2 && !gcrules.timeline.playing.value")
+    assert "\N{MINUS SIGN}408.99 mm." in desk.text("crossed")
+
+
+def test_on_a_phone_a_crossing_is_told_where_the_slider_is_seen(sit_down: Callable[..., Desk]) -> None:
+    """The picture is far above it there."""
+    desk = sit_down(viewport={"width": 390, "height": 844}).visit().open("example", "octahedral")
+    slider = desk.one("slider-z")
+    slider.evaluate("e => e.scrollIntoView({block: 'center'})")
+    drive(desk, -340, -352)
+    told = desk.page.wait_for_selector("[data-testid=crossed]").bounding_box()
+    at = slider.bounding_box()
+    assert at["y"] + at["height"] <= told["y"]
+    assert told["x"] >= 0 and told["x"] + told["width"] <= 390
+    assert told["y"] + told["height"] <= 844
 
 
 def test_a_robot_of_joints_has_a_way_too(desk: Desk) -> None:

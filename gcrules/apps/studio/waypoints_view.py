@@ -28,6 +28,8 @@ def waypoints_view(subject: Subject, poses: Sequence[PoseJson] | None, table: st
     m = subject.mechanism
     if table is not None:
         found, notes = method(_READERS, m, "a table of poses")(table)
+        if len(found) < 2:
+            raise InputError(f"a way needs two poses or more, found {len(found)}")
     elif poses is not None:
         found, notes = list(poses), ()
     else:

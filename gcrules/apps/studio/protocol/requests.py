@@ -213,7 +213,7 @@ class WaypointsArgs(TypedDict):
 
     source: SourceJson
     poses: NotRequired[Annotated[list[PoseJson], EntryCount(1, MOST_WAYPOINTS)]]
-    table: NotRequired[Annotated[str, text(LONGEST_FILE)]]
+    table: NotRequired[Annotated[str, text(LONGEST_FILE, empty=True)]]
 
 
 class MapArgs(TypedDict):

@@ -1,5 +1,5 @@
-// A way that is driven, as the fewest poses that it leads straight through.
-import type { Pose } from "../../protocol";
+// A way that is driven, as the fewest poses that it leads straight through; a way that is proved, by its parameter.
+import type { PathAnswer, PathPlace, Pose } from "../../protocol";
 import { between } from "./rotation";
 import { samePose } from "../state/doc";
 
@@ -41,4 +41,20 @@ export function driven({ stops, passed }: Driven, pose: Pose, scales: Scales, mo
   if (before && all.length <= MOST_PASSED && all.every((p) => liesBetween(before, pose, p, scales)))
     return { stops: [...stops.slice(0, -1), pose], passed: all };
   return { stops: [...stops, pose].slice(-most), passed: [] };
+}
+
+/** The pose at a parameter, between the samples whose poses are known; null where they are not. */
+export function poseAt({ samples }: Pick<PathAnswer, "samples">, parameter: number): Pose | null {
+  const after = samples.findIndex((s) => s.parameter >= parameter);
+  const [b, a] = [samples[after < 0 ? samples.length - 1 : after], samples[Math.max((after < 0 ? samples.length : after) - 1, 0)]];
+  if (!a?.pose || !b?.pose) return null;
+  const span = b.parameter - a.parameter;
+  return span > 0 ? between(a.pose, b.pose, Math.min(Math.max((parameter - a.parameter) / span, 0), 1)) : b.pose;
+}
+
+/** The last singular pose on the way from a parameter to another one, forth or back. */
+export function lastPassed(places: readonly PathPlace[], from: number, to: number): PathPlace | null {
+  const [low, high] = [Math.min(from, to), Math.max(from, to)];
+  const between = places.filter(({ parameter }) => low <= parameter && parameter <= high);
+  return (to < from ? between[0] : between.at(-1)) ?? null;
 }

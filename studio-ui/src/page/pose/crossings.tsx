@@ -5,7 +5,7 @@ import { differing, spanned } from "../lib/pose-words";
 import { useStore } from "../parts/context";
 import { Icon } from "../parts/icon";
 import { Prose } from "../parts/prose";
-import { poseAt } from "../state/timeline";
+import { poseAt } from "../lib/way";
 
 const ICONS = { regular: "ok", close: "warn", singular: "stop" } as const;
 
@@ -54,13 +54,15 @@ function named(proof: PathAnswer, parameter: number, robot: Study): string {
   return words || `parameter ${short(parameter, 5)}`;
 }
 
-/** At once, from the signs of the factors; then what the proof of the way says. It stands below the picture, not on it. */
+/** At once, from the signs of the factors; then what the proof of the way says, and while the robot is led along it, what it comes
+ * past. It stands below the picture, not on it, and on a phone at the foot of the window, where it is seen from each slider. */
 export function CrossingAlert() {
   const { timeline, study, posing } = useStore();
   const [seen, proof, shown] = [timeline.crossing.value, timeline.proof.value, study.value];
   const warned = posing.numbers.value?.verdict === "singular"; // the warning over the picture says why
-  if (!shown || warned || timeline.playing.value) return null;
-  const places = timeline.given.value || timeline.known.value ? [] : (proof?.places ?? []);
+  if (!shown || warned) return null;
+  const met = timeline.met.value;
+  const places = met ? [met] : timeline.known.value ? [] : (proof?.places ?? []);
   if (!seen && places.length === 0) return null;
   const last = places.at(-1);
   const between = seen && spanned(seen.from, seen.to, shown);

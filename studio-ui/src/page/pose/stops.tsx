@@ -110,7 +110,7 @@ function Tables() {
           if (text !== undefined) await timeline.read(text);
         }}
       />
-      <button type="button" class="small" data-testid="way-save" disabled={timeline.stops.value.length === 0} onClick={() => void write()}>
+      <button type="button" class="small" data-testid="way-save" disabled={timeline.stops.value.length < 2} onClick={() => void write()}>
         Save CSV
       </button>
     </>

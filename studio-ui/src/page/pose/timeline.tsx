@@ -26,7 +26,12 @@ export function Timeline() {
       {proof ? <ProvedChart proof={proof} /> : <PassedChart />}
       <Player />
       <Stops />
-      {timeline.fault.value && <FaultBox fault={timeline.fault.value} />}
+      {timeline.fault.value && <FaultBox fault={timeline.fault.value} {...(timeline.tableRead.value && { text: timeline.tableRead.value })} />}
+      {timeline.notes.value.map((note) => (
+        <p key={note} class="tip" role="status" data-testid="way-note">
+          {note}
+        </p>
+      ))}
       <State />
       {proof && <Crossings proof={proof} />}
     </figure>

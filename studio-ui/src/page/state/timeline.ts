@@ -1,8 +1,7 @@
 // The way that was driven, or that is given by waypoints: proved as soon as the hand rests, and led along.
 import { computed, effect, signal, untracked, type ReadonlySignal, type Signal } from "@preact/signals";
 import { MOST_WAYPOINTS, type Fault, type Numbers, type PathAnswer, type PathPlace, type Pose, type Sign, type Source } from "../../protocol";
-import { driven, type Driven, type Scales } from "../lib/way";
-import { between } from "../lib/rotation";
+import { driven, lastPassed, poseAt, type Driven, type Scales } from "../lib/way";
 import type { Client } from "../net/client";
 import { latest } from "../net/latest";
 import { samePose, sameSource } from "./doc";
@@ -29,6 +28,8 @@ export interface Timeline {
   place: ReadonlySignal<PathPlace | null>;
   /** The last crossing that was seen while driving; the proof tells all. */
   crossing: Signal<Crossing | null>;
+  /** The singular pose over which the robot was led last along the way as it is; null once it is put away. */
+  met: ReadonlySignal<PathPlace | null>;
   /** The crossings that were told have been read. */
   known: ReadonlySignal<boolean>;
   acknowledge(): void;
@@ -38,6 +39,10 @@ export interface Timeline {
   loop: Signal<boolean>;
   speed: Signal<number>;
   fault: ReadonlySignal<Fault | null>;
+  /** The table that was read last: a place of the fault is in it. */
+  tableRead: ReadonlySignal<string | undefined>;
+  /** What was left out or changed of it. */
+  notes: ReadonlySignal<readonly string[]>;
   lead(parameter: number): void;
   play(): void;
   pause(): void;
@@ -81,6 +86,9 @@ export function createTimeline(client: Client, editing: Editing, studying: Study
   const loop = signal(false);
   const speed = signal(1);
   const fault = signal<Fault | null>(null);
+  const tableRead = signal<string | undefined>(undefined);
+  const notes = signal<readonly string[]>([]);
+  const passing = signal<{ proof: PathAnswer; place: PathPlace } | null>(null);
   const runner = createRunner(client, editing, "path", "Proving the way", "timeline");
   const stops = computed(() => (given.value ? way$.value : driven$.value));
   const held = signal<number | null>(null);
@@ -97,6 +105,7 @@ export function createTimeline(client: Client, editing: Editing, studying: Study
     const [found, pose] = [proof.value, pose$.value];
     return found?.places.find(({ parameter }) => isAt(found, parameter, pose)) ?? null;
   });
+  const met = computed(() => (passing.value && passing.value.proof === proof.value ? passing.value.place : null));
   let leads = false; // the pose changes because the way is led along
   let led: Pose | null = null; // where the robot was led to, away from the end of the way
   let wasNamed = false;
@@ -111,6 +120,7 @@ export function createTimeline(client: Client, editing: Editing, studying: Study
 
   function name(list: readonly Pose[], key?: string): void {
     crossing.value = null;
+    notes.value = [];
     edit({ way: list.slice(0, MOST_WAYPOINTS) }, key);
     at.value = Math.min(at.peek(), Math.max(list.length - 1, 0));
   }
@@ -121,6 +131,7 @@ export function createTimeline(client: Client, editing: Editing, studying: Study
     led = null;
     crossing.value = null;
     fault.value = null;
+    notes.value = [];
     at.value = 0;
     held.value = null;
     passed = [];
@@ -137,6 +148,7 @@ export function createTimeline(client: Client, editing: Editing, studying: Study
       passed = [];
       crossing.value = null;
       fault.value = null;
+      notes.value = [];
       held.value = null;
       const last = driven$.peek().at(-1);
       if (last && !samePose(last, pose$.peek())) drive([]);
@@ -208,7 +220,9 @@ export function createTimeline(client: Client, editing: Editing, studying: Study
   function lead(parameter: number): void {
     const found = proof.peek();
     const pose = found && poseAt(found, parameter);
-    if (!pose) return;
+    if (!found || !pose) return;
+    const place = lastPassed(found.places, at.peek(), parameter);
+    if (place) passing.value = { proof: found, place };
     at.value = parameter;
     led = !given.peek() && parameter < found.end ? pose : null;
     leads = true;
@@ -222,18 +236,24 @@ export function createTimeline(client: Client, editing: Editing, studying: Study
     playing.value = false;
   }
 
+  function begins(): void {
+    at.value = 0;
+    passing.value = null;
+  }
+
   function play(): void {
     const found = proof.peek();
     if (!found) return;
     pause();
     playing.value = true;
-    if (at.peek() >= found.end - 1e-9) at.value = 0;
+    if (at.peek() >= found.end - 1e-9) begins();
     let last = performance.now();
     const step = (now: number): void => {
       const { end } = found;
       if (proof.peek() !== found) return pause();
       const next = at.peek() + (Math.max(now - last, 0) * speed.peek() * end) / LASTS;
       last = now;
+      if (next >= end && loop.peek()) begins();
       lead(next < end ? next : loop.peek() ? next % end : end);
       if (next >= end && !loop.peek()) return pause();
       frame = requestAnimationFrame(step);
@@ -279,6 +299,7 @@ export function createTimeline(client: Client, editing: Editing, studying: Study
   async function asked(args: { poses: Pose[] } | { table: string }) {
     const source = source$.peek();
     fault.value = null;
+    tableRead.value = "table" in args ? args.table : undefined;
     if (!source) return null;
     try {
       const found = await client.ask("waypoints", { source, ...args }, { channel: "waypoints" });
@@ -297,16 +318,20 @@ export function createTimeline(client: Client, editing: Editing, studying: Study
     proof,
     place,
     crossing,
+    met,
     known,
     acknowledge() {
       known.value = true;
       crossing.value = null;
+      passing.value = null;
     },
     at,
     playing,
     loop,
     speed,
     fault,
+    tableRead,
+    notes,
     lead,
     play,
     pause,
@@ -343,7 +368,9 @@ export function createTimeline(client: Client, editing: Editing, studying: Study
     take: name,
     async read(table) {
       const found = await asked({ table });
-      if (found) name(found.poses);
+      if (!found) return;
+      name(found.poses);
+      notes.value = found.notes;
     },
     async table() {
       const list = stops.peek();
@@ -356,15 +383,6 @@ export function createTimeline(client: Client, editing: Editing, studying: Study
 export function moved<T>(list: readonly T[], index: number, to: number): T[] {
   const rest = list.filter((_, i) => i !== index);
   return [...rest.slice(0, to), ...list.slice(index, index + 1), ...rest.slice(to)];
-}
-
-/** The pose at a parameter, between the samples whose poses are known; null where they are not. */
-export function poseAt({ samples }: Pick<PathAnswer, "samples">, parameter: number): Pose | null {
-  const after = samples.findIndex((s) => s.parameter >= parameter);
-  const [b, a] = [samples[after < 0 ? samples.length - 1 : after], samples[Math.max((after < 0 ? samples.length : after) - 1, 0)]];
-  if (!a?.pose || !b?.pose) return null;
-  const span = b.parameter - a.parameter;
-  return span > 0 ? between(a.pose, b.pose, Math.min(Math.max((parameter - a.parameter) / span, 0), 1)) : b.pose;
 }
 
 function isAt(found: PathAnswer, parameter: number, pose: Pose): boolean {
