@@ -33,6 +33,7 @@ __all__ = [
     "RecipePoint",
     "RecipeView",
     "SceneData",
+    "SignView",
     "SkeletonView",
     "SpanView",
     "StrokeView",
@@ -277,10 +278,21 @@ class StrokeView(TypedDict):
     """A link, a bar (thinner), a rail or an axis."""
 
 
+class SignView(TypedDict):
+    """A joint where its sign stands, with unit vectors along its axes."""
+
+    kind: str
+    """That of the joint, "carriage" for a slide on a rail, "pin" for a hinge of a parallelogram."""
+    actuated: bool
+    at: Vec3
+    axes: list[Vec3]
+
+
 class SkeletonView(TypedDict):
-    """The links of a robot of joints, and the corners of its bodies, as they are drawn on paper."""
+    """Links, signs of joints and corners of the bodies of a robot of joints, as they are drawn on paper."""
 
     strokes: list[StrokeView]
+    signs: list[SignView]
     platform: list[Vec3]
     base: list[Vec3]
 

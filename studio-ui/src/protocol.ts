@@ -231,9 +231,19 @@ export interface Stroke {
   look: string;
 }
 
-/** The links of a robot of joints, and the corners of its bodies, as they are drawn on paper. */
+/** A joint where its sign stands, with unit vectors along its axes. */
+export interface Sign {
+  /** That of the joint, "carriage" for a slide on a rail, "pin" for a hinge of a parallelogram. */
+  kind: string;
+  actuated: boolean;
+  at: Vec3;
+  axes: Vec3[];
+}
+
+/** Links, signs of joints and corners of the bodies of a robot of joints, as they are drawn on paper. */
 export interface Skeleton {
   strokes: Stroke[];
+  signs: Sign[];
   platform: Vec3[];
   base: Vec3[];
 }

@@ -26,7 +26,7 @@ from gcrules.core.shapes import OneOf
 from gcrules.mechanisms.description.discovery import RobotFile, examples, robots
 from gcrules.mechanisms.description.platform_file import parse_platform
 from gcrules.mechanisms.load import read_robot
-from gcrules.poses.limbs.exact_values import value_at
+from gcrules.poses.limbs.exact_values import lines_at, value_at
 from gcrules.screws.verdict import VERDICTS
 from gcrules.views import scene_data
 from gcrules.views.formulas.latex import latex
@@ -373,7 +373,41 @@ def test_every_robot_has_a_skeleton(one: RobotFile) -> None:
     assert found["strokes"]
     assert found["platform"]
     places = [p for s in found["strokes"] for p in s["ends"]]
+    places += [place for sign in found["signs"] for place in (sign["at"], *sign["axes"])]
     assert all(math.isfinite(c) for p in (*places, *found["platform"], *found["base"]) for c in p)
+    driven = sum(bool(joint.actuated) for limb in robot.limbs for _, joints in limb.parts for joint in joints)
+    assert sum(sign["actuated"] for sign in found["signs"]) >= driven > 0, "a driven joint has no sign"
+
+
+def test_the_signs_of_joints_are_where_paper_has_them(page: Page) -> None:
+    """A first slide on a rail at the joint that it carries, a hinge of a spherical chain on its sphere."""
+    sliding = page.ask("pose", source={"kind": "robot", "id": "orthoglide"}, pose={**HOME, "coordinates": [0.2, 0, 0]})
+    carriages = [sign["at"] for sign in sliding["skeleton"]["signs"] if sign["kind"] == "carriage"]
+    assert carriages == [pytest.approx(sliding["points"][name]) for name in ("A1", "A2", "A3")]
+    turning = page.ask("pose", source={"kind": "robot", "id": "3-rrr-spherical"}, pose=HOME)
+    signs = turning["skeleton"]["signs"]
+    assert len(signs) == 9
+    for sign in signs:
+        arm = [a - b for a, b in zip(sign["at"], turning["points"]["O"], strict=True)]
+        reach = math.hypot(*arm)
+        assert reach > 0.3
+        assert abs(sum(a * c for a, c in zip(arm, sign["axes"][0], strict=True))) == pytest.approx(reach)
+
+
+def test_points_that_the_lines_derive_have_places(page: Page) -> None:
+    """Those of H4 through which planes of its condition go; in exact numbers they are the same."""
+    source = {"kind": "robot", "id": "h4"}
+    opened = page.ask("open", source=source)
+    found = page.ask("pose", source=source, pose=HOME)
+    named = {name for entity in opened["entities"] for name in entity["points"]}
+    assert {"p1", "p2"} <= named
+    assert named <= found["points"].keys() | found["directions"].keys()
+    robot = gc.load("h4")
+    structure = gc.analyze("h4").structure
+    exact = lines_at(robot.family, structure, robot.values_at())
+    for name in named & found["points"].keys():
+        *place, weight = exact[name]
+        assert found["points"][name] == pytest.approx([float(c / weight) for c in place])
 
 
 def test_manual_accepts_and_refuses(page: Page) -> None:

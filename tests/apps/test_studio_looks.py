@@ -367,6 +367,29 @@ def test_a_robot_with_rods_has_them_in_space(sit_down: SitDown) -> None:
     assert drawn.count("<") > bare.count("<") + 15
 
 
+def test_the_driven_slides_of_a_robot_are_drawn(sit_down: SitDown) -> None:
+    """Those that come first in their limbs are carriages on rails; the plane at infinity is said not to be drawn."""
+    desk = sit_down().visit().open("robot", "orthoglide", "statement")
+    desk.page.wait_for_function("() => gcrules.posing.numbers.value.skeleton.signs.length > 0")
+    desk.painted()
+    driven = desk.run("gcrules.space.viewer.value.snapshot('svg')").upper().count("#F5B400")
+    desk.one("layers").click()
+    desk.one("layer-wrenches").click()
+    assert desk.run("gcrules.space.viewer.value.snapshot('svg')").upper().count("#F5B400") == 0 < driven
+    assert desk.page.locator(".legend .chip.far").get_attribute("aria-label") == "plane xyz, at infinity, not drawn"
+
+
+def test_entities_through_derived_points_are_drawn(sit_down: SitDown) -> None:
+    """Planes of H4 go through points in which its lines meet the platform, which no joint has."""
+    desk = sit_down().visit().open("robot", "h4", "statement")
+    desk.page.wait_for_function("() => document.querySelectorAll('.legend .chip').length === 4")
+    desk.page.wait_for_function("() => document.querySelectorAll('.legend .chip.far').length === 0")
+    for entity, name in (("e1", "d1d2p2"), ("e2", "zp1p2")):
+        desk.page.locator(f".legend [data-entity={entity}]").click()  # what is chosen has its name
+        desk.painted()
+        assert name in "".join(desk.text("viewer").split())
+
+
 def test_planes_with_directions_are_drawn(sit_down: SitDown) -> None:
     """Three planes of the 3-RPS robot go through the direction of a hinge each: their names stand in the picture."""
     desk = sit_down().visit().open("robot", "3-rps", "statement")

@@ -238,7 +238,8 @@ def test_on_a_phone_a_crossing_is_told_where_the_slider_is_seen(sit_down: Callab
     told = desk.page.wait_for_selector("[data-testid=crossed]").bounding_box()
     at = slider.bounding_box()
     assert at["y"] + at["height"] <= told["y"]
-    assert told["x"] >= 0 and told["x"] + told["width"] <= 390
+    assert told["x"] >= 0
+    assert told["x"] + told["width"] <= 390
     assert told["y"] + told["height"] <= 844
 
 

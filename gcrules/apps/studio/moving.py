@@ -33,7 +33,7 @@ from gcrules.screws.threshold import DEFAULT, angle_threshold
 from gcrules.views.results.actuators import reaches
 from gcrules.views.results.amplification import actuator_notes
 from gcrules.views.results.singularity_types import in_words
-from gcrules.views.robots.limb_views import limb_views, unit_directions
+from gcrules.views.robots.limb_views import derived_points, limb_views, unit_directions
 from gcrules.views.robots.skeleton import skeleton
 from gcrules.views.scene_data import MotionView
 
@@ -199,7 +199,7 @@ def numbers_of_limbs(limbs: Limbs, subject: Subject, pose: PoseJson, threshold: 
         "pose": pose,
         "freedoms": freedoms_at(limbs.linkage, solution.configuration),
         "platform": displacement(limbs.linkage, solution.configuration.platform, subject.about),
-        "points": {n: values[n] for n in names},
+        "points": {n: values[n] for n in names} | derived_points(robot, values),
         "value": found.margin if value is None else value,
         "margin": found.margin,
         "close": close_margin(found.threshold),

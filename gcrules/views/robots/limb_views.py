@@ -18,11 +18,23 @@ from gcrules.mechanisms.lines.wrenches import LimbWrenches, WrenchLine
 from gcrules.screws import FLOATS, JOINTS
 from gcrules.views.scene_data import JointView, LimbView, LineView, Vec3
 
-__all__ = ["Values", "all_places", "directions", "drawn_parts", "limb_views", "unit_directions", "wrench_words"]
+__all__ = [
+    "Values",
+    "all_places",
+    "derived_points",
+    "directions",
+    "drawn_parts",
+    "limb_views",
+    "unit_directions",
+    "wrench_words",
+]
 
 Floats = NDArray[np.float64]
 Values = Mapping[str, Sequence[float] | Floats]
 """Coordinates of all points and directions of a robot."""
+
+ROUNDING = 1e-12
+"""A point whose last coordinate is so small beside the others is at infinity."""
 
 
 def limb_views(robot: RobotAnalysis, values: Values) -> list[LimbView]:
@@ -77,6 +89,14 @@ def unit_directions(robot: RobotAnalysis, values: Values) -> dict[str, Vec3]:
     places = all_places(robot, values)
     sizes = {n: float(np.linalg.norm(places[n])) for n in sorted(directions(robot)) if n in places}
     return {n: [float(c) / size for c in places[n]] for n, size in sizes.items() if size > 0}
+
+
+def derived_points(robot: RobotAnalysis, values: Values) -> dict[str, Vec3]:
+    """The finite points that the equivalent lines derive, through which entities may go, in a configuration."""
+    own = {n: FLOATS.vector(v) for n, v in values.items()}
+    rows = {n: np.asarray(row, float) for n, row in with_derived(robot.structure.derived, own, FLOATS).items()}
+    points = {d.name: rows[d.name] for d in robot.structure.derived if d.is_point}
+    return {n: _vec(p[:3] / p[3]) for n, p in points.items() if abs(p[3]) > ROUNDING * float(np.linalg.norm(p))}
 
 
 def _sum(term: Term, places: Mapping[str, Floats]) -> Floats:

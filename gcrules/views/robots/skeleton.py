@@ -1,4 +1,4 @@
-r"""The links and bodies of a robot as plain data for a 3D view, as its drawing on paper has them."""
+r"""The links, joints and bodies of a robot as plain data for a 3D view, as its drawing on paper has them."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ __all__ = ["skeleton"]
 
 
 def skeleton(robot: Robot, values: Mapping[str, Sequence[float]]) -> SkeletonView:
-    """Strokes of the limbs and corners of the bodies, where names have these coordinates."""
+    """Strokes of the limbs, signs of their joints and corners of the bodies, where names have these coordinates."""
     unit, made = chains(robot.family, robot.limbs, values)  # type: ignore[arg-type]  # floats do as well
 
     def at(p: XYZ) -> Vec3:
@@ -22,6 +22,11 @@ def skeleton(robot: Robot, values: Mapping[str, Sequence[float]]) -> SkeletonVie
     platform, base = bodies(made)
     return {
         "strokes": [{"ends": [at(r.start), at(r.end)], "look": r.look} for c in made for r in c.strokes],
+        "signs": [
+            {"kind": p.kind, "actuated": p.driven, "at": at(p.at), "axes": [list(u) for u in p.axes]}
+            for c in made
+            for p in c.places
+        ],
         "platform": [at(p) for p in platform],
         "base": [at(p) for p in base],
     }

@@ -15,15 +15,17 @@ export function drawnLimbs(d: Drawing): void {
   skeleton(d);
   for (const limb of d.scene.limbs ?? []) {
     const colour = d.entityColour(limb.colour);
-    if (!d.scene.skeleton) links(d, limb);
-    limb.joints.forEach((joint, i) => jointShape(d, joint, placeOf(limb.joints, i)));
+    if (!d.scene.skeleton) {
+      links(d, limb);
+      limb.joints.forEach((joint, i) => jointShape(d, joint, placeOf(limb.joints, i)));
+    }
     for (const line of limb.lines) wrench(d, limb, line, colour);
   }
 }
 
 const WIDTHS: Record<string, number> = { link: 1, bar: 0.7, rail: 0.5, axis: 0.3 };
 
-/** Links, rods, rails and arcs as on paper; the ends of bars are balls. */
+/** Links, rods, rails and arcs as on paper, and the joints where their signs stand there. */
 function skeleton(d: Drawing): void {
   const { skeleton: found, size } = d.scene;
   for (const { ends, look } of found?.strokes ?? []) {
@@ -31,8 +33,8 @@ function skeleton(d: Drawing): void {
     if (distance(a, b) <= 1e-6 * size) continue;
     const colour = look === "axis" ? d.colour("muted") : d.colour("leg");
     d.rods.push({ a, b, radius: (WIDTHS[look] ?? 1) * SIZES.leg * size, colour, solid: true });
-    if (look === "bar") for (const end of [a, b]) d.ball(end, 0.6 * SIZES.joint * size, d.colour("paper"), d.colour("ink"), 1.3);
   }
+  for (const sign of found?.signs ?? []) jointShape(d, sign, sign.at);
 }
 
 /** Where a joint is drawn: a slide without a place of its own between its neighbours. */
@@ -50,8 +52,8 @@ function links(d: Drawing, limb: Limb): void {
       d.rods.push({ a: places[i - 1]!, b: places[i]!, radius: SIZES.leg * d.scene.size, colour: d.colour("leg"), solid: true });
 }
 
-/** Short bars along the axes of turns, a thick one along a slide, a ball for a spherical joint. */
-function jointShape(d: Drawing, joint: Joint, at: Vec3 | null): void {
+/** Short bars along the axes of turns, a thick one along a slide, a ball for a spherical joint, a ring for a pin. */
+function jointShape(d: Drawing, joint: Pick<Joint, "kind" | "actuated" | "axes">, at: Vec3 | null): void {
   const size = d.scene.size;
   if (!at) return;
   const fill = joint.actuated ? d.colour("drive") : d.pale(d.colour("leg"), 0.25);
@@ -62,6 +64,10 @@ function jointShape(d: Drawing, joint: Joint, at: Vec3 | null): void {
   const kind = joint.kind.replace(/[^A-Za-z]/g, "");
   if (kind === "S") {
     d.ball(at, 0.026 * size, fill, d.colour("ink"), 1.25);
+  } else if (kind === "pin") {
+    d.ball(at, 0.6 * SIZES.joint * size, joint.actuated ? fill : d.colour("paper"), d.colour("ink"), 1.3);
+  } else if (kind === "carriage") {
+    joint.axes.forEach((axis) => bar(axis, 0.085, 0.032));
   } else if (kind === "P") {
     joint.axes.forEach((axis) => bar(axis, 0.075, 0.026));
   } else if (joint.axes.length) {

@@ -18,8 +18,10 @@ export function EntityChip({ entity, named = true, starred = false }: Props) {
   const { kind, id } = entity;
   const label = starred ? entity.starred : entity.label;
   const known = study.value?.entities.some((own) => own.id === id); // others are those of a panel
-  const directions = posing.numbers.value?.directions;
-  const far = known && posing.numbers.value !== null && !isDrawn({ points: study.value!.points, directions }, entity);
+  const numbers = posing.numbers.value;
+  const far = known && numbers !== null && !isDrawn(numbers, entity);
+  const infinite = far && entity.points.every((name) => numbers.directions[name]);
+  const why = infinite ? "at infinity" : "a point of it has no place here";
   const on = lit.current.value?.entity === id;
   return (
     <button
@@ -29,8 +31,8 @@ export function EntityChip({ entity, named = true, starred = false }: Props) {
       data-entity={id}
       data-testid={`entity-${id}`}
       aria-pressed={lit.pinned.value?.entity === id}
-      aria-label={`${kind} ${label}${far ? ", at infinity, not drawn" : ""}`}
-      title={far ? "At infinity: there is nothing of it to be drawn" : undefined}
+      aria-label={`${kind} ${label}${far ? `, ${why}, not drawn` : ""}`}
+      title={infinite ? "At infinity: there is nothing of it to be drawn" : far ? "Not drawn: a point of it has no place in this pose" : undefined}
     >
       <span class={`swatch ${kind}`} aria-hidden="true" />
       {named && <span class="kind">{kind}</span>}
