@@ -29,24 +29,27 @@ _T = TypeVar("_T")
 
 
 @contextmanager
-def limited(seconds: float | None, grace: float = 0.0) -> Iterator[Budget]:
-    """As `within`, with the memory that a command may use, and the net.
+def limited(seconds: float | None, grace: float = 0.0, gigabytes: float | None = None) -> Iterator[Budget]:
+    """As `within`, with the memory that a command may use, or the `gigabytes` that are asked for, and the net.
 
     Raises LimitReached, InputError where GCRULES_MEMORY is no number.
     """
-    with within(seconds, memory=memory_limit(), grace=grace) as budget, _net(budget):
+    with within(seconds, memory=memory_limit(gigabytes), grace=grace) as budget, _net(budget):
         yield budget
 
 
-def paced(items: Iterator[_T], seconds: float | None, *, each: bool = False) -> Iterator[_T]:
-    """The items; all that is done for them together takes no more than `seconds`, or what is done for `each` of them.
+def paced(
+    items: Iterator[_T], seconds: float | None, gigabytes: float | None = None, *, each: bool = False
+) -> Iterator[_T]:
+    """The items; all that is done for them together takes no more than `seconds`, or what is done for `each` of them;
+    and no more than the `gigabytes`.
 
     What is done with them does not count.
     """
     left = seconds
     while True:
         started = monotonic()
-        with limited(left):
+        with limited(left, gigabytes=gigabytes):
             item = next(items, _END)
         if item is _END:
             return

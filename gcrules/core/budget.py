@@ -28,6 +28,7 @@ from gcrules.core.errors import InputError, LimitReached
 from gcrules.core.memory import GIGABYTE, memory_in_use
 
 __all__ = [
+    "MORE_MEMORY",
     "MORE_SECONDS",
     "MORE_TERMS",
     "Budget",
@@ -43,7 +44,7 @@ __all__ = [
 ]
 
 MORE_SECONDS = "give it more time with --seconds (in Python within(seconds=...))"
-MORE_MEMORY = "GCRULES_MEMORY sets the gigabytes that may be used"
+MORE_MEMORY = "GCRULES_MEMORY sets the gigabytes, --memory those of factor and factors (in Python within(memory=...))"
 MORE_TERMS = "raise the limit with --limit (in Python limit=...)"
 
 _T = TypeVar("_T")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from math import inf
 
 from gcrules.core.errors import InputError
 
@@ -24,12 +25,16 @@ def memory_in_use() -> int:
         return 0
 
 
-def memory_limit() -> int | None:
-    """Bytes that a command may use: GCRULES_MEMORY gigabytes, else three quarters of what the machine or container
-    has left; None (no limit) where the variable is 0 or the system does not tell.
+def memory_limit(gigabytes: float | None = None) -> int | None:
+    """Bytes that a command may use: so many gigabytes, else GCRULES_MEMORY of them, else three quarters of what the
+    machine or container has left; None (no limit) where infinity is asked for, the variable is 0, or the system does
+    not tell.
 
     Raises InputError where the variable is no number.
     """
+    if gigabytes is not None:
+        most = gigabytes * GIGABYTE
+        return int(most) if most < inf else None
     asked = os.environ.get(VARIABLE, "").strip()
     if not asked:
         return _share()
@@ -37,7 +42,7 @@ def memory_limit() -> int | None:
         gigabytes = float(asked)
     except ValueError:
         gigabytes = -1.0
-    if not 0 <= gigabytes < float("inf"):
+    if not 0 <= gigabytes < inf:
         raise InputError(f"{VARIABLE} is {asked!r}, expected a number of gigabytes", hint="0 means no limit")
     return int(gigabytes * GIGABYTE) or None
 

@@ -198,6 +198,32 @@ def test_seconds_are_a_number(wrong: str) -> None:
     assert "number of seconds" in done.stderr
 
 
+@pytest.mark.parametrize("command", ["factor", "factors"])
+def test_a_factorization_stops_at_its_memory(command: str) -> None:
+    expression = "[[Aa, Ab, Ba, Bb, Cc, Dd]]"
+    done = run(command, expression, "--memory", "0.001")
+    assert done.exit_code == 3, done.output
+    assert done.stderr.startswith("error: this takes more than 0.001 GB of memory\nhint: ")
+    assert "--memory" in done.stderr
+    assert not done.stdout
+    free = run(command, expression, "--memory", "inf")
+    without = run(command, expression)
+    assert (free.exit_code, free.stdout) == (without.exit_code, without.stdout)
+
+
+@pytest.mark.parametrize("wrong", ["nan", "-1", "much", ""], ids=repr)
+def test_memory_is_a_number(wrong: str) -> None:
+    done = run("factors", "[abcd]", "--memory", wrong)
+    assert done.exit_code == 2
+    assert "number of gigabytes" in done.stderr
+
+
+def test_memory_goes_before_the_variable(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("GCRULES_MEMORY", "0.001")
+    assert run("factors", "[abcd]").exit_code == 3
+    assert run("factors", "[abcd]", "--memory", "1000").exit_code == 0
+
+
 def test_no_limit() -> None:
     assert run("expand", "[abcd]", "--seconds", "inf").stdout == "[abcd]\n"
 
@@ -243,6 +269,13 @@ def test_the_page_lists_the_limits(root: Path) -> None:
 
 
 # --- the prompt ------------------------------------------------------------------------------------------------------
+
+
+def test_each_input_of_the_prompt_has_its_memory() -> None:
+    repl = Interpreter(settings=Settings(unicode=False))
+    *limited, last = [a.text for a in repl.feed(":memory 0.001\n:factors [abcd]\n:memory inf\n:factors [abcd]")][1:]
+    assert limited[0] == "error: this takes more than 0.001 GB of memory\nhint: give it more memory with :memory G"
+    assert "[abcd]" in last
 
 
 def test_each_input_of_the_prompt_has_its_time() -> None:

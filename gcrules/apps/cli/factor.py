@@ -8,7 +8,7 @@ from gcrules.algebra.factoring.factorize import factor as factored
 from gcrules.algebra.factoring.limits import MAX_EXTENSORS, SECONDS
 from gcrules.apps.cli.base import ExpressionCommand
 from gcrules.apps.cli.expressions import searched
-from gcrules.apps.cli.limits import AROUND, limited, time_limit
+from gcrules.apps.cli.limits import AROUND, limited, memory_option, time_limit
 from gcrules.apps.cli.options import SpaceOptions, limit_option, space_options
 from gcrules.apps.cli.output import Output, output_options
 from gcrules.apps.cli.proof_options import ProofOptions, proof_options
@@ -21,6 +21,7 @@ __all__ = ["factor"]
 @click.option("--cofactor", is_flag=True, help="Where there is none, look for one that equals a cofactor times EXPR.")
 @limit_option(MAX_EXTENSORS, "Give up beyond this many extensors.")
 @time_limit(SECONDS, "Give up after this time.", itself=True)
+@memory_option
 @space_options(metric=True)
 @proof_options
 @output_options(full="Show every expression, not only the simplest.")
@@ -31,6 +32,7 @@ def factor(
     cofactor: bool,
     limit: int,
     seconds: float,
+    gigabytes: float | None,
     space: SpaceOptions,
     proofs: ProofOptions,
     out: Output,
@@ -48,7 +50,7 @@ def factor(
     Exit code 0: found and proved. 1: none exists in the family, whether one with a cofactor was found or not. 3: not
     decided within the limits; or found, and shown, but tested at random points only, as the proof took too long.
     """
-    with limited(seconds, AROUND):
+    with limited(seconds, AROUND, gigabytes):
         found = searched("factoring", factored, expression, space, limit, seconds, every=out.full, cofactor=cofactor)
         out.show(found)
         proofs.write(found, "proved" if found.proved else "undecided")

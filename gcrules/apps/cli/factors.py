@@ -8,7 +8,7 @@ from gcrules.algebra.factoring.factors import factors as factored
 from gcrules.algebra.factoring.limits import MAX_EXTENSORS, SECONDS
 from gcrules.apps.cli.base import ExpressionCommand
 from gcrules.apps.cli.expressions import searched
-from gcrules.apps.cli.limits import AROUND, limited, time_limit
+from gcrules.apps.cli.limits import AROUND, limited, memory_option, time_limit
 from gcrules.apps.cli.options import SpaceOptions, limit_option, space_options
 from gcrules.apps.cli.output import Output, output_options
 from gcrules.apps.cli.proof_options import ProofOptions, proof_options
@@ -20,6 +20,7 @@ __all__ = ["factors"]
 @click.argument("expression", metavar="EXPR")
 @limit_option(MAX_EXTENSORS, "Give up beyond this many extensors.")
 @time_limit(SECONDS, "Search for no longer than this; the factors that were found are the answer.", itself=True)
+@memory_option
 @space_options(metric=True)
 @proof_options
 @output_options()
@@ -29,6 +30,7 @@ def factors(
     expression: str,
     limit: int,
     seconds: float,
+    gigabytes: float | None,
     space: SpaceOptions,
     proofs: ProofOptions,
     out: Output,
@@ -46,7 +48,7 @@ def factors(
     Exit code 0: all factors are irreducible, and each has a form. 1: one of them has none of these forms. 3: not
     decided within the limits; what was found is shown.
     """
-    with limited(seconds, AROUND):
+    with limited(seconds, AROUND, gigabytes):
         found = searched("factoring", factored, expression, space, limit, seconds)
         out.show(found)
         proofs.write(found, "proved" if found.decided else "undecided")

@@ -1,4 +1,4 @@
-"""The time that a command may take: one option for all that compute."""
+"""The time that a command may take, one option for all that compute; and the memory of those that may take much."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from click.core import ParameterSource
 
 from gcrules.core.alarm import limited
 
-__all__ = ["AROUND", "SECONDS", "Seconds", "beside", "limited", "time_limit"]
+__all__ = ["AROUND", "SECONDS", "Gigabytes", "Seconds", "beside", "limited", "memory_option", "time_limit"]
 
 SECONDS = 60.0
 VARIABLE = "GCRULES_SECONDS"
@@ -22,19 +22,29 @@ AROUND = 10.0
 _Command = Callable[..., Any]
 
 
-class Seconds(click.ParamType):  # type: ignore[type-arg, unused-ignore]
-    """A number of seconds, 0 or more; inf is no limit."""
-
-    name = "seconds"
+class _Amount(click.ParamType):  # type: ignore[type-arg, unused-ignore]
+    """A number of something, 0 or more; inf is no limit."""
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> float:
         try:
             found = float(value)
         except ValueError:
-            self.fail(f"{value!r} is not a number of seconds.", param, ctx)
+            self.fail(f"{value!r} is not a number of {self.name}.", param, ctx)
         if isnan(found) or found < 0:
-            self.fail(f"{value!r} is not a number of seconds, 0 or more.", param, ctx)
+            self.fail(f"{value!r} is not a number of {self.name}, 0 or more.", param, ctx)
         return found
+
+
+class Seconds(_Amount):
+    """A number of seconds, 0 or more; inf is no limit."""
+
+    name = "seconds"
+
+
+class Gigabytes(_Amount):
+    """A number of gigabytes, 0 or more; inf is no limit."""
+
+    name = "gigabytes"
 
 
 def beside(search: float) -> float:
@@ -73,3 +83,15 @@ def time_limit(
         return option(within_its_time)
 
     return decorate
+
+
+def memory_option(command: _Command) -> _Command:
+    """--memory G: the `gigabytes` that a command may use, for `limited`; None where it is not given."""
+    option = click.option(
+        "--memory",
+        "gigabytes",
+        type=Gigabytes(),
+        metavar="G",
+        help="Give up beyond this many gigabytes; GCRULES_MEMORY, or three quarters of what is free, if left out.",
+    )
+    return option(command)

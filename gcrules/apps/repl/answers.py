@@ -14,6 +14,7 @@ from gcrules.algebra.names import step_name
 from gcrules.algebra.whole_letters import in_letters
 from gcrules.apps.repl.reading import as_typed
 from gcrules.apps.repl.state import PromptState, Settings
+from gcrules.core.budget import MORE_MEMORY
 from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import GcrulesError, LimitReached
 from gcrules.rules.script import ClaimResult, Result, RewriteResult, ShowResult
@@ -40,6 +41,7 @@ _ELSEWHERE = (
     ("--limit (in Python limit=...)", ":limit N"),
     ("--seconds (in Python within(seconds=...))", ":seconds S"),
     ("--seconds (in Python seconds=...)", ":seconds S"),
+    (MORE_MEMORY, "give it more memory with :memory G"),
     ("raise the limit with --candidates (in Python candidates=...)", "gcrules discover takes a higher limit"),
     ("leave out --steps", "use :straighten"),
 )
@@ -91,7 +93,7 @@ def answer_of(result: Result, settings: Settings, *, brief: bool, line: int | No
         shown = _in_full(result, settings)
     if shown is None:
         shown = result.text(unicode=settings.unicode).removeprefix(f"line {result.line}: ")
-    hinted = any(words in _here(shown) for words in (":limit", ":seconds"))
+    hinted = any(words in _here(shown) for words in (":limit", ":seconds", ":memory"))
     if isinstance(result, ShowResult | ClaimResult) and result.verdict == "undecided" and not hinted:
         shown += "\nhint: :limit N allows more terms"
     words = _here(as_typed(shown if line is None else f"line {line}: {shown}"))

@@ -32,6 +32,7 @@ from gcrules.core.deferred import deferred
 from gcrules.core.errors import GcrulesError, Span
 from gcrules.core.files import write_file
 from gcrules.core.hints import near
+from gcrules.core.memory import GIGABYTE, memory_limit
 from gcrules.core.shown import Shown
 from gcrules.mechanisms.analyze import analyze
 from gcrules.mechanisms.description.platform_file import Platform
@@ -247,14 +248,26 @@ def _limit(repl: PromptSession, request: Request) -> Iterator[Answer]:
 
 def _seconds(repl: PromptSession, request: Request) -> Iterator[Answer]:
     if request.argument:
-        try:
-            found = float(request.argument)
-        except ValueError:
-            found = nan
-        if not found >= 0:
-            raise request.fault("the limit is a number of seconds, 0 or more; inf is none")
-        repl.settings = replace(repl.settings, seconds=found)
+        repl.settings = replace(repl.settings, seconds=_amount(request, "seconds"))
     yield Answer("no limit of time" if repl.settings.seconds == inf else f"limit {repl.settings.seconds:g} seconds")
+
+
+def _memory(repl: PromptSession, request: Request) -> Iterator[Answer]:
+    if request.argument:
+        repl.settings = replace(repl.settings, gigabytes=_amount(request, "gigabytes"))
+    most = memory_limit(repl.settings.gigabytes)
+    yield Answer("no limit of memory" if most is None else f"limit {most / GIGABYTE:.3g} GB of memory")
+
+
+def _amount(request: Request, what: str) -> float:
+    """The number that a limit is set to."""
+    try:
+        found = float(request.argument)
+    except ValueError:
+        found = nan
+    if not found >= 0:
+        raise request.fault(f"the limit is a number of {what}, 0 or more; inf is none")
+    return found
 
 
 # --- what is declared ----------------------------------------------------------------------------------------------
@@ -364,6 +377,7 @@ HANDLERS: Mapping[str, Callable[[PromptSession, Request], Iterator[Answer]]] = {
     "latex": _latex,
     "unicode": _unicode,
     "limit": _limit,
+    "memory": _memory,
     "seconds": _seconds,
     "context": _context,
     "rules": _rules,

@@ -72,14 +72,14 @@ class Interpreter:
     def answer(self, piece: InputPiece, filename: str = "<input>") -> Answers:
         """The answers to one input."""
         try:
-            yield from paced(self._answers(piece, filename), self.settings.seconds)
+            yield from paced(self._answers(piece, filename), self.settings.seconds, self.settings.gigabytes)
         except GcrulesError as fault:
             yield fault_answer(fault)
 
     def load(self, name: str) -> Answers:
         """The answers to a script."""
         try:
-            yield from paced(self.script(name), self.settings.seconds)
+            yield from paced(self.script(name), self.settings.seconds, self.settings.gigabytes)
         except GcrulesError as fault:
             yield fault_answer(fault)
 

@@ -48,7 +48,8 @@ class PromptState:
 
 @dataclass(frozen=True, slots=True)
 class Settings:
-    """How answers are shown, the number of terms beyond which none is sought, and the seconds that an input may take.
+    """How answers are shown, the number of terms beyond which none is sought, and the seconds and gigabytes that an
+    input may take; those that a command may take where None.
 
     `short` writes many equal brackets as a power. Without `files` none is read or written. An analysis takes in the
     rules of `plugins`, folders of the user's, and the classes of `catalogs`, files or what was read from them.
@@ -58,6 +59,7 @@ class Settings:
     latex: bool = False
     limit: int = MAX_TERMS
     seconds: float = inf
+    gigabytes: float | None = None
     short: bool = False
     files: bool = True
     plugins: tuple[str, ...] = ()

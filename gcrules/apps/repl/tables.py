@@ -115,6 +115,7 @@ COMMANDS: Mapping[str, Command] = {
         Command("unicode", ":unicode [on|off]", "Unicode mathematics in answers and while typing", "switch", _SWITCH),
         Command("limit", ":limit [N]", "give up beyond this many terms", "number"),
         Command("seconds", ":seconds [S]", "give up on an input after this time", "number"),
+        Command("memory", ":memory [G]", "give up on an input that takes more gigabytes", "number"),
         Command("context", ":context", "what is declared and assumed"),
         Command("rules", ":rules [ID]", "the rules so far", "rule"),
         Command("load", ":load FILE.gca", "run a script; what it declares holds from here on", "file"),
