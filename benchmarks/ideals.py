@@ -9,12 +9,10 @@ a combination of their coordinates). So the systems prove a little less than gcr
 
 from __future__ import annotations
 
-import os
 import re
-import resource
 import shutil
-import signal
 import subprocess
+import sys
 import tempfile
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -85,7 +83,7 @@ class Ideal:
 
 @dataclass(frozen=True)
 class Answer:
-    """What a system found, the seconds of processor time that it took, and the megabytes that it had at most."""
+    """What a system found, the seconds that it took once it ran, and the megabytes that it had at most."""
 
     true: bool
     seconds: float
@@ -174,7 +172,7 @@ class System:
     program: str
 
     def decide(self, ideal: Ideal, limit: int) -> Answer | None:
-        """Its answer; None where it takes more than `limit` seconds of processor time, or too much memory."""
+        """Its answer; None where it takes more than `limit` seconds, or too much memory."""
         return run(self.command, text_of(ideal, self), limit)
 
     @property
@@ -183,28 +181,46 @@ class System:
 
 
 def run(command: Sequence[str], program: str, limit: int) -> Answer | None:
-    """What a program says on standard output: `answer`, 1 if all is true, and the seconds that it took."""
-
-    def bounded() -> None:
-        resource.setrlimit(resource.RLIMIT_CPU, (limit, limit))
-        resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
-
+    """What a program says on standard output: `answer`, 1 if all is true, and the seconds that it took. A process that
+    another one started counts the memory of that one as its own, so a small one starts it.
+    """
     with tempfile.TemporaryFile("w+") as given, tempfile.TemporaryFile("w+") as printed:
         given.write(program)
         given.seek(0)
-        process = subprocess.Popen(command, stdin=given, stdout=printed, stderr=subprocess.STDOUT, preexec_fn=bounded)
-        _, status, used = os.wait4(process.pid, 0)
-        process.returncode = os.waitstatus_to_exitcode(status)
+        launched = subprocess.run(
+            [sys.executable, "-ISc", LAUNCHER, str(limit), str(MEMORY), *command],
+            stdin=given,
+            stdout=printed,
+            stderr=subprocess.PIPE,
+            text=True,
+            check=True,
+        )
         printed.seek(0)
         text = printed.read()
-    if process.returncode in (-signal.SIGXCPU, -signal.SIGKILL):
+    stopped, kilobytes = map(int, launched.stderr.split())
+    if stopped:
         return None
     found = re.search(r"answer (\d) ([\d.e-]+)", text)
     if not found and re.search("halt|memory", text):  # Singular's last words
         return None
     assert found, text[-2_000:]
-    return Answer(found[1] == "1", float(found[2]), used.ru_maxrss / 1024)
+    return Answer(found[1] == "1", float(found[2]), kilobytes / 1024)
 
+
+LAUNCHER = """\
+import os, resource, signal, sys
+limit, memory, *command = sys.argv[1:]
+process = os.fork()
+if not process:
+    os.dup2(1, 2)
+    resource.setrlimit(resource.RLIMIT_AS, (int(memory), int(memory)))
+    os.execvp(command[0], command)
+stopped = []
+signal.signal(signal.SIGALRM, lambda *_: (stopped.append(1), os.kill(process, signal.SIGKILL)))
+signal.alarm(int(limit))
+used = os.wait4(process, 0)[2]
+print(len(stopped), used.ru_maxrss, file=sys.stderr)
+"""
 
 SINGULAR = """\
 system("--ticks-per-sec",1000);
@@ -217,12 +233,12 @@ if(size(c)==0) {{ return(1); }}
 ideal g=std(h+ideal(1-{refuted}));
 return(g[1]==1);
 }}
-int began=timer;
+int began=rtimer;
 int times=0;
 int zero=1;
-while(timer-began<200) {{ zero=zero and once(); times=times+1; }}
+while(rtimer-began<200) {{ zero=zero and once(); times=times+1; }}
 ring s=0,x,dp;
-number spent=number(timer-began)/(1000*times);
+number spent=number(rtimer-began)/(1000*times);
 print("answer "+string(zero)+" "+string(int(spent*10000000))+"e-7");
 quit;
 """
@@ -234,11 +250,11 @@ once=()->(
 h:=ideal(0_R,{hypotheses});
 c:=ideal(0_R,{claims});
 c==0 or 1%(h+ideal(1_R-{refuted}))==0);
-began=cpuTime();
+spent=0.;
 runs=0;
 found=true;
-while cpuTime()-began<0.2 do (found=found and once(); runs=runs+1);
-print("answer "|(if found then "1" else "0")|" "|toString((cpuTime()-began)/runs));
+while spent<0.2 do (one=elapsedTiming once(); spent=spent+one#0; found=found and one#1; runs=runs+1);
+print("answer "|(if found then "1" else "0")|" "|toString(spent/runs));
 exit 0
 """
 
