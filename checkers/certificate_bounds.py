@@ -333,7 +333,10 @@ def leaves_of(tree, whole, share):
 
 
 def all_inside(robot, box, cuts):
+    """Whether all poses of a box are reached within the limits, and no limb is singular there: then the determinant
+    changes its sign only where it is 0.
+    """
     _, inside, forces = robot.look(box)
-    if inside and forces is not None:
+    if inside and forces is not None and robot.steady(forces):
         return True
     return cuts > 0 and all(all_inside(robot, part, cuts - 1) for part in box.cut(box.half.index(max(box.half))))

@@ -16,6 +16,7 @@ is the balance, of the velocities of all ends, and of turns as well at ends that
 
 from __future__ import annotations
 
+import copy
 import math
 import random
 from fractions import Fraction
@@ -105,9 +106,11 @@ def wave(a, sine):
 
 
 class Joints:
-    """A robot of joints from a certificate."""
+    """A robot of joints from a certificate, with `roots` one that reaches a pose only where the roots of its geometry
+    exist.
+    """
 
-    def __init__(self, data):
+    def __init__(self, data, roots=False):
         q, g = data["question"], data["geometry"]
         self.names = g["names"]
         over = [r["coordinate"] for r in q["over"]]
@@ -127,6 +130,7 @@ class Joints:
         if len(self.wrenches.results) != 6 * sum(limb["wrenches"] for limb in self.limbs):
             raise Refused("wrenches that are not six numbers each")
         self.amounts = None if g["amounts"] is None else Tape(g["amounts"], len(self.names))
+        self.roots = Tape(g["roots"], len(self.names)) if roots else None
         self.actuators, self.limits = g["actuators"], []
         names = [a["name"] for a in self.actuators]
         if q["limits"]:
@@ -152,6 +156,13 @@ class Joints:
         self.words = f"of closed forms that agree with the joints at {self.seen} poses, which does not prove them"
 
     # --- in boxes -----------------------------------------------------------------------------------------------------
+
+    def over(self):
+        """The same robot over all its coordinates, and their names."""
+        found = copy.copy(self)
+        found.free, found.rest = [NAMES.index(n) for n in self.names], {}
+        found.at = {n: k for k, n in enumerate(self.names)}
+        return found, self.names
 
     def inputs(self, box):
         none = [0.0] * len(self.free)
@@ -182,6 +193,8 @@ class Joints:
                     if away:
                         return True, False, None
                     inside &= within
+            if self.roots is not None:
+                self.roots.values(inputs)
             flat = self.wrenches.values(inputs)
         except Beyond:
             return True, False, None
@@ -189,18 +202,36 @@ class Joints:
             return False, False, None
         return False, inside, [flat[k : k + 6] for k in range(0, len(flat), 6)]
 
-    def holds(self, lines, margin):
-        """Whether the margin is at least this one in a box (0: it is regular); what keeps from it by coordinates."""
-        at, matrix, longest = 0, [], 1.0
-        for limb, arm in zip(self.limbs, self.arms):
+    def steady(self, lines):
+        """Whether no limb's wrenches depend on each other anywhere in a box, so that the determinant of all changes its
+        sign only where it is 0: their products are near those in the middle, which are brought to 1.
+        """
+        return all(
+            back is not None
+            and all(2 * row[i].ends()[0] > sum(max(map(abs, v.ends())) for v in row) for i, row in enumerate(changed))
+            for _, back, changed in self._bases(lines)
+        )
+
+    def _bases(self, lines):
+        """Of each limb its wrenches, what makes them orthonormal in the middle (None where nothing does), and their
+        products after that.
+        """
+        at = 0
+        for limb in self.limbs:
             own = lines[at : at + limb["wrenches"]]
             at += limb["wrenches"]
             products = [[total(a, b) for b in own] for a in own]
             low = cholesky([[p.c for p in row] for row in products], 0.0)
-            if low is None:
+            back = None if low is None else inverse(low)
+            flat = [p for row in products for p in row]
+            yield own, back, [] if back is None else [[mix(flat, outer(a, b)) for b in back] for a in back]
+
+    def holds(self, lines, margin):
+        """Whether the margin is at least this one in a box (0: it is regular); what keeps from it by coordinates."""
+        matrix, longest = [], 1.0
+        for arm, (own, back, changed) in zip(self.arms, self._bases(lines)):
+            if back is None:
                 return False, None, None
-            back = inverse(low)
-            changed = [[mix([p for row in products for p in row], outer(a, b)) for b in back] for a in back]
             large = [sum(abs(v.c) + v.reach for v in row) for row in changed]
             if not all(x < INF for x in large):
                 return False, None, None
@@ -230,14 +261,15 @@ class Joints:
                 break
         else:
             raise Refused("the loops could not be closed around home")
-        home = [[0.0] * n for n in self.loops.counts]
         for _ in range(PLACES):
             place = [rng.uniform(a, b) for a, b in zip(low, high)]
-            self._along({n: self.rest[n] if n in self.rest else place[self.at[n]] for n in self.names}, home)
+            self.reaches({n: self.rest[n] if n in self.rest else place[self.at[n]] for n in self.names})
 
-    def _along(self, pose, amounts):
-        """Steps from home to a pose; where one does not agree it is taken again in smaller ones."""
-        done, step = 0.0, 1 / 8
+    def reaches(self, pose):
+        """Whether steps from home lead to a pose; where one does not agree it is taken again in smaller ones. Raises
+        Refused where the programs are not what the joints make on the way.
+        """
+        amounts, done, step = [[0.0] * n for n in self.loops.counts], 0.0, 1 / 8
         while done < 1:
             part = min(done + step, 1.0)
             there = self.loops.closed(amounts, [(n, part * v) for n, v in pose.items()])
@@ -247,15 +279,18 @@ class Joints:
             elif step > 1 / 64:
                 step /= 2
             elif words is NOWHERE:
-                return
+                return False
             else:
                 raise Refused(words)
+        return True
 
     def _fault(self, amounts, platform):
         """What the programs are not that the joints make of these amounts, in words; "" where they agree."""
         pose = self.loops.pose(platform)
         inputs = [Value(pose[n], [0.0] * len(self.free), 0.0) for n in self.names]
         try:
+            if self.roots is not None:
+                self.roots.values(inputs)
             flat = [v.c for v in self.wrenches.values(inputs)]
             driven = None if self.amounts is None else [v.c for v in self.amounts.values(inputs)]
         except Undefined:  # a root of 0, to rounding

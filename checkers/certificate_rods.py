@@ -10,6 +10,7 @@ entries, alpha_0, alpha and phi the norms of these bounds. If alpha < 1, then W 
 
 from __future__ import annotations
 
+import copy
 import math
 from fractions import Fraction
 
@@ -118,6 +119,16 @@ class Rods:
         one = [c / h for c in radius]
         other = cross(axis, one)
         return home, size, axis, (foot, h, one, other, branch(dot(minus(end, foot), other), size))
+
+    def over(self):
+        """The same rods over all coordinates, and their names."""
+        found = copy.copy(self)
+        found.free = list(SIX)
+        return found, NAMES
+
+    def steady(self, forces):
+        """Rods have one wrench each, of length 1."""
+        return True
 
     def pose(self, box):
         """The shift of the centre, a number where it does not change, and the rotation."""

@@ -16,6 +16,9 @@ A pose moves each point p of the platform to R (p - c) + c + t. It is singular w
 * Else a determinant with bounds decides, cut further where it has to be: `map_turns.py` says how. Where turns are
   quarter turns, values at nodes are exact.
 
+Of a robot of joints it takes closed forms of the limbs, and decides which cells home's working mode reaches without a
+singular pose, or does not reach: `map_joints.py` says how.
+
 Exit codes: 0 all cells are as the file says, and none is undecided; 1 one is not; 2 the file is no certificate of a map
 that is known here, or names another digest; 3 cells are undecided, by the file or here, the others are as it says.
 All this is recomputed, not proved in Coq.
@@ -25,16 +28,18 @@ from __future__ import annotations
 
 import argparse
 import gzip
-import hashlib
 import io
 import json
+import math
 import sys
 import zlib
 from itertools import product
 
 from certificate_bounds import Refused, once
+from map_cells import check_digest, counted, listed_cells, named
+from map_joints import FORMAT, checked_joints
 from map_polynomials import Polynomial, in_whole_numbers, parts_of, superbracket
-from map_slice import MOST_CELLS, Malformed, Slice, expect, whole
+from map_slice import Malformed, Slice, expect
 from map_turns import Turned
 
 WORDS = {"f": "free", "x": "crossed", "u": "undecided"}
@@ -94,35 +99,13 @@ def cells_of(one, shape, is_exact, say=None):
     return found
 
 
-def listed_cells(rows, shape):
-    """All letters of a file, by the lower nodes of cells."""
-    expect(
-        isinstance(rows, str if len(shape) == 1 else list) and len(rows) == shape[0], "cells are missing, or too many"
-    )
-    for k, row in enumerate(rows):
-        if len(shape) > 1:
-            for place, letter in listed_cells(row, shape[1:]):
-                yield (k, *place), letter
-        else:
-            expect(row in WORDS, "a cell that is neither f nor x nor u")
-            yield (k,), row
-
-
-def digest_of(data):
-    text = json.dumps({k: v for k, v in data.items() if k != "digest"}, sort_keys=True, separators=(",", ":"))
-    return hashlib.sha256(text.encode()).hexdigest()
-
-
 def checked(data, say=None):
     """What is proved, in words, and how many cells are left undecided, by the file or here. Raises Refused."""
+    if isinstance(data, dict) and data.get("format") == FORMAT:
+        return checked_joints(data, say)
     s = Slice(data)
-    expect(data["digest"] == digest_of(data), "it names another digest")
-    counts = dict.fromkeys(WORDS.values(), 0)
-    for _, letter in listed_cells(data["cells"], s.shape):
-        counts[WORDS[letter]] += 1
-    expect(isinstance(data["claim"], dict) and set(data["claim"]) == set(counts), "no claim")
-    if any(whole(data["claim"][n], 0, MOST_CELLS) != counts[n] for n in counts):
-        raise Refused("the numbers claimed are not those of the cells")
+    check_digest(data)
+    counts = counted(listed_cells(data["cells"], s.shape, WORDS), data["claim"], WORDS)
     if s.kind:
         expect(data["factors"] is None, "factors, on a slice that is no polynomial")
         things, how = [Turned(s)], "in floats, with bounds of all that they leave out"
@@ -140,18 +123,14 @@ def checked(data, say=None):
             found[place] = "x" if "x" in (what, found.get(place)) else what
     zero = not s.kind and not things
     more, unseen = {"f": 0, "x": 0, "u": 0}, dict.fromkeys(WORDS.values(), 0)
-    for place, letter in listed_cells(data["cells"], s.shape):
+    for place, letter in listed_cells(data["cells"], s.shape, WORDS):
         what = "x" if zero else found.get(place, "f")
         if letter == "u":
             more[what] += 1
         elif what == "u":
             unseen[WORDS[letter]] += 1
         elif what != letter:
-            ends = [
-                f"{a.name} {a.start + k * a.step}..{a.start + (k + 1) * a.step} {a.unit}".strip()
-                for a, k in zip(s.axes, place)
-            ]
-            raise Refused(f"the cell {', '.join(ends)} is called {WORDS[letter]}, and it is {WORDS[what]}")
+            raise Refused(f"the cell {named(s.axes, place)} is called {WORDS[letter]}, and it is {WORDS[what]}")
     left = counts["undecided"]
     seen = f" (of which {more['f']} are free and {more['x']} crossed, as is seen here)" if left else ""
     lines = [
@@ -178,9 +157,23 @@ def read(name):
         data = gzip.GzipFile(fileobj=io.BytesIO(data)).read(MOST_BYTES + 1)
     expect(len(data) <= MOST_BYTES, f"more than {MOST_BYTES:,} bytes")
     try:
-        return json.loads(data, object_pairs_hook=once, parse_constant=once, parse_float=once)
+        found = json.loads(data, object_pairs_hook=once, parse_constant=once, parse_float=finite)
     except Refused:
-        raise Malformed("a name twice, or a number that is not whole") from None
+        raise Malformed("a name twice, or a number that is none") from None
+    expect((isinstance(found, dict) and found.get("format") == FORMAT) or not has_float(found), "a number is not whole")
+    return found
+
+
+def finite(text):
+    """A number with decimals, which only the geometry of joints has."""
+    number = float(text)
+    expect(math.isfinite(number), "a number that is too large")
+    return number
+
+
+def has_float(value):
+    inner = value.values() if isinstance(value, dict) else value if isinstance(value, list) else ()
+    return isinstance(value, float) or any(map(has_float, inner))
 
 
 def main():
@@ -197,7 +190,10 @@ def main():
     except Refused as fault:
         print(f"refused: {fault}")
         return 1
-    except (OSError, EOFError, zlib.error, ValueError, RecursionError, ArithmeticError) as fault:
+    except (OSError, EOFError, zlib.error, LookupError, TypeError, ValueError, AttributeError, RecursionError) as fault:
+        print(f"refused: no certificate ({type(fault).__name__}: {str(fault)[:200]})")
+        return 2
+    except ArithmeticError as fault:
         print(f"refused: no certificate ({type(fault).__name__}: {str(fault)[:200]})")
         return 2
     print(words)

@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import copy
 import gzip
-import hashlib
 import itertools
 import json
 import os
@@ -12,7 +10,6 @@ import random
 import re
 import subprocess
 import sys
-from collections.abc import Iterator
 from fractions import Fraction
 from functools import cache
 from pathlib import Path
@@ -21,6 +18,7 @@ from typing import Any
 import numpy as np
 import pytest
 from commands import invoke
+from map_certificates import JUNK, leaves, put, run, signed
 from places import EXAMPLES, ROOT, checker
 
 import gcrules as gc
@@ -29,7 +27,10 @@ from gcrules.poses.maps import cell_certificate
 from gcrules.poses.maps.axes import read_axes
 
 CHECK = checker("check_map")
-FILES = [ROOT / "checkers" / f"{name}.py" for name in ("check_map", "map_slice", "map_polynomials", "map_turns")]
+FILES = [
+    ROOT / "checkers" / f"{name}.py"
+    for name in ("check_map", "map_slice", "map_polynomials", "map_turns", "map_cells", "map_joints")
+]
 OCTAHEDRAL = str(EXAMPLES / "octahedral.yaml")
 FLAT = {"legs": "ad ae be bf cf cd", "points": {n: (k, k * k, 0) for k, n in enumerate("abc")}}
 FLAT["points"] |= {n: (k, 5 - k * k, 0) for k, n in enumerate("def")}
@@ -55,20 +56,6 @@ def text(name: str) -> str:
 def data(name: str) -> dict[str, Any]:
     found: dict[str, Any] = json.loads(text(name))
     return found
-
-
-def signed(file: dict[str, Any]) -> dict[str, Any]:
-    """With the digest of what it says."""
-    rest = {k: v for k, v in file.items() if k != "digest"}
-    words = json.dumps(rest, sort_keys=True, separators=(",", ":"))
-    return {**rest, "digest": hashlib.sha256(words.encode()).hexdigest()}
-
-
-def run(file: str | bytes, folder: Path, monkeypatch: pytest.MonkeyPatch, name: str = "cells.json") -> int:
-    path = folder / name
-    path.write_bytes(file.encode() if isinstance(file, str) else file)
-    monkeypatch.setattr(sys, "argv", ["check_map.py", str(path)])
-    return int(CHECK.main())
 
 
 def recounted(file: dict[str, Any]) -> dict[str, Any]:
@@ -127,9 +114,6 @@ def test_the_command_writes_what_the_program_reads(tmp_path: Path, monkeypatch: 
 
 def test_what_has_no_certificate_is_refused_plainly(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     over = ["--over", "x 0:1:3", "--over", "y 0:1:3"]
-    found = invoke("map", "3-rpr", *over, "--certificate", str(tmp_path / "a.json"))
-    assert found.exit_code == 2
-    assert "a map of a robot of joints has no certificate" in found.stderr
     over += ["-o", str(tmp_path / "a.nc"), "--part", "1/2"]
     found = invoke("map", OCTAHEDRAL, *over, "--certificate", str(tmp_path / "a.json"))
     assert (found.exit_code, "--certificate is of a whole map" in found.stderr) == (2, True)
@@ -153,26 +137,6 @@ def test_files_have_the_fields_of_the_published_schema() -> None:
 
 
 # --- attacks -------------------------------------------------------------------------------------------------------
-
-
-def leaves(value: Any, path: tuple[Any, ...] = ()) -> Iterator[tuple[Any, ...]]:
-    """Where something stands in a file, whole objects too."""
-    yield path
-    for key in value if isinstance(value, dict) else range(len(value)) if isinstance(value, list) else ():
-        yield from leaves(value[key], (*path, key))
-
-
-def put(file: dict[str, Any], path: tuple[Any, ...], value: Any) -> dict[str, Any]:
-    """The file with another value in a place."""
-    new = copy.deepcopy(file)
-    inner: Any = new
-    for key in path[:-1]:
-        inner = inner[key]
-    inner[path[-1]] = value
-    return new
-
-
-JUNK: list[Any] = [None, True, -1, 10**30, 1.5, "", "nan", "1/0", "9" * 500, [], {}, [[]], "x" * 7, ["1", "2", "3"]]
 
 
 @pytest.mark.parametrize("name", ["shifts", "around"])
@@ -263,7 +227,7 @@ def test_another_status_of_a_cell_is_refused(name: str) -> None:
         for letter in "fxu":
             new = put(file, ("cells", *path), row[:n] + letter + row[n + 1 :])
             new["claim"] = dict.fromkeys(CHECK.WORDS.values(), 0)
-            for _, one in CHECK.listed_cells(new["cells"], [a["number"] - 1 for a in file["axes"]]):
+            for _, one in CHECK.listed_cells(new["cells"], [a["number"] - 1 for a in file["axes"]], CHECK.WORDS):
                 new["claim"][CHECK.WORDS[one]] += 1
             if letter == row[n]:
                 CHECK.checked(signed(new))
@@ -349,7 +313,7 @@ def test_cells_that_are_not_decided_here_are_counted(monkeypatch: pytest.MonkeyP
     """They are neither confirmed nor refused."""
     file = data("shifts")
     monkeypatch.setattr(CHECK, "cells_of", lambda one, shape, exact, say=None: {(0, 0): "u"})
-    monkeypatch.setattr(CHECK, "listed_cells", lambda rows, shape: iter([((0, 0), "f"), ((0, 1), "f")]))
+    monkeypatch.setattr(CHECK, "listed_cells", lambda rows, shape, words: iter([((0, 0), "f"), ((0, 1), "f")]))
     file["claim"] = {"free": 2, "crossed": 0, "undecided": 0}
     words, left = CHECK.checked(signed(file))
     assert left == 1

@@ -57,6 +57,10 @@ NOT_RUN = {
         "docs/map.md",
         'gcrules map examples/octahedral.yaml --over "x -300:300:31" --over "z -500:100:41" --certificate cells.json',
     ): "tests/project/test_check_map.py checks maps",
+    (
+        "docs/map.md",
+        'gcrules map 3-rps --over "roll -60:60:13 deg" --over "pitch -60:60:13 deg" --certificate cells.json',
+    ): "tests/project/test_check_map_joints.py checks such maps",
     ("docs/map.md", "recomputed: 1,110 cells free, 90 crossed, undecided: none"): (
         "tests/project/test_check_map.py reads what it prints"
     ),

@@ -19,7 +19,7 @@ from gcrules.core.budget import report
 from gcrules.core.errors import InputError
 from gcrules.core.files import after_writing, check_room
 from gcrules.mechanisms.mechanism import mechanism
-from gcrules.poses.maps.cell_certificate import check_map_kind
+from gcrules.poses.maps.cell_certificate import check_cells
 from gcrules.poses.maps.maps import MAX_HELD, done, map_part
 from gcrules.poses.maps.planned import Plan, bytes_of, planned
 from gcrules.poses.maps.task import MEASURES
@@ -113,7 +113,7 @@ def map_(
         raise InputError(f"{option} without -o", hint="tiles are kept only where -o names a file")
     plan = planned(mechanism(warn(read_source(file, mode=mode)), about=about), over, at, limits, threshold, measure)
     if certificate is not None:
-        check_map_kind(plan.task.grid)
+        check_cells(plan.task)
         if how.part is not None:
             raise InputError("--certificate is of a whole map", hint="leave --part out, when all parts are there")
     work = _work(plan, outputs, how)

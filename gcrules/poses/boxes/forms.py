@@ -21,8 +21,9 @@ from gcrules.poses.compiling.leg_programs import (
 from gcrules.poses.compiling.limb_programs import wrench_forms
 from gcrules.poses.compiling.limb_wrenches import BalancedLines
 from gcrules.poses.compiling.roads import check_finite
-from gcrules.poses.compiling.scalars import Graph, Ring, Scalar
+from gcrules.poses.compiling.scalars import Graph
 from gcrules.poses.compiling.tape import Program
+from gcrules.poses.compiling.turns import turned_by
 from gcrules.poses.methods import Methods, method
 
 __all__ = ["BoxForms", "box_forms"]
@@ -51,12 +52,6 @@ class BoxForms:
     def entries(self) -> int:
         """How many of the values of `wrenches` are those of the matrix."""
         return sum(self.lines.groups) * self.columns
-
-
-def turned_by(angle: Ring) -> tuple[Ring, Ring]:
-    """Cosine and sine as they are: Taylor models know them."""
-    assert isinstance(angle, Scalar)
-    return angle.cosine_and_sine()
 
 
 def box_forms(m: Mechanism, names: tuple[str, ...]) -> BoxForms:

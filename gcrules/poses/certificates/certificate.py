@@ -23,8 +23,8 @@ from gcrules.poses.boxes.deciding import Boxes
 from gcrules.poses.boxes.task import SHARES, BoxTask, decided_part
 from gcrules.poses.boxes.trees import Leaves
 from gcrules.poses.certificates.asked import Asked
-from gcrules.poses.certificates.checking import geometry
 from gcrules.poses.certificates.search import OTHER, Search
+from gcrules.poses.compiling.checking import geometry
 from gcrules.poses.maps.axes import GridAxis
 from gcrules.poses.maps.cells import CROSSED, FREE, OUTSIDE, UNDECIDED
 
@@ -99,7 +99,7 @@ class Certificate(HoldsArrays, Shown):
     @cached_property
     def geometry(self) -> dict[str, Any] | None:
         """What a checker needs of the robot; None for one of which it knows nothing."""
-        return geometry(self.asked)
+        return geometry(self.asked.mechanism, self.asked.task.question.names)
 
     def coordinates(self, place: Sequence[float]) -> dict[str, float]:
         """All coordinates of the pose at a place in the units of the axes, in radians and the file's unit."""

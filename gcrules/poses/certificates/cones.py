@@ -27,7 +27,6 @@ from gcrules.mechanisms.kinematics.targets import Target
 from gcrules.mechanisms.limbs import Limbs
 from gcrules.mechanisms.mechanism import Mechanism
 from gcrules.mechanisms.six_legs import SixLegs
-from gcrules.poses.boxes.forms import turned_by
 from gcrules.poses.compiling.closed_forms import run
 from gcrules.poses.compiling.leg_programs import leg_bars
 from gcrules.poses.compiling.limb_amounts import amounts
@@ -36,7 +35,7 @@ from gcrules.poses.compiling.limb_programs import limb_places, solved_near_home
 from gcrules.poses.compiling.roots import NoForm, inverse
 from gcrules.poses.compiling.scalars import Graph, Ring
 from gcrules.poses.compiling.tape import Program, lower
-from gcrules.poses.compiling.turns import back, by_angles
+from gcrules.poses.compiling.turns import back, by_angles, turned_by
 from gcrules.poses.compiling.vectors import Vector, add, cross, dot, exact, scaled, sub, turned
 from gcrules.poses.methods import Methods, method
 from gcrules.screws.pose import read_number

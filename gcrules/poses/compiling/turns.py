@@ -5,14 +5,20 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 
 from gcrules.poses.compiling.roots import cosine_and_sine
-from gcrules.poses.compiling.scalars import Ring
+from gcrules.poses.compiling.scalars import Ring, Scalar
 from gcrules.poses.compiling.vectors import Turn, Vector, turned, vector
 
-__all__ = ["TurnedBy", "about", "back", "by_angles", "level", "product"]
+__all__ = ["TurnedBy", "about", "back", "by_angles", "level", "product", "turned_by"]
 
 
 TurnedBy = Callable[[Ring], tuple[Ring, Ring]]
 """What makes the cosine and the sine of an angle."""
+
+
+def turned_by(angle: Ring) -> tuple[Ring, Ring]:
+    """Cosine and sine as they are: Taylor models and checkers know them."""
+    assert isinstance(angle, Scalar)
+    return angle.cosine_and_sine()
 
 
 def by_angles(angles: Sequence[Ring], turned_by: TurnedBy = cosine_and_sine) -> Turn:

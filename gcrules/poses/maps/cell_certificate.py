@@ -14,20 +14,33 @@ import gzip
 import hashlib
 import json
 import math
+from collections.abc import Mapping
 from typing import Any, Protocol
 
 from gcrules.core.errors import FileError, InputError, LimitReached
 from gcrules.core.version import __version__
 from gcrules.poses.maps.cells import MEANINGS
 from gcrules.poses.maps.grid import Grid
+from gcrules.poses.maps.limb_certificate import limb_geometry, limb_question, stated_cells
+from gcrules.poses.maps.limb_task import LimbsTask
 from gcrules.poses.maps.slices import SliceFactor
-from gcrules.poses.maps.task import Slice
+from gcrules.poses.maps.task import MapTask, Slice
 
-__all__ = ["FORMAT", "LETTERS", "MAX_CELLS", "cell_certificate", "cells_bytes", "check_map_kind", "is_certificate"]
+__all__ = [
+    "FORMAT",
+    "JOINTS",
+    "LETTERS",
+    "MAX_CELLS",
+    "cell_certificate",
+    "cells_bytes",
+    "check_cells",
+    "is_certificate",
+]
 
 FORMAT = "gcrules map certificate 1"
+JOINTS = "gcrules map certificate of joints 1"
 LETTERS = "fxuo"
-"""Of the statuses, in their order; o is for robots of joints, of which there is no certificate."""
+"""Of the statuses, in their order; o is for robots of joints."""
 MAX_CELLS = 4_000_000
 """Cells that a certificate may have."""
 
@@ -36,11 +49,15 @@ class _Map(Protocol):
     """A `SingularMap`, as far as it is needed here."""
 
     @property
+    def task(self) -> MapTask: ...
+    @property
     def grid(self) -> Slice: ...
     @property
     def factors(self) -> tuple[SliceFactor, ...] | None: ...
     @property
     def everywhere(self) -> bool: ...
+    @property
+    def recipe(self) -> Mapping[str, Any]: ...
 
     def values(self, name: str) -> Any: ...
 
@@ -50,37 +67,51 @@ def is_certificate(path: str) -> bool:
     return path.lower().endswith((".json", ".json.gz"))
 
 
-def check_map_kind(grid: Any) -> Grid:
-    """The poses of a map whose cells can be stated. Raises InputError for robots of joints, LimitReached for more than
-    `MAX_CELLS` cells.
+def check_cells(task: MapTask) -> dict[str, Any] | None:
+    """The geometry of a robot of joints, None for six legs. Raises LimitReached for robots of joints whose limbs have
+    no closed forms, and for more than `MAX_CELLS` cells.
     """
-    if not isinstance(grid, Grid):
-        raise InputError(
-            "a map of a robot of joints has no certificate: no other program knows how its cells follow home's branch",
-            hint="gcrules certify proves ranges of poses of such robots, and its certificates are checked",
-        )
-    if math.prod(n - 1 for n in grid.shape) > MAX_CELLS:
+    if math.prod(n - 1 for n in task.grid.shape) > MAX_CELLS:
         raise LimitReached(f"a certificate has at most {MAX_CELLS:,} cells", hint="use a coarser grid, or several maps")
-    return grid
+    return limb_geometry(task.mechanism, task.grid) if isinstance(task, LimbsTask) else None
 
 
 def cell_certificate(m: _Map) -> dict[str, Any]:
-    """The robot, the slice and the status of each cell, as JSON; numbers are exact, and texts. Cells are listed by the
-    axes, the last of which is a text: f free, x crossed, u undecided. `digest` is the SHA-256 of all else.
+    """The robot, the slice and the status of each cell, as JSON. Cells are listed by the axes, the last of which is a
+    text: f free, x crossed, u undecided, o outside. `digest` is the SHA-256 of all else. Numbers are exact, and texts,
+    but for the geometry of joints, which has floats as certificates of ranges have.
 
-    Raises InputError and LimitReached as `check_map_kind`, and InputError where every pose is singular on a slice that
-    is no polynomial, which is seen at random poses.
+    Raises LimitReached as `check_cells`, and InputError where every pose is singular on a slice that is no polynomial,
+    which is seen at random poses.
     """
-    g = check_map_kind(m.grid)
+    geometry, status = check_cells(m.task), m.values("cell_status")
+    if isinstance(m.task, LimbsTask):
+        grid = m.task.grid
+        status = stated_cells(m.task.mechanism, grid, status)
+        parts = {"title": grid.title, "question": limb_question(grid, m.recipe), "geometry": geometry}
+    else:
+        parts = _of_legs(m)
+    meanings = MEANINGS if geometry else MEANINGS[:3]
+    found = {
+        "format": JOINTS if geometry else FORMAT,
+        "made by": f"gcrules {__version__}",
+        **parts,
+        "cells": _rows(status),
+        "claim": {word: int((status == k).sum()) for k, word in enumerate(meanings)},
+    }
+    return {**found, "digest": _digest(found)}
+
+
+def _of_legs(m: _Map) -> dict[str, Any]:
+    """The platform, the slice and the factors."""
+    g = m.grid
+    assert isinstance(g, Grid)
     if m.everywhere and m.factors is None:
         raise InputError(
             "this map has no certificate: that every pose is singular was seen at random poses",
             hint="over coordinates that do not turn the platform it is proved",
         )
-    status = m.values("cell_status")
-    found = {
-        "format": FORMAT,
-        "made by": f"gcrules {__version__}",
+    return {
         "title": g.rig.title,
         "unit": g.rig.unit,
         "legs": [list(leg) for leg in g.rig.legs],
@@ -100,10 +131,7 @@ def cell_certificate(m: _Map) -> dict[str, Any]:
         else [
             {"multiplicity": f.multiplicity, "terms": [[list(e), str(c)] for e, c in f.form.terms]} for f in m.factors
         ],
-        "cells": _rows(status),
-        "claim": {MEANINGS[k]: int((status == k).sum()) for k in range(3)},
     }
-    return {**found, "digest": _digest(found)}
 
 
 def cells_bytes(m: _Map, path: str) -> bytes:

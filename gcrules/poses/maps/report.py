@@ -228,7 +228,8 @@ class SingularMap(HoldsArrays, Shown):
     def certificate(self) -> dict[str, Any]:
         """The status of each cell with all that another program needs to recompute it, as JSON: see `save_certificate`.
 
-        Raises InputError for robots of joints and where nothing is proved, LimitReached for too many cells.
+        Raises InputError where nothing is proved, LimitReached for robots of joints without closed forms of their
+        limbs, for maps over actuators and for too many cells.
         """
         return cell_certificate(self)
 

@@ -13,27 +13,39 @@ import numpy as np
 
 from gcrules.mechanisms.kinematics.targets import Target
 from gcrules.mechanisms.limbs import Limbs
+from gcrules.mechanisms.mechanism import Mechanism
 from gcrules.mechanisms.six_legs import SixLegs
-from gcrules.poses.boxes.forms import turned_by
-from gcrules.poses.certificates.asked import Asked
 from gcrules.poses.compiling.limb_amounts import amounts
 from gcrules.poses.compiling.limb_programs import limb_places
+from gcrules.poses.compiling.limb_reach import placing_roots, reach_is_seen
 from gcrules.poses.compiling.limb_wrenches import limb_lines
 from gcrules.poses.compiling.roots import NoForm
 from gcrules.poses.compiling.tape import Program, lower
+from gcrules.poses.compiling.turns import turned_by
 from gcrules.poses.methods import Methods, method
 
-__all__ = ["geometry"]
+__all__ = ["geometry", "placing_program", "program_lines"]
 
 
-def geometry(asked: Asked) -> dict[str, Any] | None:
+def geometry(m: Mechanism, names: tuple[str, ...]) -> dict[str, Any] | None:
     """Six legs or rods at home: of each its two `ends`, the point on the platform last, and its drive, a leg that
     stretches, a turn about an axis or a slide along a direction; the `centre` about which the platform turns. Of other
     robots the screws of each limb's joints and its end, the actuators, and programs of the wrenches and of the amounts
     of the actuators. None for robots of which the checker knows nothing.
     """
-    found: dict[str, Any] | None = method(_GEOMETRY, asked.mechanism, "a certificate")(asked.task.question.names)
+    found: dict[str, Any] | None = method(_GEOMETRY, m, "a certificate")(names)
     return found
+
+
+def placing_program(m: Limbs, names: tuple[str, ...]) -> Program | None:
+    """The roots over the coordinates `names` that all exist at a pose just where home's solutions of all limbs do; None
+    where the roots that are known do not show whether each limb reaches a pose.
+    """
+    places = limb_places(m, Target(names, np.zeros(len(names)), text="home"), turned_by)
+    if places is None:
+        return None
+    roots = placing_roots(m, places)
+    return lower(places.graph, *roots) if reach_is_seen(m, places) else None
 
 
 def _of_legs(m: SixLegs, _: tuple[str, ...]) -> dict[str, Any]:
@@ -85,7 +97,7 @@ def _joints(m: Limbs, names: tuple[str, ...]) -> dict[str, Any] | None:
     except NoForm:
         return None
     try:
-        driven = _tape(lower(places.graph, *amounts(places)))
+        driven = program_lines(lower(places.graph, *amounts(places)))
     except NoForm:
         driven = None
     limbs = [
@@ -110,12 +122,12 @@ def _joints(m: Limbs, names: tuple[str, ...]) -> dict[str, Any] | None:
         "plane": bool(m.robot.family.plane),
         "limbs": limbs,
         "actuators": actuators,
-        "wrenches": _tape(lines),
+        "wrenches": program_lines(lines),
         "amounts": driven,
     }
 
 
-def _tape(program: Program) -> dict[str, Any]:
+def program_lines(program: Program) -> dict[str, Any]:
     """Lines as [operation, operands …, constant], and the results: numbers of lines, or constants as text."""
     lines: list[list[Any]] = []
     for line in program.lines:

@@ -1,0 +1,84 @@
+"""What the certificate of a map has of a robot of joints: its slice, its geometry, and what its cells are."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from itertools import product
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from gcrules.core.errors import LimitReached
+from gcrules.mechanisms.limbs import Limbs
+from gcrules.poses.compiling.checking import geometry, placing_program, program_lines
+from gcrules.poses.compiling.closed_forms import run
+from gcrules.poses.maps.cells import OUTSIDE, UNDECIDED
+from gcrules.poses.maps.limb_grid import LimbsGrid
+from gcrules.poses.maps.nodes import others
+
+__all__ = ["limb_geometry", "limb_question", "stated_cells"]
+
+Statuses = NDArray[np.uint8]
+
+_HINT = "gcrules map proves its cells all the same; the file is for programs that recompute them"
+
+
+def limb_geometry(m: Limbs, grid: LimbsGrid) -> dict[str, Any]:
+    """The geometry of a robot whose limbs have closed forms, as in certificates of ranges, and of other robots than
+    those on six rods the roots that all exist just where home's solutions of the limbs do. Raises LimitReached for
+    robots and coordinates without them.
+    """
+    if grid.driven:
+        raise LimitReached(
+            "a map over actuators has no certificate: no closed form tells the pose by them",
+            hint="take a map over coordinates of the platform",
+        )
+    if m.linkage.looped:
+        raise LimitReached(
+            f"a map of {m.robot.id} has no certificate: it has loops inside its limbs, which no checker closes",
+            hint=_HINT,
+        )
+    found, roots = geometry(m, grid.names), placing_program(m, grid.names)
+    if found is None or roots is None:
+        raise LimitReached(
+            f"a map of {m.robot.id} has no certificate: no closed forms of all its limbs are known", hint=_HINT
+        )
+    return found if "rods" in found else {**found, "roots": program_lines(roots)}
+
+
+def limb_question(grid: LimbsGrid, recipe: Mapping[str, Any]) -> dict[str, Any]:
+    """The robot and the slice, as in certificates of ranges, with the number of nodes along each axis."""
+    return {
+        "robot": recipe["robot"],
+        "about": recipe["about"],
+        "over": [
+            {"coordinate": a.name, "low": str(a.start), "high": str(a.stop), "number": a.number, "unit": a.unit}
+            for a in grid.axes
+        ],
+        "rest": others(grid.axes, grid.names, grid.values),
+        "limits": None,
+        "cones": [],
+        "tilt": None,
+    }
+
+
+def stated_cells(m: Limbs, grid: LimbsGrid, status: Statuses) -> Statuses:
+    """The status of each cell as a certificate states it: outside where the closed forms have no solution at a corner;
+    where a map calls a cell outside for another reason, undecided.
+    """
+    roots = placing_program(m, grid.names)
+    assert roots is not None
+    origin, steps = grid.linear
+    places = np.stack(np.meshgrid(*map(np.arange, grid.shape), indexing="ij"), axis=-1).reshape(-1, len(grid.axes))
+    with np.errstate(invalid="ignore"):
+        values = run(roots, "numpy", origin + places @ steps)
+    beyond = np.isnan(values).any(axis=0).reshape(grid.shape)
+    cells = tuple(n - 1 for n in grid.shape)
+    corners = [
+        beyond[tuple(slice(k, k + n) for k, n in zip(corner, cells, strict=True))]
+        for corner in product((0, 1), repeat=len(cells))
+    ]
+    found = status.copy()
+    found[(status == OUTSIDE) & ~np.any(corners, axis=0)] = UNDECIDED
+    return found
