@@ -73,7 +73,7 @@ def stated_cells(m: Limbs, grid: LimbsGrid, status: Statuses) -> Statuses:
     places = np.stack(np.meshgrid(*map(np.arange, grid.shape), indexing="ij"), axis=-1).reshape(-1, len(grid.axes))
     with np.errstate(invalid="ignore"):
         values = run(roots, "numpy", origin + places @ steps)
-    beyond = np.isnan(values).any(axis=0).reshape(grid.shape)
+    beyond = np.asarray(np.isnan(values).any(axis=0)).reshape(grid.shape)
     cells = tuple(n - 1 for n in grid.shape)
     corners = [
         beyond[tuple(slice(k, k + n) for k, n in zip(corner, cells, strict=True))]
