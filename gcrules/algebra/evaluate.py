@@ -18,7 +18,7 @@ import random
 from collections import Counter
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from fractions import Fraction
-from functools import cache, reduce
+from functools import cache, cached_property, reduce
 from itertools import chain, combinations
 from typing import Any
 
@@ -115,7 +115,6 @@ class Evaluator:
         self.rank = rank
         self.reduced: _Reduce = (lambda x: x % modulus) if modulus else (lambda x: x)
         self.modulus = modulus
-        self.floating = any(getattr(getattr(p, "dtype", None), "kind", "") == "f" for p in points.values())
         self.known: dict[Expr, _Values] = {}
 
     def value(self, e: Expr) -> _Values:
@@ -154,6 +153,11 @@ class Evaluator:
                 return self.value(written_out(e))
         raise TypeError(f"not an expression: {e!r}")
 
+    @cached_property
+    def _floating(self) -> bool:
+        """Whether coordinates are arrays of floats."""
+        return any(getattr(getattr(p, "dtype", None), "kind", "") == "f" for p in self.points.values())
+
     def _power(self, base: Any, exponent: int) -> Any:
         """By squaring, for any kind of numbers."""
         _check_size(base, exponent)
@@ -168,7 +172,7 @@ class Evaluator:
 
     def _number(self, value: int | Fraction) -> int | float | Fraction:
         if not self.modulus:
-            return float(value) if self.floating else value
+            return float(value) if self._floating else value
         if value.denominator % self.modulus == 0:
             raise LimitReached(f"a denominator is a multiple of the modulus {self.modulus}")
         return value.numerator * pow(value.denominator, -1, self.modulus) % self.modulus
@@ -292,11 +296,14 @@ def random_points(
     The same in one run for the same `seed` (a number, or texts and numbers that say what is claimed), and such that
     nobody can foresee them: what holds there may decide (see `seeds`).
     """
+    wanted = tuple(names)
+    if not wanted:
+        return {}
     rng = drawn("points", seed)
     at_infinity = set(ideal)
     return {
         name: (*(rng.randrange(DRAWN) for _ in range(rank - 1)), 0 if name in at_infinity else rng.randrange(DRAWN))
-        for name in names
+        for name in wanted
     }
 
 

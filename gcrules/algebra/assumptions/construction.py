@@ -54,7 +54,7 @@ class ConstructionStep:
 
     def scaled(self, part: Expr) -> bool:
         """Whether a part has a parameter; one that holds fresh points takes any size without."""
-        return not self.exact and not any(n in self.fresh for n in points_of(part))
+        return not (self.exact or (self.fresh and any(n in self.fresh for n in points_of(part))))
 
 
 def step_on(within: Within, rank: int, *, exact: bool = False) -> ConstructionStep:

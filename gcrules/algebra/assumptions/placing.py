@@ -55,11 +55,15 @@ class Placement:
     causes: list[tuple[IncidenceCondition, ...]] = field(default_factory=list)
     rng: random.Random = field(default_factory=lambda: drawn("construction"))
 
+    def __post_init__(self) -> None:
+        self.at = Evaluator(self.values, self.aim.space.rank, PRIME)
+        self.settled = 0  # values that do not depend on the point that is being placed, the first that `at` knows
+
     def zero(self, e: Expr) -> bool:
-        return not any(Evaluator(self.values, self.aim.space.rank, PRIME).value(e))
+        return not any(self.at.value(e))
 
     def place(self, depth: int, name: str, conditions: tuple[IncidenceCondition, ...]) -> None:
-        rank = self.aim.space.rank
+        rank, self.settled = self.aim.space.rank, len(self.at.known)
         usable = sorted((c for c in conditions if name in c.within), key=lambda c: (not c.exact, c.within[name].step))
         within: Within | None = None
         used: list[IncidenceCondition] = []
@@ -123,9 +127,14 @@ class Placement:
         return None
 
     def put(self, step: ConstructionStep) -> None:
-        rank = self.aim.space.rank
-        points = {**self.values, **random_points(step.fresh, rank=rank, seed=("fresh", len(self.steps)))}
-        value = coordinates(step, Evaluator(points, rank, PRIME), lambda: self.rng.randrange(DRAWN))
+        """Place a point, or place it anew."""
+        rank, at = self.aim.space.rank, self.at
+        if step.fresh:
+            points = {**self.values, **random_points(step.fresh, rank=rank, seed=("fresh", len(self.steps)))}
+            at = Evaluator(points, rank, PRIME)
+        value = coordinates(step, at, lambda: self.rng.randrange(DRAWN))
+        while len(self.at.known) > self.settled:
+            self.at.known.popitem()
         self.values[step.name] = tuple(value)
 
     def check(self, depth: int, step: ConstructionStep, used: list[IncidenceCondition]) -> None:
