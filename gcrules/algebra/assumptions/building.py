@@ -140,27 +140,43 @@ class _Builder:
         barren: set[Turn] = set()
         worst: Failure | None = None
         best: Construction | None = None
+        done: set[frozenset[Turn]] = set()
         order, late = (*self.space.points, *self.helpers), (*self.helpers, *self.space.ideal)
         for left_out in (barren, ()):
             for group in orders(self.conditions, order, late, self.space.rank, left_out):
                 found = [] if best is None else [best]
+                number = len(found)
                 for turns in islice(group, MAX_ORDERS):
                     checkpoint()
                     try:
-                        found.append(self._attempt(turns))
+                        # In another order the same turns place the same points, and the first construction is kept.
+                        if frozenset(turns) not in done:
+                            found.append(self._attempt(turns))
+                            done.add(frozenset(turns))
+                        number += 1
                     except Failure as failed:
                         barren |= set(turns[failed.depth : failed.depth + 1])
                         worst = failed if worst is None or failed.depth > worst.depth else worst
-                    if len(found) * len(self.conditions) > _ENOUGH:
+                    if number * len(self.conditions) > _ENOUGH:
                         break
-                best = min(
-                    found, key=lambda c: (len(collapsed(c, self.named)), -len(c.extensors), _cost(c)), default=None
-                )
+                best = self._simplest(found)
                 if best is not None and self._clean(best):
                     return best
         if best is not None:
             return best
         raise worst or self._no_order()
+
+    def _simplest(self, found: Iterable[Construction]) -> Construction | None:
+        """The first one in which the least collapses, among these the one with most extensors and the least cost."""
+        best: Construction | None = None
+        least = -1
+        for c in sorted(found, key=lambda c: (-len(c.extensors), _cost(c))):
+            number = len(collapsed(c, self.named))
+            if best is None or number < least:
+                best, least = c, number
+            if not least:
+                break
+        return best
 
     def _clean(self, c: Construction) -> bool:
         """Whether nothing vanishes that the assumptions name, and no points coincide that were not said to."""

@@ -16,6 +16,7 @@ __all__ = ["MAX_WORK", "Turn", "orders"]
 MAX_WORK = 200_000  # conditions of points that are looked at
 
 Turn = tuple[str, tuple[IncidenceCondition, ...]]
+_Last = tuple[Turn, frozenset[int], int]  # with what it asks for beyond what there is room for
 
 
 def orders(
@@ -54,6 +55,7 @@ class _Search:
         self.rank = rank
         self.work = 0
         self.dead: set[tuple[frozenset[int], int]] = set()
+        self.last: dict[frozenset[int], tuple[int, list[_Last]]] = {}
         self.holding = {n: frozenset(i for i, c in enumerate(conditions) if n in c.names) for n in points}
         place = {n: i for i, n in enumerate(points)}
         self.preference = {n: (n in late, -i) for n, i in place.items()}
@@ -67,26 +69,38 @@ class _Search:
         if self.work > MAX_WORK or (remaining, excess) in self.dead:
             return
         fruitful = False
-        turns = []
-        for name in {n for i in remaining for n in self.conditions[i].names}:
-            checkpoint()
-            at = remaining & self.holding[name]
-            self.work += len(at)
-            turn = tuple(self.conditions[i] for i in sorted(at))
-            asked, over = self._asked(name, turn)
-            if asked and over <= excess:
-                late, place = self.preference[name]
-                turns.append((late, asked, place, name, at, turn, over))
-        for *_, name, at, turn, over in sorted(turns, key=lambda t: t[:3]):
-            if (name, turn) in self.barren:
+        checkpoint()
+        if remaining not in self.last:
+            self.last[remaining] = self._last(remaining)
+        work, turns = self.last[remaining]
+        self.work += work
+        for turn, at, over in turns:
+            if over > excess or turn in self.barren:
                 continue
             for rest in self.ends(remaining - at, excess - over):
                 fruitful = True
-                yield [(name, turn), *rest]
-                if (name, turn) in self.barren:
+                yield [turn, *rest]
+                if turn in self.barren:
                     break
         if not fruitful:
             self.dead.add((remaining, excess))
+
+    def _last(self, remaining: frozenset[int]) -> tuple[int, list[_Last]]:
+        """The turns that can come last where these conditions remain, the preferred ones first; and how many conditions
+        of points were looked at.
+        """
+        work = 0
+        found = []
+        for name in {n for i in remaining for n in self.conditions[i].names}:
+            checkpoint()
+            at = remaining & self.holding[name]
+            work += len(at)
+            turn = tuple(self.conditions[i] for i in sorted(at))
+            asked, over = self._asked(name, turn)
+            if asked:
+                late, place = self.preference[name]
+                found.append(((late, asked, place), ((name, turn), at, over)))
+        return work, [last for _, last in sorted(found, key=lambda item: item[0])]
 
     def _asked(self, name: str, turn: tuple[IncidenceCondition, ...]) -> tuple[int, int]:
         """How many linear conditions are solved for a point, and how much that is beyond general position.
