@@ -20,6 +20,7 @@ from __future__ import annotations
 import re
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from fractions import Fraction
 from functools import cached_property, lru_cache
 from itertools import pairwise
 from typing import Any, TypeVar
@@ -60,20 +61,57 @@ def _stated(a: Assumption, place: Mapping[str, int], rank: int) -> tuple[Key, tu
 # --- the order of the points ----------------------------------------------------------------------------------------
 
 
-def _shape(e: Expr, colour: Mapping[str, int]) -> Key:
-    """What is left of an expression in normal form if points are their colours, and signs and orders don't count."""
-    match e:
-        case Point(name=name):
-            return 0, colour[name]
-        case Sum(terms=terms):
-            return 4, tuple(sorted((abs(c), _shape(t, colour)) for c, t in map(split, terms)))
-        case Number(value=value):
-            return 1, abs(value)
-        case Power(base=base, exponent=n):
-            return 6, n, _shape(base, colour)
-        case Dotted(brackets=brackets):
-            return 9, tuple(sorted((colour[n], d) for b in brackets for n, d in b))
-    return 2, type(e).__name__, tuple(sorted(_shape(c, colour) for c in e.children))
+class _Names:
+    """The points of expressions, and sums as numbers and what they multiply; looked up again and again."""
+
+    def __init__(self) -> None:
+        self._inside: dict[Expr, frozenset[str]] = {}
+        self._terms: dict[Expr, list[tuple[Fraction, Expr]]] = {}
+
+    def inside(self, e: Expr) -> frozenset[str]:
+        if e not in self._inside:
+            names = map(self.inside, e.children) if e.children else [points_of(e)]
+            self._inside[e] = frozenset().union(*names)
+        return self._inside[e]
+
+    def terms(self, e: Sum) -> list[tuple[Fraction, Expr]]:
+        if e not in self._terms:
+            self._terms[e] = [(abs(c), t) for c, t in map(split, e.terms)]
+        return self._terms[e]
+
+
+class _Shapes:
+    """What is left of expressions in normal form if points are their colours, one of them is marked, and signs and
+    orders don't count. Parts without the marked point are looked at once.
+    """
+
+    def __init__(self, colour: Mapping[str, int], names: _Names) -> None:
+        self.colour = colour
+        self.names = names
+        self.known: dict[tuple[Expr, str], Key] = {}
+
+    def of(self, e: Expr, marked: str) -> Key:
+        at = e, marked if marked in self.names.inside(e) else ""
+        if at not in self.known:
+            self.known[at] = self._of(*at)
+        return self.known[at]
+
+    def _of(self, e: Expr, marked: str) -> Key:
+        match e:
+            case Point(name=name):
+                return 0, self._colour(name, marked)
+            case Sum():
+                return 4, tuple(sorted((c, self.of(t, marked)) for c, t in self.names.terms(e)))
+            case Number(value=value):
+                return 1, abs(value)
+            case Power(base=base, exponent=n):
+                return 6, n, self.of(base, marked)
+            case Dotted(brackets=brackets):
+                return 9, tuple(sorted((self._colour(n, marked), d) for b in brackets for n, d in b))
+        return 2, type(e).__name__, tuple(sorted(self.of(c, marked) for c in e.children))
+
+    def _colour(self, name: str, marked: str) -> int:
+        return -1 if name == marked else self.colour[name]
 
 
 @dataclass(frozen=True)
@@ -88,8 +126,8 @@ class _Statement:
     def names(self) -> frozenset[str]:
         return frozenset(points_of(*self.args))
 
-    def shape(self, colour: Mapping[str, int]) -> Key:
-        return self.kind, tuple(sorted(_shape(e, colour) for e in self.args))
+    def shape(self, shapes: _Shapes, marked: str) -> Key:
+        return self.kind, tuple(sorted(shapes.of(e, marked) for e in self.args))
 
 
 class _Arrangement:
@@ -107,6 +145,9 @@ class _Arrangement:
         self.best: tuple[Key, tuple[str, ...], tuple[str, ...]] | None = None
         self.symmetries: list[dict[str, str]] = []
         self.leaves = 0
+        self.about = _Names()
+        self.place = {n: i for i, n in enumerate((*self.names, *self.others))}
+        self.keys: dict[int, Key] = {}  # of statements, at these places
 
     def order(self) -> tuple[str, ...]:
         self._search(self.first, ())
@@ -117,8 +158,8 @@ class _Arrangement:
         """Colours made finer until points of one colour are alike in all statements."""
         while True:
             checkpoint()
-            marked = {n: {**colour, n: -1} for n in self.names}
-            seen = {n: (colour[n], tuple(sorted(s.shape(marked[n]) for s in self.holding[n]))) for n in self.names}
+            shapes = _Shapes(colour, self.about)
+            seen = {n: (colour[n], tuple(sorted(s.shape(shapes, n) for s in self.holding[n]))) for n in self.names}
             finer = _ranks(seen)
             if len(set(finer.values())) == len(set(colour.values())):
                 return finer
@@ -151,13 +192,19 @@ class _Arrangement:
 
     def _exchanged(self, one: str, other: str) -> bool:
         """Whether it is a symmetry that two points change places, which is kept then."""
-        place = {n: i for i, n in enumerate((*self.names, *self.others))}
-        changed = {**place, one: place[other], other: place[one]}
+        changed = {**self.place, one: self.place[other], other: self.place[one]}
         about = {id(s): s for s in (*self.holding[one], *self.holding[other])}.values()
-        if sorted((s.kind, s.key(place)) for s in about) != sorted((s.kind, s.key(changed)) for s in about):
-            return False
+        for claims in (False, True):  # which take longer
+            some = [s for s in about if (s.kind == "claim") == claims]
+            if sorted((s.kind, self._key(s)) for s in some) != sorted((s.kind, s.key(changed)) for s in some):
+                return False
         self.symmetries.append({**{n: n for n in self.names}, one: other, other: one})
         return True
+
+    def _key(self, s: _Statement) -> Key:
+        if id(s) not in self.keys:
+            self.keys[id(s)] = s.key(self.place)
+        return self.keys[id(s)]
 
     def _alike(self, name: str, tried: Sequence[str], path: Sequence[str]) -> bool:
         """Whether a symmetry that leaves the path as it is leads to a point that was tried."""
