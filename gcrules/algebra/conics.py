@@ -10,11 +10,26 @@ The conic through a, b, c, d, e is the form [abc][ade][xbd][xce] − [abd][ace][
 
 from __future__ import annotations
 
+from collections.abc import Callable, Sequence
+from itertools import combinations
+from typing import Any
+
 from gcrules.algebra import expr as ex
 from gcrules.algebra.expr import Expr, Number
 from gcrules.algebra.scalars import bracket
 
-__all__ = ["on_conic", "on_conic_again", "polar", "pole", "tangent"]
+__all__ = [
+    "coefficients",
+    "discriminant",
+    "on_conic",
+    "on_conic_again",
+    "polar",
+    "pole",
+    "pole_of",
+    "second_of",
+    "tangent",
+    "value",
+]
 
 _PLANE = 3
 
@@ -32,6 +47,10 @@ def _b(*args: Expr) -> Expr:
 
 def _j(*args: Expr) -> Expr:
     return ex.join(*args, rank=_PLANE)
+
+
+def _m(*args: Expr) -> Expr:
+    return ex.meet(*args, rank=_PLANE)
 
 
 def _sum(*terms: Expr) -> Expr:
@@ -59,8 +78,48 @@ def pole(ends: tuple[Expr, Expr], *five: Expr) -> Expr:
 
 
 def on_conic_again(p: Expr, a: Expr, b: Expr, c: Expr, d: Expr, e: Expr) -> Expr:
-    """The second point of the line pa on the conic through a, b, c, d, e. At s a + t p the form is t (s B + t Q), where
-    B is the bilinear form at a and p, and Q the form at p.
+    """The second point of the line pa on the conic through a, b, c, d, e."""
+    return second_of(p, a, a, b, c, d, e)
+
+
+# --- of a conic that is given by five points of its own --------------------------------------------------------------
+
+
+def value(p: Expr, *five: Expr) -> Expr:
+    """The form of the conic through five points at p."""
+    a, b, c, d, e = five
+    return on_conic(a, b, c, d, e, p)
+
+
+def discriminant(*five: Expr) -> Expr:
+    """The product of the brackets of five points: not zero exactly where one conic runs through them which is not two
+    lines. It is, up to a number, the determinant of the form.
     """
-    both, alone = _b(p, polar(a, a, b, c, d, e)), on_conic(a, b, c, d, e, p)
+    return ex.mul(*(_b(*three) for three in combinations(five, _PLANE)))
+
+
+def pole_of(line: Expr, *five: Expr) -> Expr:
+    """The pole of any line. As the polar of p is the sum of [f p] g over pairs of lines f, g with coefficients, the
+    meet of two polars is a sum of [f /\\ f', line] g /\\ g' over two such pairs.
+    """
+    pairs = [(k, *pair) for k, L, M in _pairs(*five) for pair in ((L, M), (M, L))]
+    return _sum(
+        *(
+            ex.mul(k, other, _b(_m(f, f_other), line), _m(g, g_other))
+            for (k, f, g), (other, f_other, g_other) in combinations(pairs, 2)
+        )
+    )
+
+
+def second_of(p: Expr, a: Expr, *five: Expr) -> Expr:
+    """The second point of the line pa on the conic through five points, of which a is one more point. At s a + t p the
+    form is t (s B + t Q), where B is the bilinear form at a and p, and Q the form at p.
+    """
+    both, alone = _b(p, polar(a, *five)), value(p, *five)
     return _sum(ex.mul(both, p), ex.mul(Number(-1), alone, a))
+
+
+def coefficients(form: Callable[[Sequence[int]], Any]) -> tuple[Any, ...]:
+    """Of x², y², z², yz, zx, xy in a quadratic form, from its values at points."""
+    x, y, z = (form(p) for p in ((1, 0, 0), (0, 1, 0), (0, 0, 1)))
+    return x, y, z, form((0, 1, 1)) - y - z, form((1, 0, 1)) - z - x, form((1, 1, 0)) - x - y

@@ -14,6 +14,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
+from gcrules.algebra.assumptions.nondegeneracy import words
 from gcrules.algebra.duality import Dual, dual_of
 from gcrules.algebra.evaluate import vanishes
 from gcrules.algebra.expand import MAX_TERMS
@@ -22,8 +23,9 @@ from gcrules.algebra.language.relations import Claimed, parse_claim
 from gcrules.algebra.language.statements import parse_assumption
 from gcrules.algebra.language.syntax import Context
 from gcrules.algebra.language.text import text
-from gcrules.algebra.letters import declarations, letter_of, letters_of, named_letter
+from gcrules.algebra.letters import conics_of, declarations, letter_of, letters_of, named_letter
 from gcrules.algebra.prove import Proof, prove
+from gcrules.algebra.seated import Seated, seated
 from gcrules.algebra.space import Assumption, Space
 from gcrules.core.english import listed
 from gcrules.core.errors import GcrulesError, InputError
@@ -40,6 +42,8 @@ def decide(claimed: Claimed, at: Space, *, limit: int = MAX_TERMS) -> Proof:
     hyperplanes alone that stays undecided is proved as the dual of one about points, if that is. Raises StepError and
     InputError as `prove` does, and InputError where a word makes what exists nowhere.
     """
+    if conics_of(_names(claimed, at)):
+        return _about_conics(claimed, at, limit)
     found = _decided(claimed, at, limit)
     if found.verdict == "undecided" and (other := _of_points(claimed, at)) is not None:
         of_points = _decided(*other, limit)
@@ -86,8 +90,36 @@ def _of_points(claimed: Claimed, at: Space) -> tuple[Claimed, Space] | None:
     return Claimed(equations, claimed.relation, nonzero=nonzero), space
 
 
-def _decided(claimed: Claimed, at: Space, limit: int) -> Proof:
-    """The verdict on the claim as it is."""
+def _about_conics(claimed: Claimed, at: Space, limit: int) -> Proof:
+    """The verdict on a claim about conic letters: with points that are given on them in place of their own."""
+    placed = seated(claimed, at)
+    try:
+        found = _decided(placed.claimed, placed.space, limit, placed)
+    except InputError as fault:
+        if placed.apart:
+            fault.hint = fault.hint or "points that are given on one conic are taken to differ"
+        raise
+    if found.counterexample is not None:
+        places = {n: found.counterexample[p] for n, p in placed.places.items() if p in found.counterexample}
+        return replace(found, counterexample={**found.counterexample, **places})
+    if not found.proved:
+        return found
+    if placed.irreducible:
+        required = {r.text: r.meaning for r in claimed.required}
+        return replace(found, assumed=tuple(required), meanings=tuple(required.values()), kinds=())
+    told = {text(e): words(e) for e in placed.apart}
+    told |= dict(zip(found.assumed, found.meanings or [""] * len(found.assumed), strict=True))
+    return replace(found, assumed=tuple(told), meanings=tuple(told.values()))
+
+
+def _said(proof: Proof, placed: Seated) -> Proof:
+    """The proof of one equation with its conditions in words about conics."""
+    told = dict(filter(None, map(placed.spoken, proof.conditions)))
+    return replace(proof, assumed=tuple(told), meanings=tuple(told.values()))
+
+
+def _decided(claimed: Claimed, at: Space, limit: int, placed: Seated | None = None) -> Proof:
+    """The verdict on the claim as it is; conditions are told as those of a claim about conics that is `placed`."""
     for r in claimed.required:
         if vanishes(r.expr, rank=at.rank, ideal=at.ideal, samples=2):
             raise InputError(f"{r.text} vanishes at all positions")
@@ -106,6 +138,8 @@ def _decided(claimed: Claimed, at: Space, limit: int) -> Proof:
                 limit=limit,
             )
         )
+        if placed is not None:
+            parts[-1] = _said(parts[-1], placed)
         if parts[-1].verdict == "refuted":
             break
     found = _told(_together(parts), claimed, at)

@@ -3,10 +3,12 @@ r"""Letters that stand for lines, planes and hyperplanes: each is the join of po
 A line L is L₁ ∨ L₂, a plane P of space P₁₃ ∨ P₂₃ ∨ P₃₃: of a letter of step k the i-th point is marked by i, and by k
 behind it where k is not 2. So every line is reached, and only lines are: the Plücker coordinates of a join satisfy the
 quadratic relation. Nobody can write the names of these points, and where all of them stand side by side the letter is
-printed.
+printed. A conic K of the plane is the one through five points K¹, …, K⁵ without names.
 
 >>> str(letter("L", 2)), grouped(("a", *names_of("L", 2), "b"))
 ('L', ('a', 'L', 'b'))
+>>> conic_points("K"), conic_of("K³")
+(('K¹', 'K²', 'K³', 'K⁴', 'K⁵'), 'K')
 """
 
 from __future__ import annotations
@@ -19,13 +21,18 @@ from gcrules.core.english import with_article
 from gcrules.core.errors import InputError
 
 __all__ = [
+    "CONIC",
     "LETTERS",
+    "conic_of",
+    "conic_points",
+    "conics_of",
     "declarations",
     "grouped",
     "letter",
     "letter_of",
     "letter_step",
     "letters_of",
+    "marked",
     "named_letter",
     "names_of",
     "plain_name",
@@ -33,18 +40,26 @@ __all__ = [
     "wholes",
 ]
 
-LETTERS = ("line", "plane", "hyperplane")
-"""The words that declare letters of other steps than that of a point."""
+CONIC = "conic"
+LETTERS = ("line", "plane", "hyperplane", CONIC)
+"""The words that declare letters of other steps than that of a point, and of conics."""
 
 _WORDS = {2: "line", 3: "plane"}
+_PLANE = 3
 
 _TO_MARKS = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
-_FROM_MARKS = {ord(mark): str(i) for i, mark in enumerate("₀₁₂₃₄₅₆₇₈₉")}
+_RAISED = "¹²³⁴⁵"
+_FROM_MARKS = {ord(mark): str(i) for i, mark in (*enumerate("₀₁₂₃₄₅₆₇₈₉"), *enumerate(_RAISED, 1))}
 _MARKS = "₁₂₃₄₅₆₇₈₉"
 
 
 def letter_step(kind: str, rank: int) -> int:
-    """The step of a line, a plane or a hyperplane. Raises InputError where the rank has no room for it."""
+    """The step of a line, a plane or a hyperplane, 0 for a conic. Raises InputError where a rank has no room for it."""
+    if kind == CONIC:
+        if rank != _PLANE:
+            hint = f"`rank {_PLANE}` in a file, --rank {_PLANE} in the shell"
+            raise InputError(f"a conic is a curve of the plane (rank {_PLANE}); this is rank {rank}", hint=hint)
+        return 0
     step = rank - 1 if kind == "hyperplane" else LETTERS.index(kind) + 2
     if not 2 <= step < rank:
         what = {rank: "the whole space", 1: "a point"}.get(step, "more than the whole space")
@@ -77,11 +92,32 @@ def letter_of(point: str) -> tuple[str, int, int] | None:
     return name, int(digits[0]), int(digits[1:] or 2)
 
 
+def conic_points(name: str) -> tuple[str, ...]:
+    """The names of the points through which the conic of a letter runs."""
+    return tuple(name + mark for mark in _RAISED)
+
+
+def conic_of(point: str) -> str | None:
+    """The letter of the conic to which a point belongs; None for other points."""
+    name = point[:-1]
+    return name if point[-1:] in _RAISED and NAME.fullmatch(name) else None
+
+
+def conics_of(names: Iterable[str]) -> tuple[str, ...]:
+    """The letters of conics to which some of the points belong."""
+    return tuple(dict.fromkeys(name for n in names if (name := conic_of(n)) is not None))
+
+
+def marked(point: str) -> bool:
+    """Whether a point belongs to a letter, so that nobody can write its name."""
+    return letter_of(point) is not None or conic_of(point) is not None
+
+
 def plain_name(point: str) -> str:
     """The name of a point with the marks of a letter as digits: for what knows no others.
 
-    >>> plain_name("P₁₃"), plain_name("a")
-    ('P13', 'a')
+    >>> plain_name("P₁₃"), plain_name("K²"), plain_name("a")
+    ('P13', 'K2', 'a')
     """
     return point.translate(_FROM_MARKS)
 

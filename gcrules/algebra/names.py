@@ -10,6 +10,7 @@ NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]*'*")
 """Of points, lines and planes."""
 NAMES_HINT = "names begin with a letter and go on with letters, digits or _, then primes: left, S1, A'"
 
+_IN_ORDER = str.maketrans("¹²³", "\u2071\u2072\u2073")  # before ⁴, as points of conics are marked
 _STEP_NAMES = {1: "a point", 2: "a line", 3: "a plane"}
 
 
@@ -35,4 +36,4 @@ def point_key(name: str) -> tuple[str, int, int]:
     stem = name.rstrip("'")
     letters = stem.rstrip("0123456789")
     digits = stem[len(letters) :]
-    return letters.rstrip("_"), int(digits) if digits else -1, len(name) - len(stem)
+    return letters.rstrip("_").translate(_IN_ORDER), int(digits) if digits else -1, len(name) - len(stem)

@@ -84,16 +84,15 @@ class Proof(Shown):
     `verdict` is "proved" (the normal form of the difference is 0, or with the method "frame" what it is in
     coordinates), "refuted" (`counterexample` holds exact homogeneous coordinates at which the sides, `values`, differ)
     or "undecided" (`reason` names the limit and what is known).
-    `assumed` lists, as text of the language, what was assumed not to vanish: a claim that is proved holds wherever its
+    `assumed` lists, as text, what was assumed not to vanish (`conditions`): a claim that is proved holds wherever its
     assumptions hold and none of these is zero. Without assumptions that is everywhere; a refutation assumes nothing.
     `together` lists pairs of points or letters that coincide at all positions that the proof reaches, though nothing
-    says so: then it does not speak of others. Where assumptions allow several kinds of positions,
-    `kinds` holds the verdict for each; proved is what is proved for all of them, refuted what is refuted for one.
-    A claim that is one `relation` of the language may be several equations; then `parts` holds the proofs of them all,
-    and the sides are those of the one that decides.
-    A claim is about all homogeneous coordinates of its points; `unit_weights` says that one that is refuted holds
-    nevertheless wherever the finite points have last coordinate 1. `rank`, `ideal` and `given` are those of the claim.
-    With a `dual` that is what is claimed, of hyperplanes; all else is about the points in their places.
+    says so: then it does not speak of others. Where assumptions allow several kinds of positions, `kinds` holds the
+    verdict for each; proved is what is proved for all of them, refuted what is refuted for one. A claim that is one
+    `relation` may be several equations; then `parts` holds the proofs of all, and the sides are those of the one that
+    decides. A claim is about all homogeneous coordinates of its points; `unit_weights` says that one that is refuted
+    holds nevertheless wherever finite points have last coordinate 1. `rank`, `ideal` and `given` are those of the
+    claim. With a `dual` that is what is claimed, of hyperplanes; all else is about points.
     """
 
     left: Expr
@@ -105,6 +104,7 @@ class Proof(Shown):
     values: tuple[Any, Any] | None = None
     assumed: tuple[str, ...] = ()
     meanings: tuple[str, ...] = field(default=(), compare=False, repr=False)
+    conditions: tuple[Expr, ...] = field(default=(), compare=False, repr=False)
     together: tuple[tuple[str, str], ...] = ()
     kinds: tuple[KindVerdict, ...] = ()
     unit_weights: bool = False
@@ -277,8 +277,8 @@ def _under_assumptions(left: Expr, right: Expr, difference: Expr, space: Space, 
 
 def _assuming(proof: Proof, nonzero: Iterable[Expr], names: Sequence[str]) -> Proof:
     found = chosen(nonzero)
-    assumed, meanings = tuple(text(e, names=names) for e in found), tuple(words(e, names) for e in found)
-    return replace(proof, assumed=assumed, meanings=meanings)
+    assumed, told = tuple(text(e, names=names) for e in found), tuple(words(e, names) for e in found)
+    return replace(proof, assumed=assumed, meanings=told, conditions=found)
 
 
 def _at_one_kind(

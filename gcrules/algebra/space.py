@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import field
 
 from gcrules.algebra.expr import Expr
-from gcrules.algebra.letters import letter_of
+from gcrules.algebra.letters import marked
 from gcrules.algebra.metric import Infinity
 from gcrules.algebra.names import NAME, NAMES_HINT
 from gcrules.core.dataclass import dataclass
@@ -71,7 +71,7 @@ class Space:
         if self.rank not in RANKS:
             raise InputError(f"rank {self.rank} is outside the supported ranks {RANKS[0]} to {RANKS[-1]}")
         for n in (*self.points, *self.ideal):
-            if not NAME.fullmatch(n) and letter_of(n) is None:
+            if not NAME.fullmatch(n) and not marked(n):
                 raise InputError(f"{shortened(n)!r} cannot name a point", hint=NAMES_HINT)
         if len(self.declared()) > MAX_NAMES:
             raise InputError(f"more than {MAX_NAMES} declared names")

@@ -261,11 +261,11 @@ def test_letters_that_are_no_lines_are_no_legs(letters: str, legs: str, message:
     assert message in str(fault.value)
 
 
-@pytest.mark.parametrize(("read", "text"), [(parse_assumption, "conic K"), (parse_script, "rank 3\nquadric Q\n")])
-def test_conics_have_no_letters(read: Callable[[str], object], text: str) -> None:
-    with pytest.raises(SyntaxFault, match=r"expected (==|claim, .*line, plane or hyperplane)") as caught:
+@pytest.mark.parametrize(("read", "text"), [(parse_assumption, "sphere K"), (parse_script, "rank 3\nquadric Q\n")])
+def test_quadrics_have_no_letters(read: Callable[[str], object], text: str) -> None:
+    with pytest.raises(SyntaxFault, match=r"expected (==|claim, .*line, plane, hyperplane or conic)") as caught:
         read(text)
-    assert (caught.value.hint or "").startswith("letters stand for lines and planes")
+    assert (caught.value.hint or "").startswith("letters stand for lines, planes and, in the plane, conics")
 
 
 def test_a_letter_is_no_corner_of_a_tetrahedron() -> None:

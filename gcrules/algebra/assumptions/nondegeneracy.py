@@ -16,7 +16,7 @@ from gcrules.algebra.assumptions.construction import ConstructionStep
 from gcrules.algebra.assumptions.incidences import Helper
 from gcrules.algebra.expr import Bracket, Expr, Join, Meet, Point, Product, points_of
 from gcrules.algebra.language.text import text
-from gcrules.algebra.letters import grouped, letter_of, letters_of, named_letter
+from gcrules.algebra.letters import conic_of, conics_of, grouped, letter_of, letters_of, named_letter
 from gcrules.algebra.parts import substitute
 
 __all__ = ["assumed", "chosen", "fewest", "words"]
@@ -57,12 +57,16 @@ def chosen(found: Iterable[Expr]) -> tuple[Expr, ...]:
     """Without what does not vanish for some choice of the points of letters, which one always may take.
 
     A point of a line L is outside every smaller extensor A ≠ 0, wherever L is, so that L₁ ∨ A asks for A ≠ 0 only.
-    Choices are points of irreducible varieties, so that what is possible one by one is possible together.
+    A point of a conic that is no pair of lines can be chosen outside any line. Choices are points of irreducible
+    varieties, so that what is possible one by one is possible together.
     """
     return fewest(e for e in map(_chosen, found) if e is not None)
 
 
 def _chosen(e: Expr) -> Expr | None:
+    if isinstance(e, Join | Bracket) and conics_of(points_of(e)) and all(isinstance(a, Point) for a in e.args):
+        others = [a for a in e.args if isinstance(a, Point) and conic_of(a.name) is None]
+        return _chosen(ex.join(*others, rank=_PLANE)) if len(others) > 1 else None
     if not isinstance(e, Join):
         return e
     if named_letter(e) is not None:
@@ -75,6 +79,9 @@ def _chosen(e: Expr) -> Expr | None:
             if of[0] not in letters_of(points_of(rest)):  # it would change with the choice
                 return None if isinstance(rest, Point) else _chosen(rest)
     return e
+
+
+_PLANE = 3
 
 
 def _point(e: Expr, helpers: Mapping[str, Helper]) -> bool:

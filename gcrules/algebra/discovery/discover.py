@@ -70,6 +70,9 @@ def discover(
     if at.rank not in (3, 4):
         hint = "they are looked for in the plane (rank 3) and in space (rank 4)"
         raise InputError(f"incidences are not looked for in rank {at.rank}", hint=hint)
+    if at.conics:
+        what = f"{at.conics[0]} is a conic, and incidences are looked for between points, lines and planes"
+        raise InputError(what, hint="say by five points which conic it is: on_conic(a, b, c, d, e, f)")
     figure = figure_of(at)
     number = candidates(len(figure.points), len(figure.flats), at.rank)
     if number > most:

@@ -13,7 +13,7 @@ from gcrules.algebra.bracket import BracketPolynomial, ExtensorPolynomial, Row, 
 from gcrules.algebra.expand import expand
 from gcrules.algebra.expr import Expr, Number
 from gcrules.algebra.factoring.powers import number_power, powers
-from gcrules.algebra.letters import letters_of
+from gcrules.algebra.letters import conics_of, letters_of
 from gcrules.algebra.names import step_name
 from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import InputError
@@ -62,7 +62,10 @@ def factor_pieces(
     Raises InputError for letters that are lines or planes and for extensors (only scalars are `what`), LimitReached
     beyond `limit` terms.
     """
-    lettered = letters_of(ex.points_of(e) if isinstance(e, Expr) else e.points)
+    names = ex.points_of(e) if isinstance(e, Expr) else e.points
+    lettered = letters_of(names)
+    for conic in conics_of(names):
+        raise InputError(f"only expressions of points are {what}, and {conic} is a conic")
     if lettered:
         name, step = next(iter(lettered.items()))
         hint = f"write {name} as a join of points" if isinstance(e, Expr) else None

@@ -48,6 +48,9 @@ def read_legs(
     at = parse_letters(letters, at) if letters else at
     for written in filter(str.strip, [given] if isinstance(given, str) else given):
         at = parse_assumption(written, at)
+    if at.conics:
+        what = f"{at.conics[0]} is a conic, and what is assumed of legs is said of their points"
+        raise InputError(what, hint="on_conic(a, b, c, d, e, f)")
     reading = Context(rank, points, letters=at.letters)
     if isinstance(legs, str):
         found = tuple(_read_text(legs, reading, built))

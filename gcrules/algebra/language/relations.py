@@ -17,11 +17,12 @@ from gcrules.algebra import conics, metric
 from gcrules.algebra import expr as ex
 from gcrules.algebra.assumptions.incidences import MAX_CONDITIONS, equations
 from gcrules.algebra.duality import Dual, dual_of
-from gcrules.algebra.expr import ZERO, Expr
+from gcrules.algebra.expr import ZERO, Expr, points_of
+from gcrules.algebra.language.conic_words import conic_behind, proper
 from gcrules.algebra.language.parse_tree import Node, read, span_of
 from gcrules.algebra.language.syntax import Builder, Context
 from gcrules.algebra.language.words import FLAT, POINT, SEGMENT, Requirement, Word, ends
-from gcrules.algebra.letters import named_letter
+from gcrules.algebra.letters import conic_points, conics_of, named_letter
 from gcrules.algebra.metric import Infinity
 from gcrules.algebra.names import step_name
 from gcrules.algebra.space import Assumption, SourcePlace, Space
@@ -30,6 +31,7 @@ from gcrules.core.errors import GcrulesError, InputError, StepError
 
 __all__ = [
     "INCIDENCES",
+    "OF_CONICS",
     "RELATIONS",
     "RELATION_NAMES",
     "Claimed",
@@ -105,9 +107,13 @@ def read_claim(tree: Node, builder: Builder, text: str) -> Claimed:
         return _dual(tree, builder, text)
     if tree.data == "equation":
         sides = builder.equation(tree)
-        return Claimed((sides,), "", builder.requirements(), _apart(builder))
-    kind, args = _arguments(tree, builder)
-    if kind in INCIDENCES:
+        said = text if any(name in builder.context.conics for name in builder.lettered) else ""
+        return Claimed((sides,), said, builder.requirements(), _apart(builder))
+    kind, args, five = _arguments(tree, builder)
+    if five:
+        found = tuple(conics.value(p, *five) for p in args)
+        kind = ""
+    elif kind in INCIDENCES:
         found = equations(Assumption(kind, args, text, role="claim"), builder.rank)
     else:
         found = tuple(_expanded(RELATIONS[kind], args, builder.context)[0])
@@ -128,6 +134,10 @@ def _dual(tree: Node, builder: Builder, text: str) -> Claimed:
         what = f"a dual is projective, and {at.ideal[0]} is a point at infinity, a word without a dual"
         raise InputError(what, hint="claim it without points at infinity")
     found = read_claim(inner, builder, text)
+    if at.conics and conics_of(
+        points_of(*(e for pair in found.equations for e in pair), *(e for a in at.given for e in a.args))
+    ):
+        raise InputError("the dual of a conic letter has no word", hint="claim it of the conic through five points")
     if any(r for some in at.required.values() for r in some) or found.required:
         raise InputError("the dual of a construction has no word", hint="write out its joins and meets")
     relation = Assumption(found.kind, found.args, text) if found.kind else None
@@ -145,7 +155,10 @@ def read_assumptions(
         left, right = builder.equation(tree.children[0])
         zero = left if right == ZERO else right if left == ZERO else ex.sub(left, right, rank=builder.rank)
         return (Assumption("zero", (zero,), text, place, exists=_existing(builder)),)
-    kind, args = _arguments(tree, builder)
+    kind, args, five = _arguments(tree, builder)
+    if five:
+        exists = _existing(builder)
+        return tuple(Assumption("zero", (conics.value(p, *five),), text, place, exists=exists) for p in args)
     if kind in INCIDENCES:
         return (Assumption(kind, args, text, place, exists=_existing(builder)),)
     whole, chain = _expanded(RELATIONS[kind], args, builder.context)
@@ -164,17 +177,22 @@ def _existing(builder: Builder) -> tuple[Expr, ...]:
     return (*_apart(builder), *(r.expr for r in builder.requirements()))
 
 
-def _arguments(tree: Node, builder: Builder) -> tuple[str, tuple[Expr, ...]]:
-    """The name of a relation, and its arguments, which it takes."""
+def _arguments(tree: Node, builder: Builder) -> tuple[str, tuple[Expr, ...], tuple[Expr, ...]]:
+    """The name of a relation, its arguments, which it takes, and five points of the conic letter behind them."""
     token, *parts = tree.children
     kind = str(token)
+    parts, conic = conic_behind(kind, OF_CONICS, parts, builder.context.conics)
+    builder.lettered |= proper(conic)
     args = tuple(map(builder.value, parts))
-    if kind in INCIDENCES:
+    five = tuple(map(ex.Point, conic_points(conic))) if conic else ()
+    if five:
+        builder.check(OF_CONICS[kind], args, parts)
+    elif kind in INCIDENCES:
         INCIDENCES[kind](args, parts, builder.rank)
     else:
         word = RELATIONS[kind]
         builder.check(word, args, parts)
-    return kind, args
+    return kind, args, five
 
 
 def _expanded(word: Relation, args: Sequence[Expr], at: Space) -> tuple[list[Expr], list[Expr]]:
@@ -337,5 +355,22 @@ RELATIONS: Mapping[str, Relation] = {
     )
 }
 """Relations that are equations of brackets, joins and meets, by their names, which grammar.lark lists too."""
+
+OF_CONICS: Mapping[str, Relation] = {
+    w.name: w
+    for w in (
+        Relation("incident(p, K)", "p is on the conic K", (POINT,), _PLANE, metric=False, of_conic=True),
+        Relation(
+            "on_conic(p, q, …, K)",
+            "the points are on the conic K",
+            (POINT,),
+            _PLANE,
+            metric=False,
+            open=True,
+            of_conic=True,
+        ),
+    )
+}
+"""Relations that are said of conic letters too."""
 
 RELATION_NAMES = (*INCIDENCES, *RELATIONS)

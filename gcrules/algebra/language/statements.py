@@ -104,7 +104,7 @@ def parse_letters(text: str, context: Context) -> Context:
     except SyntaxFault as fault:
         fault.hint = fault.hint or hint
         raise
-    if replace(found, letters=context.letters) != context or found.letters == context.letters:
+    if replace(found, letters=context.letters, conics=context.conics) != context or found == context:
         raise InputError("this declares more than letters, or none", hint=hint, span=Span(0, len(text)), source=text)
     return found
 
@@ -179,13 +179,16 @@ class _Reader:
         for token in tokens:
             name = str(token)
             self._declared((), (token,), str(kind))
-            if name in at.letters and at.letters[name] == step:
+            if (name in at.letters and at.letters[name] == step) or (name in at.conics and not step):
                 continue
             if name in at.declared() or name in before:
                 known = "declared" if name in at.declared() else "a point in what stands before"
                 hint = f"choose another name, or declare the {kind} first"
                 raise InputError(f"{shortened(name)} is already {known}", span=span_of(token), hint=hint)
-            at = replace(at, letters={**at.letters, name: step})
+            if step:
+                at = replace(at, letters={**at.letters, name: step})
+            else:
+                at = replace(at, conics=(*at.conics, name))
         self.context = at
 
     def _declared(self, known: tuple[str, ...], tokens: Iterable[Node], kind: str = "point") -> tuple[str, ...]:
@@ -200,6 +203,10 @@ class _Reader:
             if name in self.context.letters and kind not in LETTERS:
                 what = f"{shortened(name)} is already {step_name(self.context.letters[name], self.context.rank)}"
                 raise InputError(what, span=span_of(token), hint="choose another name")
+            if name in self.context.conics and kind not in LETTERS:
+                raise InputError(
+                    f"{shortened(name)} is already a conic", span=span_of(token), hint="choose another name"
+                )
             names.append(name)
         return tuple(dict.fromkeys((*known, *names)))
 
@@ -213,7 +220,9 @@ class _Reader:
         builder = Builder(at)
         bound = {**at.bound, name: builder.value(body)}
         required = {**at.required, name: found} if (found := builder.requirements()) else at.required
-        self.context = replace(at, bound=bound, required=required, finite=frozenset(builder.finite))
+        self.context = replace(
+            at, bound=bound, required=required, finite=frozenset(builder.finite), on_conics=frozenset(builder.on_conics)
+        )
 
     def _claim(self, item: Node) -> None:
         label, body = item.children
@@ -271,14 +280,16 @@ class _Reader:
 
     def _refuse_letters(self, trees: Iterable[Node]) -> None:
         at = self.context
-        if not at.letters:
+        if not at.letters and not at.conics:
             return
         words = (w for t in trees if hasattr(t, "scan_values") for w in t.scan_values(_is_word))
         for word in words:
-            used = next((n for n, _ in Builder(at).split(word) if n in at.letters), None)
+            used = next((n for n, _ in Builder(at).split(word) if n in at.letters or n in at.conics), None)
             if used is not None:
-                fault = f"{used} is {step_name(at.letters[used], at.rank)}, and rules are about points"
-                raise InputError(fault, span=span_of(word), hint="write the line or plane as a join of points")
+                what = "a conic" if used in at.conics else step_name(at.letters[used], at.rank)
+                instead = "the conic by five points" if used in at.conics else "the line or plane as a join of points"
+                hint = f"write {instead}"
+                raise InputError(f"{used} is {what}, and rules are about points", span=span_of(word), hint=hint)
 
     def _case(self, tree: Node) -> Case:
         return Case(Builder(self.context).value(tree), self._source(tree), span_of(tree))

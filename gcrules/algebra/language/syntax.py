@@ -16,13 +16,23 @@ import unicodedata
 from collections.abc import Iterable, Mapping, Sequence
 from fractions import Fraction
 
+from gcrules.algebra import conics, scalars
 from gcrules.algebra import expr as ex
-from gcrules.algebra import scalars
 from gcrules.algebra.expr import Expr
+from gcrules.algebra.language.conic_words import called, conic_behind, known_on, proper, refuse_conic
 from gcrules.algebra.language.parse_tree import Node, digits, read, run_name, span_of, whole
-from gcrules.algebra.language.text import SHORT_NAME, text
-from gcrules.algebra.language.words import CONSTRUCTIONS, POINT, SEGMENT, Requirement, Word, constructed, ends
-from gcrules.algebra.letters import letter, names_of
+from gcrules.algebra.language.text import SHORT_NAME
+from gcrules.algebra.language.words import (
+    CONSTRUCTIONS,
+    OF_CONICS,
+    POINT,
+    SEGMENT,
+    Requirement,
+    Word,
+    constructed,
+    ends,
+)
+from gcrules.algebra.letters import conic_points, letter, names_of
 from gcrules.algebra.names import step_name
 from gcrules.algebra.scalars import MAX_EXPONENT, superbracket
 from gcrules.algebra.space import Space, shortened
@@ -41,13 +51,16 @@ MAX_WORD = 1_000
 @dataclass(frozen=True, slots=True)
 class Context(Space):
     """What names mean: a space, and the names bound by `let`, each with what its words require not to vanish; which of
-    what these made is `finite` then. `letters` stand for lines, planes and hyperplanes, each with its step.
+    what these made is `finite` then. `letters` stand for lines, planes and hyperplanes, each with its step, `conics`
+    for conics; the forms of these in `on_conics` are zero, as words made points of them.
     """
 
     bound: Mapping[str, Expr] = FrozenMap()
     required: Mapping[str, tuple[Requirement, ...]] = FrozenMap()
     finite: frozenset[Expr] = frozenset()
     letters: Mapping[str, int] = FrozenMap()
+    conics: tuple[str, ...] = ()
+    on_conics: frozenset[Expr] = frozenset()
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "bound", FrozenMap(self.bound))
@@ -56,7 +69,7 @@ class Context(Space):
         Space.__post_init__(self)
 
     def declared(self) -> tuple[str, ...]:
-        return tuple(dict.fromkeys((*self.points, *self.ideal, *self.letters, *self.bound)))
+        return tuple(dict.fromkeys((*self.points, *self.ideal, *self.letters, *self.conics, *self.bound)))
 
 
 def parse(text: str, *, rank: int = 4, points: Iterable[str] = (), context: Context | None = None) -> Expr:
@@ -93,7 +106,6 @@ class _DottedBracket:
 
 
 _KINDS = {1: "the point", 2: "the line", 3: "the plane"}
-
 _Value = Expr | _DottedRun | _DottedBracket
 
 
@@ -110,6 +122,7 @@ class Builder:
         self.level = 0
         self.made: dict[Expr, str] = {}  # what words make, as it is called
         self.finite = set(context.finite)  # those of it that are, if what they are made of is
+        self.on_conics = set(context.on_conics)
         self.required: dict[Expr, Requirement] = {}  # what must not vanish so that it exists
         self.lettered: dict[str, Expr] = {}  # the letters that were read, none of which is zero
         self.parts = 0  # size of the names bound by `let` that were written out
@@ -209,14 +222,21 @@ class Builder:
         if str(token) in self.context.declared():
             hint = f"write a space behind the name: {token} (…)"
             raise InputError(f"{token} is declared here, and a word of the language", span=span_of(token), hint=hint)
-        word, args = CONSTRUCTIONS[str(token)], tuple(map(self.value, parts))
+        parts, conic = conic_behind(str(token), OF_CONICS, parts, self.context.conics)
+        self.lettered |= proper(conic)
+        word, args = (OF_CONICS if conic else CONSTRUCTIONS)[str(token)], tuple(map(self.value, parts))
         self.check(word, args, parts)
-        made, may_vanish = constructed(word, args, self.context)
+        five = list(map(ex.Point, conic_points(conic)))
+        if word.on is not None:
+            shown = self._called(args[word.on])
+            known_on(args[word.on], conic, shown, self.context, self.on_conics, parts[word.on])
+        made, may_vanish = constructed(word, args, self.context, five)
+        if word.on == 1:
+            self.on_conics.add(conics.value(made, *five))
         self._count(made, word.name)
-        self.made[made] = f"{word.name}({', '.join(map(self._called, args))})"
+        self.made[made] = f"{word.name}({', '.join((*map(self._called, args), *filter(None, [conic])))})"
         if may_vanish:
-            kind = _KINDS.get(made.step, "it")
-            self.required[made] = Requirement(made, self.made[made], f"{kind} exists")
+            self.required[made] = Requirement(made, self.made[made], f"{_KINDS.get(made.step, 'it')} exists")
         else:
             self.finite.add(made)
         return made
@@ -238,7 +258,7 @@ class Builder:
     def _called(self, e: Expr) -> str:
         """The text of an argument: its name, or the words that made it."""
         named = next((name for name, value in self.context.bound.items() if value == e), None)
-        return named or self.made.get(e) or text(e, names=self.context.declared())
+        return named or called(e, {v: n for n, v in self.context.bound.items()} | self.made, self.context.declared())
 
     def requirements(self) -> tuple[Requirement, ...]:
         """What must not vanish, by the words that were read."""
@@ -269,7 +289,7 @@ class Builder:
             if step is not None and dot:
                 what = f"a dot marks a point, and {name} is {step_name(step, self.rank)}"
                 raise SyntaxFault(what, span=span_of(tree), hint="write the meet, or the sum that the dots stand for")
-            if step is not None:
+            if step is not None or name in self.context.conics:
                 self._named(name)
             found += [(name, dot)] if step is None else [(n, False) for n in names_of(name, step)]
         return _DottedRun(tuple(found))
@@ -321,6 +341,7 @@ class Builder:
     def _named(self, name: str) -> Expr:
         """What a name stands for, counted among the parts of the expression."""
         bound = self.context.bound.get(name)
+        refuse_conic(name, self.context.conics)
         if name in self.context.letters:
             self.lettered[name] = letter(name, self.context.letters[name])
             return self.lettered[name]

@@ -33,7 +33,7 @@ _TERMINALS = {
     "RUN": "a run of points (R...)",
     "RELATION": "a relation such as collinear(a, b, c)",
     "CONSTRUCTION": "a word such as midpoint(a, b)",
-    "LETTERS": "line, plane or hyperplane",
+    "LETTERS": "line, plane, hyperplane or conic",
     "$END": "the end",
 }
 _STARTERS = {"WORD", "NUMBER", "LPAR", "LSQB", "DOT", "RUN"}
@@ -41,6 +41,7 @@ _HINTS: tuple[tuple[re.Pattern[str], str], ...] = (
     (re.compile(r"=(?!=)"), "equality is written =="),
     (re.compile(r"\\(?!/)"), "join is \\/ (or ∨, \\vee), meet is /\\ (or ∧, ^, \\wedge)"),
     (re.compile(r"/(?!\\)"), "meet is /\\ ; fractions are written 1/2 without spaces"),
+    (re.compile("[₀-₉¹²³⁴⁵]"), "the points of letters have no names that can be written"),
     (re.compile(r"[|&]"), "join is \\/ , meet is /\\"),
     (re.compile(r"[{}]"), "group with ( ) ; brackets of points are [ ]"),
     (re.compile(r"(?<=[0-9]\.)[0-9]"), "fractions are written 3/2"),
@@ -49,7 +50,7 @@ _HINTS: tuple[tuple[re.Pattern[str], str], ...] = (
         "one == stands between two expressions, for `prove`, for `claim`, or alone at the prompt",
     ),
 )
-_NO_LETTER = re.compile(r"\s*(conic|quadric|circle|sphere)\s+[A-Za-z]")
+_NO_LETTER = re.compile(r"\s*(quadric|circle|sphere)\s+[A-Za-z]")
 _CALL = re.compile(r"(?<![A-Za-z0-9_'])([A-Za-z_]+)\s*\(")
 _INFIX = {
     **dict.fromkeys(("meet", "cap", "intersect", "intersection", "regressive", "wedge"), (" /\\ ", "the meet")),
@@ -100,7 +101,7 @@ def _no_letter(text: str, at: int) -> str | None:
     """What takes the place of letters that there are not, where the line up to a place declares one."""
     if not _NO_LETTER.match(text, text.rfind("\n", 0, at) + 1):
         return None
-    return "letters stand for lines and planes; conics are given by points, as in on_conic(a, b, c, d, e, f)"
+    return "letters stand for lines, planes and, in the plane, conics; a circle is a conic through the isotropic points"
 
 
 def words_of(pattern: str) -> list[str]:

@@ -8,7 +8,7 @@ from collections.abc import Iterable, Mapping, Sequence
 
 from gcrules.algebra.expr import Expr
 from gcrules.algebra.language.notation import Digits, Mark, Raised, Row, Sign, Term, signs, terms
-from gcrules.algebra.letters import letter_of
+from gcrules.algebra.letters import marked
 from gcrules.core.dataclass import dataclass
 
 __all__ = ["SHORT_NAME", "Names", "split_names", "text", "text_terms"]
@@ -69,7 +69,7 @@ def text_terms(e: Expr, *, unicode: bool = False, names: Iterable[str] = ()) -> 
 
 def _style(unicode: bool, names: Iterable[str]) -> _Style:
     return _Style(
-        _UNICODE if unicode else _ASCII, unicode, not all(SHORT_NAME.fullmatch(n) or letter_of(n) for n in names)
+        _UNICODE if unicode else _ASCII, unicode, not all(SHORT_NAME.fullmatch(n) or marked(n) for n in names)
     )
 
 

@@ -25,6 +25,7 @@ __all__ = [
     "FLAT",
     "LINE",
     "METRICS",
+    "OF_CONICS",
     "POINT",
     "SEGMENT",
     "Construction",
@@ -70,6 +71,7 @@ class Word:
     ranks: tuple[int, ...]
     metric: bool = True
     open: bool = False
+    of_conic: bool = False  # said of a conic letter, which stands behind the arguments
 
     @property
     def name(self) -> str:
@@ -84,8 +86,9 @@ class Word:
             raise InputError(f"{self.usage} needs to know the points at infinity", hint=_DECLARE[at.rank])
         least = self.least(at.rank)
         if len(args) < least or (len(args) > least and not self.open):
-            number = f"{'at least ' if self.open else ''}{counted(least, 'argument')}"
-            raise InputError(f"{self.usage} takes {number}, found {len(args)}", hint=self._advice(args))
+            number = f"{'at least ' if self.open else ''}{counted(least + self.of_conic, 'argument')}"
+            found = f"{self.usage} takes {number}, found {len(args) + self.of_conic}"
+            raise InputError(found, hint=self._advice(args))
         for arg, span, kind in zip(args, spans, self.kinds(len(args)), strict=True):
             if not _FITS[kind](arg, at.rank):
                 joined = isinstance(arg, Join) and named_letter(arg) is None
@@ -110,18 +113,26 @@ class Word:
 
 @dataclass(frozen=True, slots=True)
 class Construction(Word):
-    """A word that stands in expressions: `build` writes it out. `always` says that finite points have a finite one."""
+    """A word that stands in expressions: `build` writes it out. `always` says that finite points have a finite one.
+
+    Of a conic letter `build` takes the five points last. The argument of the number `on` is a point of the conic, and
+    what is `whole` is not zero where all arguments are points.
+    """
 
     build: Callable[..., Expr] = metric.midpoint
     always: bool = False
     by_rank: bool = False  # as many points as the rank says
+    on: int | None = None
+    whole: bool = False
 
     def least(self, rank: int) -> int:
         return rank if self.by_rank else len(self.takes)
 
 
-def constructed(word: Construction, args: Sequence[Expr], at: Space) -> tuple[Expr, bool]:
+def constructed(word: Construction, args: Sequence[Expr], at: Space, five: Sequence[Expr] = ()) -> tuple[Expr, bool]:
     """What a construction makes of its arguments, and whether that may be zero although the arguments are finite."""
+    if word.of_conic:
+        return word.build(*args, *five), not (word.always or (word.whole and all(isinstance(a, Point) for a in args)))
     given = [ends(a) if kind == SEGMENT else a for a, kind in zip(args, word.kinds(len(args)), strict=True)]
     made = word.build(at.infinity, *given) if word.metric else word.build(*given)
     return made, not word.always
@@ -296,3 +307,60 @@ CONSTRUCTIONS: Mapping[str, Construction] = {
     )
 }
 """The words of expressions by their names, which grammar.lark lists too."""
+
+OF_CONICS: Mapping[str, Construction] = {
+    w.name: w
+    for w in (
+        Construction(
+            "second_on_conic(p, a, K)",
+            "the second point of the line pa on the conic K, of which a is a point",
+            _P2,
+            _PLANE,
+            metric=False,
+            of_conic=True,
+            build=conics.second_of,
+            on=1,
+        ),
+        Construction(
+            "tangent(a, K)",
+            "the tangent at a point a of the conic K",
+            (POINT,),
+            _PLANE,
+            metric=False,
+            of_conic=True,
+            build=conics.polar,
+            on=0,
+            whole=True,
+        ),
+        Construction(
+            "polar(p, K)",
+            "the polar of p for the conic K",
+            (POINT,),
+            _PLANE,
+            metric=False,
+            of_conic=True,
+            build=conics.polar,
+            whole=True,
+        ),
+        Construction(
+            "pole(pq, K)",
+            "the pole of any line for the conic K",
+            (LINE,),
+            _PLANE,
+            metric=False,
+            of_conic=True,
+            build=conics.pole_of,
+        ),
+        Construction(
+            "conic(p, K)",
+            "the scalar that is zero where p is on the conic K",
+            (POINT,),
+            _PLANE,
+            metric=False,
+            of_conic=True,
+            build=conics.value,
+            always=True,
+        ),
+    )
+}
+"""The words that are said of conic letters too."""

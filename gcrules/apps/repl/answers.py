@@ -9,7 +9,7 @@ from gcrules.algebra.bracket import BracketPolynomial, ExtensorPolynomial
 from gcrules.algebra.expr import Expr
 from gcrules.algebra.language.syntax import Context
 from gcrules.algebra.language.text import text
-from gcrules.algebra.letters import letter_of
+from gcrules.algebra.letters import marked
 from gcrules.algebra.names import step_name
 from gcrules.algebra.whole_letters import in_letters
 from gcrules.apps.repl.reading import as_typed
@@ -137,7 +137,7 @@ def value_text(e: Expr, settings: Settings, names: tuple[str, ...]) -> str:
     """An expression as the settings ask for it; `names` are the declared points."""
     if settings.latex:
         return latex(e)
-    shown = text(e, unicode=settings.unicode, names=[n for n in names if letter_of(n) is None])
+    shown = text(e, unicode=settings.unicode, names=[n for n in names if not marked(n)])
     return "  # ".join([shown, *filter(None, [points_shown(shown)])])
 
 
@@ -163,7 +163,8 @@ def context_text(state: PromptState, settings: Settings) -> str:
         "points": [" ".join(at.points)] if at.points else [],
         "ideal": [" ".join(at.ideal)] if at.ideal else [],
         "metric": [str(at.infinity)] if at.infinity else [],
-        "letters": [f"{name}, {step_name(step, at.rank)}" for name, step in at.letters.items()],
+        "letters": [f"{name}, {step_name(step, at.rank)}" for name, step in at.letters.items()]
+        + [f"{name}, a conic" for name in at.conics],
         "given": list(dict.fromkeys(map(str, at.given))),
         "let": [bound_text(n, at, settings) for n in at.bound],
         "rules": [", ".join(r.id for r in state.rules)] if state.rules else [],

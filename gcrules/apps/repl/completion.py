@@ -98,6 +98,7 @@ def _names(before: str, state: PromptState) -> Iterator[Completion]:
         dict.fromkeys(at.points, "a point")
         | dict.fromkeys(at.ideal, "at infinity")
         | {n: step_name(step, at.rank) for n, step in at.letters.items()}
+        | dict.fromkeys(at.conics, "a conic")
         | {n: f"= {e}" for n, e in _bound(state)}
     )
     for begin in range(max(1, len(word) - 1)):

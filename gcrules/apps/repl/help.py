@@ -23,6 +23,10 @@ _MORE: Mapping[str, str] = {
         "line L M\nIn brackets, meets, given and claim:  [a b L],  L ^ P,  given incident(a, L)\n"
         "L is the join of two points without names; `line` and `plane` before a name are reserved."
     ),
+    "conic": (
+        "conic K\nLast in words about conics:  polar(p, K),  pole(ab, K),  given incident(a, K), then tangent(a, K)\n"
+        "K is the conic through five points without names, and no pair of lines."
+    ),
     "let": "let p = ab /\\ cde",
     "claim": (
         'claim "two forms": ab /\\ cd == [abcd]\nAn equation without `claim` is decided too, but not saved.\n'

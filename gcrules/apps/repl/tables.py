@@ -7,9 +7,10 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 
 from gcrules.algebra.discovery.limits import RELATIONS as DISCOVERED
+from gcrules.algebra.language.relations import OF_CONICS as RELATIONS_OF_CONICS
 from gcrules.algebra.language.relations import RELATION_NAMES
 from gcrules.algebra.language.relations import RELATIONS as METRIC_RELATIONS
-from gcrules.algebra.language.words import CONSTRUCTIONS, METRICS
+from gcrules.algebra.language.words import CONSTRUCTIONS, METRICS, OF_CONICS
 from gcrules.algebra.letters import LETTERS
 from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import InputError
@@ -46,6 +47,7 @@ STATEMENTS: Mapping[str, tuple[str, str]] = {
     "line": ("line NAMES", "letters that stand for lines, each with Plücker coordinates of its own"),
     "plane": ("plane NAMES", "letters that stand for planes"),
     "hyperplane": ("hyperplane NAMES", "letters that stand for hyperplanes, of one step less than the rank"),
+    "conic": ("conic NAMES", "in the plane: letters that stand for conics, of which words speak: polar(p, K)"),
     "given": ("given collinear(a, b, c), …", "what is assumed: relations of points, lines and planes, LHS == RHS too"),
     "let": ("let NAME = EXPR", "a name for an expression"),
     "claim": ('claim ["label":] LHS == RHS', "an equation, or a relation, to prove and to save"),
@@ -57,8 +59,10 @@ STATEMENTS: Mapping[str, tuple[str, str]] = {
 
 RULE_WORDS = ("if", "source", "fires", "silent")
 RELATIONS = (*RELATION_NAMES, "ideal", *METRICS, *LETTERS)
+_OF_CONICS = {**OF_CONICS, **RELATIONS_OF_CONICS}
 WORDS: Mapping[str, tuple[str, str]] = {
-    w.name: (w.usage, w.meaning) for w in (*CONSTRUCTIONS.values(), *METRIC_RELATIONS.values())
+    w.name: (w.usage, "; ".join((w.meaning, *(f"{k.usage}: {k.meaning}" for k in [_OF_CONICS.get(w.name)] if k))))
+    for w in (*CONSTRUCTIONS.values(), *METRIC_RELATIONS.values())
 }
 """How each word with arguments is written and what it is, but for the relations of incidence."""
 

@@ -9,10 +9,11 @@ from gcrules.algebra import expr as ex
 from gcrules.algebra.bracket import BracketPolynomial, ExtensorPolynomial, repeats
 from gcrules.algebra.language.text import SHORT_NAME
 from gcrules.algebra.language.text import text as expression_text
-from gcrules.algebra.letters import letter_of, letters_of, names_of
+from gcrules.algebra.letters import conic_points, conics_of, letters_of, marked, names_of
 from gcrules.algebra.superbrackets.shortest import SuperbracketForm
 from gcrules.algebra.whole_letters import in_letters
 from gcrules.core.budget import watched
+from gcrules.core.english import listed
 from gcrules.views.formulas import latex as formulas
 
 __all__ = ["as_latex", "as_text", "form_latex", "form_text", "points_shown"]
@@ -22,7 +23,7 @@ def as_text(p: BracketPolynomial | ExtensorPolynomial, *, unicode: bool = False,
     """The text of the language; `short` writes many equal brackets as a power (of which the language reads those up to
     64 back).
     """
-    if letters_of(p.points):
+    if any(map(marked, p.points)):
         return _of_letters(p, unicode, short)
     if isinstance(p, BracketPolynomial) and not (short and any(map(repeats, p.terms))):
         return _of_brackets(p, unicode)
@@ -46,7 +47,7 @@ def _of_brackets(p: BracketPolynomial, unicode: bool) -> str:
 def _of_letters(p: BracketPolynomial | ExtensorPolynomial, unicode: bool, short: bool) -> str:
     """In whole letters where that can be; a comment says what points are shown of others."""
     e = in_letters(p, short=short)
-    shown = expression_text(e, unicode=unicode, names=[n for n in p.points if letter_of(n) is None])
+    shown = expression_text(e, unicode=unicode, names=[n for n in p.points if not marked(n)])
     return "  # ".join([shown, *filter(None, [points_shown(shown)])])
 
 
@@ -56,12 +57,13 @@ def points_shown(shown: str) -> str:
     >>> points_shown("[abc L₁]")
     'L = L₁ ∨ L₂, whichever points of it these are'
     """
-    found = letters_of(_MARKED.findall(shown))
-    told = [f"{name} = {' ∨ '.join(names_of(name, step))}" for name, step in found.items()]
+    names = _MARKED.findall(shown)
+    told = [f"{name} = {' ∨ '.join(names_of(name, step))}" for name, step in letters_of(names).items()]
+    told += [f"{name} is the conic through {listed(conic_points(name))}" for name in conics_of(names)]
     return f"{', '.join(told)}, whichever points of {'it' if len(told) == 1 else 'them'} these are" if told else ""
 
 
-_MARKED = re.compile(r"[A-Za-z][A-Za-z0-9_]*'*[₁-₉]+")
+_MARKED = re.compile(r"[A-Za-z][A-Za-z0-9_]*'*(?:[₁-₉]+|[¹²³⁴⁵])")
 
 
 def as_latex(p: BracketPolynomial | ExtensorPolynomial) -> str:

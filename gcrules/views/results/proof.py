@@ -3,11 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from fractions import Fraction
+from math import gcd, lcm
 from typing import Any
 
-from gcrules.algebra.evaluate import plucker
+from gcrules.algebra import conics
+from gcrules.algebra.evaluate import evaluate, plucker
+from gcrules.algebra.expr import Point
 from gcrules.algebra.language.text import text as expression_text
-from gcrules.algebra.letters import letter, letter_of, letters_of
+from gcrules.algebra.letters import conic_points, conics_of, letter, letters_of, marked
 from gcrules.algebra.prove import Proof, number_text
 from gcrules.views.formulas import latex as formulas
 from gcrules.views.results.polynomial import points_shown
@@ -55,7 +59,18 @@ def _coordinates(points: Mapping[str, Sequence[Any]], rank: int) -> Iterator[tup
             value = tuple((-1) ** (step - i) * c for i, c in enumerate(reversed(value)))
         kind = "coordinates of the hyperplane" if step == rank - 1 else "Plücker coordinates"
         yield name, f"{number_text(value)}, {_KINDS.get((step, rank), kind)}"
-    yield from ((name, number_text(tuple(c))) for name, c in points.items() if letter_of(name) is None)
+    for name in conics_of(points):
+        yield name, f"{number_text(_form(name, points))}, coefficients of x², y², z², yz, zx and xy"
+    yield from ((name, number_text(tuple(c))) for name, c in points.items() if not marked(name))
+
+
+def _form(name: str, points: Mapping[str, Sequence[Any]]) -> tuple[Any, ...]:
+    """The coefficients of the form of a conic letter, without a common factor."""
+    form = conics.value(Point("x"), *map(Point, conic_points(name)))
+    found = conics.coefficients(lambda p: evaluate(form, {**points, "x": p}))
+    common = Fraction(gcd(*(c.numerator for c in found)), lcm(*(c.denominator for c in found)))
+    sign = -1 if next(c for c in found if c) < 0 else 1
+    return tuple(int(sign * c / common) for c in found)
 
 
 _OF = ("these coordinates", "the coordinates of the points, and where the letters go with them")

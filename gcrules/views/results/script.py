@@ -6,7 +6,7 @@ from collections import Counter
 from collections.abc import Sequence
 
 from gcrules.algebra.language.text import text as expression_text
-from gcrules.algebra.letters import letter_of
+from gcrules.algebra.letters import marked
 from gcrules.algebra.whole_letters import in_letters
 from gcrules.rules.script import ClaimResult, Result, RewriteResult, RuleResult, ScriptResult, ShowResult
 from gcrules.views.formulas import latex as formulas
@@ -34,7 +34,7 @@ def shown(r: ShowResult, *, unicode: bool = False) -> str:
     """The expansion."""
     if r.polynomial is None:
         return f"line {r.line}: undecided: {_shortened(r.label)}\n    {r.reason}"
-    e, names = in_letters(r.polynomial), [n for n in (*r.names, *r.polynomial.points) if letter_of(n) is None]
+    e, names = in_letters(r.polynomial), [n for n in (*r.names, *r.polynomial.points) if not marked(n)]
     expansion = expression_text(e, unicode=unicode, names=names)
     expansion = "  # ".join([expansion, *filter(None, [polynomial.points_shown(expansion)])])
     return f"line {r.line}: {_shortened(r.label)} = {expansion}"

@@ -1,0 +1,71 @@
+r"""Conic letters in words: `polar(p, K)` is said of the conic K, which stands where five of its points might.
+
+>>> from gcrules.algebra.language.statements import parse_assumption
+>>> from gcrules.algebra.language.syntax import Context, parse
+>>> print(parse("[a polar(a, K)] - 2 conic(a, K)", context=parse_assumption("conic K", Context(3))).step)
+0
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable, Mapping, Sequence
+
+from gcrules.algebra import conics
+from gcrules.algebra.expr import Expr, Point, points_of
+from gcrules.algebra.language.parse_tree import Node, span_of
+from gcrules.algebra.language.text import text
+from gcrules.algebra.letters import conic_points, conics_of
+from gcrules.algebra.space import Space
+from gcrules.core.english import listed
+from gcrules.core.errors import InputError
+
+__all__ = ["called", "conic_behind", "known_on", "proper", "refuse_conic"]
+
+
+def conic_behind(
+    word: str, words: Collection[str], parts: Sequence[Node], letters: Collection[str]
+) -> tuple[list[Node], str]:
+    """The arguments of a word without the conic letter that stands last, and that letter, "" where there is none.
+
+    Raises InputError where the word is not among `words`, which are said of conics.
+    """
+    last = parts[-1]
+    name = str(last.children[0]) if last.data == "word" else ""
+    if name not in letters:
+        return list(parts), ""
+    if word not in words:
+        hint = f"words about conics are {listed(list(words))}"
+        raise InputError(f"{word}(…) says nothing of the conic {name}", span=span_of(last), hint=hint)
+    return list(parts[:-1]), name
+
+
+def called(e: Expr, made: Mapping[Expr, str], names: Iterable[str]) -> str:
+    """The text of an expression, with names and words for what they stand for, where conics are in it."""
+    if e in made:
+        return made[e]
+    written = text(e, names=names)
+    if conics_of(points_of(e)):
+        for part, name in reversed(tuple(made.items())):
+            long = text(part, names=names)
+            written = written.replace(f"({long})", name).replace(long, name)
+    return written
+
+
+def known_on(point: Expr, conic: str, shown: str, at: Space, made: Collection[Expr], tree: Node) -> None:
+    """Raises InputError where nothing says that a point is on a conic: neither an assumption nor how it was made."""
+    form = conics.value(point, *map(Point, conic_points(conic)))
+    if form not in made and form not in {a.args[0] for a in at.given if a.kind == "zero"}:
+        hint = f"assume it before, `given incident({shown}, {conic})`"
+        raise InputError(f"nothing says that {shown} is on {conic}", span=span_of(tree), hint=hint)
+
+
+def proper(conic: str) -> dict[str, Expr]:
+    """What is not zero because a conic is no pair of lines, by its letter; nothing where there is none."""
+    return {conic: conics.discriminant(*map(Point, conic_points(conic)))} if conic else {}
+
+
+def refuse_conic(name: str, letters: Collection[str]) -> None:
+    """Raises InputError for a conic letter where a point must stand."""
+    if name in letters:
+        hint = f"conics stand last in words about them: polar(p, {name}), incident(p, {name})"
+        raise InputError(f"{name} is a conic, not a point or a line", hint=hint)

@@ -1,0 +1,363 @@
+"""Letters that stand for conics, compared with symmetric matrices modulo a prime.
+
+A conic is given here by its matrix, a pole by the adjugate of that; no five points of it are chosen, and nothing of the
+engine is used. A claim that is proved has to hold at random positions, one that is refuted not.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from random import Random
+from typing import Any
+
+import pytest
+from commands import invoke
+from places import checker
+
+import gcrules as gc
+from gcrules.algebra import conics
+from gcrules.algebra.evaluate import PRIME, evaluate
+from gcrules.algebra.expr import Point
+from gcrules.algebra.language.statements import parse_assumption, parse_letters, parse_script
+from gcrules.algebra.language.syntax import Context, parse
+from gcrules.algebra.letters import conic_points
+from gcrules.apps.repl.interpreter import Interpreter
+from gcrules.core.errors import GcrulesError, InputError
+from gcrules.rules.script import run_script
+
+PLANE = parse_letters("conic K", Context(3))
+FIVE = conic_points("K")
+CHECK = checker("check_proof")
+CLAIMS = 24
+Vector = tuple[int, ...]
+
+
+def dot(p: Sequence[int], q: Sequence[int]) -> int:
+    return sum(x * y for x, y in zip(p, q, strict=True)) % PRIME
+
+
+def cross(p: Sequence[int], q: Sequence[int]) -> Vector:
+    return tuple((p[i - 2] * q[i - 1] - p[i - 1] * q[i - 2]) % PRIME for i in range(3))
+
+
+def combined(s: int, p: Sequence[int], t: int, q: Sequence[int]) -> Vector:
+    return tuple((s * x + t * y) % PRIME for x, y in zip(p, q, strict=True))
+
+
+@dataclass
+class Figure:
+    """A conic and points; `on` are those on the conic, `conjugate` those on the polar of another one."""
+
+    rng: Random
+    on: tuple[str, ...] = ()
+    conjugate: dict[str, str] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        a, s = self.random(), [self.random() for _ in range(3)]
+        m = [[(s[i][j] + s[j][i]) % PRIME for j in range(3)] for i in range(3)]
+        i = next(i for i in range(3) if a[i])
+        rest = dot(a, [dot(row, a) for row in m]) - m[i][i] * a[i] ** 2
+        m[i][i] = -rest * pow(a[i] ** 2, -1, PRIME) % PRIME  # a is a point of the conic
+        self.matrix = m
+        self.points: dict[str, Vector] = {}
+        for name in "abcdef":
+            if name in self.on:
+                self.points[name] = self.second(self.random(), a)
+            elif name in self.conjugate:
+                self.points[name] = cross(self.polar(self.points[self.conjugate[name]]), self.random())
+            else:
+                self.points[name] = self.random()
+
+    def random(self) -> Vector:
+        return tuple(self.rng.randrange(1, PRIME) for _ in range(3))
+
+    def polar(self, p: Sequence[int]) -> Vector:
+        return tuple(dot(row, p) for row in self.matrix)
+
+    def pole(self, line: Sequence[int]) -> Vector:
+        """By the adjugate of the matrix, whose rows are cross products of the others."""
+        m = self.matrix
+        return tuple(dot(row, line) for row in (cross(m[1], m[2]), cross(m[2], m[0]), cross(m[0], m[1])))
+
+    def form(self, p: Sequence[int]) -> int:
+        return dot(p, self.polar(p))
+
+    def second(self, p: Vector, a: Vector) -> Vector:
+        return combined(2 * dot(p, self.polar(a)), p, -self.form(p), a)
+
+
+Thing = tuple[str, int, Any]  # text, step, and how it is made: a name, or a word and things
+
+
+def value(thing: Thing, at: Figure) -> Vector:
+    """Coordinates of a point or of a line."""
+    _, _, how = thing
+    if isinstance(how, str):
+        return at.points[how]
+    word, *parts = how
+    values = [value(part, at) for part in parts]
+    if word in ("polar", "tangent"):
+        return at.polar(*values)
+    if word == "pole":
+        return at.pole(*values)
+    return at.second(*values) if word == "second" else cross(*values)
+
+
+def point(rng: Random, names: str, on: tuple[str, ...], depth: int) -> Thing:
+    kind = rng.randrange(4) if depth else 0
+    if kind == 1:
+        line = made_line(rng, names, on, depth - 1)
+        return f"pole({line[0]}, K)", 1, ("pole", line)
+    if kind == 2:
+        one, two = made_line(rng, names, on, depth - 1), made_line(rng, names, on, depth - 1)
+        return f"(({one[0]}) /\\ ({two[0]}))", 1, ("meet", one, two)
+    if kind == 3 and on:
+        p, a = point(rng, names, on, depth - 1), rng.choice(on)
+        return f"second_on_conic({p[0]}, {a}, K)", 1, ("second", p, (a, 1, a))
+    name = rng.choice(names)
+    return name, 1, name
+
+
+def made_line(rng: Random, names: str, on: tuple[str, ...], depth: int) -> Thing:
+    kind = rng.randrange(4)
+    if kind == 0 and on:
+        a = rng.choice(on)
+        return f"tangent({a}, K)", 2, ("tangent", (a, 1, a))
+    if kind == 1:
+        p = point(rng, names, on, depth)
+        return f"polar({p[0]}, K)", 2, ("polar", p)
+    one, two = rng.sample(names, 2)
+    return f"{one}{two}", 2, ("join", (one, 1, one), (two, 1, two))
+
+
+def random_claim(seed: int) -> tuple[str, str, list[bool]]:
+    """What is given, what is claimed, and whether it holds at three random positions."""
+    rng = Random(f"conic {seed}")
+    names = "abcdef"[: rng.randrange(2, 6)]
+    on = tuple(names[: rng.randrange(len(names) + 1)])
+    conjugate = {n: names[0] for n in names if n not in on and n != names[0] and rng.random() < 0.4}
+    given = [f"incident({n}, K)" for n in on] + [f"incident({n}, polar({p}, K))" for n, p in conjugate.items()]
+    kind = rng.randrange(4)
+    if kind == 0:
+        things = [point(rng, names, on, 1)]
+        claim = f"incident({things[0][0]}, K)"
+    elif kind == 1:
+        things = [point(rng, names, on, 1), made_line(rng, names, on, 1)]
+        claim = f"incident({things[0][0]}, {things[1][0]})"
+    elif kind == 2:
+        things = [point(rng, names, on, 1) for _ in range(3)]
+        claim = f"collinear({', '.join(t[0] for t in things)})"
+    else:
+        things = [made_line(rng, names, on, 1) for _ in range(3)]
+        claim = f"[({things[0][0]}) /\\ ({things[1][0]}), ({things[2][0]})] == 0"
+    holds = []
+    for _ in range(3):
+        at = Figure(rng, on, conjugate)
+        values = [value(t, at) for t in things]
+        if kind == 0:
+            holds.append(at.form(values[0]) == 0)
+        else:
+            holds.append(dot(*values) == 0 if kind == 1 else dot(cross(*values[:2]), values[2]) == 0)
+    return ", ".join(given), claim, holds
+
+
+def test_random_claims_are_decided_as_matrices_say() -> None:
+    verdicts = []
+    for seed in range(CLAIMS):
+        given, claim, holds = random_claim(seed)
+        try:
+            found = gc.prove(claim, given=given or (), letters="conic K", rank=3, limit=2_000)
+        except InputError as fault:  # a second point of a line that is none
+            verdicts.append(fault.message)
+            continue
+        verdicts.append(found.verdict)
+        assert found.verdict == "undecided" or (found.verdict == "proved") == all(holds), (given, claim, holds)
+        assert not any(set("¹²³⁴⁵") & set(e) for e in (*found.assumed, *found.meanings)), found
+    assert verdicts.count("proved") > CLAIMS // 4
+    assert verdicts.count("refuted") > CLAIMS // 3
+    assert all("vanish" in v or "does not exist" in v for v in verdicts if " " in v)
+
+
+# --- words -----------------------------------------------------------------------------------------------------------
+
+
+def matrix_of(points: dict[str, Vector]) -> list[list[int]]:
+    """Of the conic through five points: the numbers that are orthogonal to their products of coordinates."""
+    rows = [[x * x, y * y, z * z, 2 * y * z, 2 * z * x, 2 * x * y] for x, y, z in (points[n] for n in FIVE)]
+    a, b, c, d, e, f = (
+        (-1) ** i * determinant([[row[j] for j in range(6) if j != i] for row in rows]) for i in range(6)
+    )
+    return [[a, f, e], [f, b, d], [e, d, c]]
+
+
+def determinant(rows: Sequence[Sequence[int]]) -> int:
+    if len(rows) == 1:
+        return rows[0][0] % PRIME
+    minors = ([row[:i] + row[i + 1 :] for row in map(list, rows[1:])] for i in range(len(rows)))
+    return sum((-1) ** i * rows[0][i] * determinant(m) for i, m in enumerate(minors)) % PRIME
+
+
+def proportional(p: Sequence[int], q: Sequence[int]) -> bool:
+    return any(p) and any(q) and not any(cross(p, q))
+
+
+def test_words_are_what_the_matrix_says() -> None:
+    rng = Random("words")
+    points = {n: tuple(rng.randrange(1, PRIME) for _ in range(3)) for n in (*FIVE, *"pq")}
+    at = Figure(rng)
+    at.matrix = matrix_of(points)
+
+    def value_of(text: str) -> Vector:
+        found = evaluate(parse(text, context=parse_assumption("incident(r, K)", PLANE)), points, modulus=PRIME)
+        return found if isinstance(found, tuple) else (found,)
+
+    line = cross(points["p"], points["q"])
+    assert proportional([-v for v in reversed(value_of("polar(p, K)"))], flipped(at.polar(points["p"])))
+    assert proportional(value_of("pole(pq, K)"), at.pole(line))
+    points["r"] = points[FIVE[2]]
+    assert at.form(points["r"]) == 0 == value_of("conic(r, K)")[0]
+    assert at.form(points["p"]) * value_of("conic(q, K)")[0] % PRIME == (
+        at.form(points["q"]) * value_of("conic(p, K)")[0] % PRIME
+    )
+    assert proportional(value_of("second_on_conic(p, r, K)"), at.second(points["p"], points["r"]))
+    assert value_of("tangent(r, K)") == value_of("polar(r, K)")
+
+
+def flipped(h: Sequence[int]) -> Vector:
+    """The Plücker coordinates 12, 13, 23 of a line of the plane, with the signs of a covector, in reversed order."""
+    return tuple((-1) ** i * -h[i] % PRIME for i in range(3))
+
+
+def test_a_conic_through_five_points_is_two_lines_where_three_are_on_a_line() -> None:
+    rng = Random("discriminant")
+    points = {n: tuple(rng.randrange(1, PRIME) for _ in range(3)) for n in FIVE}
+    five = tuple(map(Point, FIVE))
+    assert evaluate(conics.discriminant(*five), points, modulus=PRIME) % PRIME != 0 != determinant(matrix_of(points))
+    points["K³"] = combined(2, points["K¹"], 3, points["K²"])
+    assert evaluate(conics.discriminant(*five), points, modulus=PRIME) % PRIME == 0 == determinant(matrix_of(points))
+
+
+# --- claims ----------------------------------------------------------------------------------------------------------
+
+VERDICTS = [
+    ("", "[a polar(b, K)] == [b polar(a, K)]", "proved"),
+    ("", "[a polar(a, K)] == 2 conic(a, K)", "proved"),
+    ("", "pole(polar(p, K), K) \\/ p == 0", "proved"),
+    ("line L", "incident(pole(L, K), L)", "refuted"),
+    ("incident(b, polar(a, K))", "incident(a, polar(b, K))", "proved"),
+    ("on_conic(a, b, c, d, K)", "incident(ab /\\ cd, polar(ac /\\ bd, K))", "proved"),
+    ("on_conic(a, b, c, d, e, f, K)", "collinear(ab /\\ de, bc /\\ ef, cd /\\ fa)", "proved"),
+    ("on_conic(a, b, c, d, e, K)", "collinear(ab /\\ de, bc /\\ ef, cd /\\ fa)", "refuted"),
+    ("conic L, on_conic(a, b, K), on_conic(a, b, L)", "incident(tangent(a, K) /\\ tangent(b, L), ab)", "refuted"),
+    ("isotropic i j, on_conic(i, j, a, b, c, d, K)", "concyclic(a, b, c, d)", "proved"),
+]
+
+
+@pytest.mark.parametrize(("given", "claim", "verdict"), VERDICTS)
+def test_claims_about_conics_are_decided(given: str, claim: str, verdict: str) -> None:
+    found = gc.prove(claim, given=given or (), letters="conic K", rank=3)
+    assert found.verdict == verdict, found.text()
+
+
+def test_a_counterexample_satisfies_what_is_given_and_refutes_the_claim() -> None:
+    given = "on_conic(a, b, K), incident(p, ab)"
+    found = gc.prove("incident(p, tangent(a, K))", letters="conic K", given=given, rank=3)
+    points = found.counterexample
+    assert points is not None
+    at = parse_assumption(given, PLANE)
+    for a in at.given[:2]:
+        assert evaluate(a.args[0], points) == 0
+    assert evaluate(parse("[p tangent(a, K)]", context=at), points) != 0
+    assert "coefficients of x², y², z², yz, zx and xy" in found.text()
+    assert not any(mark in found.text().replace("x², y², z²", "") for mark in "¹²³⁴⁵")
+
+
+def test_points_on_a_conic_are_assumed_to_differ_where_more_is_given() -> None:
+    claim, on = "incident(pole(ab, K), polar(p, K))", "on_conic(a, b, K)"
+    found = gc.prove(claim, letters="conic K", given=f"{on}, incident(p, ab)", rank=3)
+    assert dict(zip(found.assumed, found.meanings, strict=True))["ab"] == "the points a and b differ"
+    alone = gc.prove("incident(tangent(a, K) /\\ tangent(b, K), polar(a, K))", letters="conic K", given=on, rank=3)
+    assert (alone.verdict, alone.assumed) == ("proved", ())
+
+
+def test_points_on_a_conic_that_are_one_point_are_refused() -> None:
+    """What is given says that they are, and points of a conic are taken to differ."""
+    with pytest.raises(InputError) as fault:
+        gc.prove("[a b p] == 0", letters="conic K", given="on_conic(a, b, K), a \\/ b == 0", rank=3)
+    assert fault.value.hint == "points that are given on one conic are taken to differ"
+
+
+# --- scripts, faults, proof files -------------------------------------------------------------------------------------
+
+
+def test_scripts_and_the_prompt_know_conics() -> None:
+    script = "rank 3 conic K given incident(a, K) let b = second_on_conic(p, a, K) let t = tangent(b, K)"
+    answer = run_script(parse_script(f'{script} claim "b": incident(b, K) claim "t": incident(b, t) show t'))
+    assert [r.verdict for r in answer.results] == ["proved", "proved", "shown"]
+    assert "K is the conic through K¹, K², K³, K⁴ and K⁵" in answer.text()
+    prompt = [a.text for a in Interpreter().feed("rank 3\nconic K\npole(ab, K) \\/ c == 0\n:context")]
+    assert prompt[-1].splitlines()[-1].split(maxsplit=1)[1].startswith("K, a conic")
+
+
+FAULTS = [
+    ("conic K", "a conic is a curve of the plane (rank 3); this is rank 4"),
+    ("rank 3 conic K line K", "K is already declared"),
+    ("rank 3 line K conic K", "K is already declared"),
+    ("rank 3 conic K points K", "K is already a conic"),
+    ("rank 3 conic K let K = ab", "K is already declared"),
+    ("rank 3 given collinear(K, a, b) conic K", "K is already a point in what stands before"),
+    ("rank 3 conic K show [K a b]", "K is a conic, not a point or a line"),
+    ("rank 3 conic K show [.K a b][.c d e]", "K is a conic, not a point or a line"),
+    ("rank 3 conic K claim collinear(K, a, b)", "K is a conic, not a point or a line"),
+    ("rank 3 conic K claim concurrent(ab, K)", "concurrent(…) says nothing of the conic K"),
+    ("rank 3 conic K show polar(K, p)", "K is a conic, not a point or a line"),
+    ("rank 3 conic K show polar(K)", "polar(p, K) takes 2 arguments, found 1"),
+    ("rank 3 conic K show pole(p, K)", "a point (step 1) where a line is expected"),
+    ("rank 3 conic K show tangent(p, K)", "nothing says that p is on K"),
+    ("rank 3 conic K show second_on_conic(p, q, K)", "nothing says that q is on K"),
+    ("rank 3 conic K claim dual(incident(p, polar(q, K)))", "the dual of a conic letter has no word"),
+    ("rank 3 conic K rule r: conic(p, K) => 0", "K is a conic, and rules are about points"),
+    ("rank 3 conic K show [K¹ a b]", "unexpected character '¹'"),
+]
+
+
+@pytest.mark.parametrize(("text", "message"), FAULTS)
+def test_faults_say_what_is_wrong(text: str, message: str) -> None:
+    with pytest.raises(GcrulesError) as fault:
+        parse_script(text)
+    assert message in fault.value.message
+    assert fault.value.span is not None
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (("factor", "conic(p, K)"), "only expressions of points are factored, and K is a conic"),
+        (("analyze", "ab cd ef"), "K is a conic, and what is assumed of legs is said of their points"),
+    ],
+)
+def test_what_takes_no_conics_says_so(arguments: tuple[str, ...], message: str) -> None:
+    done = invoke(*arguments, "--rank", "3", "--letters", "conic K")
+    assert done.exit_code == 2
+    assert message in done.stderr
+
+
+def test_formulas_set_the_points_of_conics() -> None:
+    assert "K_{1}" in gc.expand("polar(p, K)", letters="conic K", rank=3).latex()
+
+
+CHECKED = [
+    ("", "[a polar(b, K)] == [b polar(a, K)]", {*FIVE, "a", "b"}),
+    ("on_conic(a, b, c, d, K)", "incident(ab /\\ cd, polar(ac /\\ bd, K))", {*"abcd", "K⁵"}),
+    ("on_conic(a, b, K), incident(p, ab)", "[pole(ab, K) polar(p, K)] == 0", {"K³", "K⁴", "K⁵", *"ab"}),
+]
+
+
+@pytest.mark.parametrize(("given", "claim", "points"), CHECKED)
+def test_proofs_about_conics_are_checked_without_the_engine(given: str, claim: str, points: set[str]) -> None:
+    proof = gc.prove(claim, given=given or (), letters="conic K", rank=3)
+    (one,) = json.loads(gc.proof_file(proof).json_text())["theorems"]
+    assert points <= {*one["points"], *(p["name"] for p in one.get("placed", ()))}
+    CHECK.check(one)
