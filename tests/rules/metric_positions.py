@@ -12,10 +12,13 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 
-from rules.theorem_positions import Position, Vector, between, cross, det, drawn, mixed, vector
+from rules.theorem_positions import Position, Vector, between, conic, cross, det, drawn, mixed, vector
+
+from gcrules.algebra.letters import conic_points
 
 __all__ = ["METRIC"]
 
+HIDDEN = conic_points("K")
 ISOTROPIC = {"i": vector(1, 0, 0), "j": vector(0, 1, 0)}
 
 
@@ -180,6 +183,8 @@ METRIC: Mapping[str, Callable[[random.Random], Position]] = {
     "bisectors": euclidean("a b c"),
     "butterfly": butterfly,
     "circumcentre": circle,
+    "polar-triangle": lambda rng: dict(zip(HIDDEN, conic(rng, 5), strict=True)) | {n: drawn(rng, 3) for n in "abc"},
+    "tangent-triangle": lambda rng: dict(zip((*HIDDEN, *"abc"), conic(rng, 8), strict=True)),
     "diagonal-triangle": lambda rng: {n: drawn(rng, 3) for n in "abcde"},
     "euler-line": euclidean("a b c"),
     "feet": euclidean("a b c"),
