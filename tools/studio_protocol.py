@@ -10,7 +10,7 @@ import ast
 import json
 import re
 import sys
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -147,13 +147,27 @@ def _type(e: ast.expr, module: ModuleType, known: Mapping[str, ast.expr]) -> str
         case ast.Subscript(value=ast.Name(id="NotRequired"), slice=inner):
             return of(inner)
         case ast.Subscript(value=ast.Name(id="Annotated"), slice=ast.Tuple(elts=[inner, *marks])):
-            for mark in (eval(ast.unparse(m), vars(module)) for m in marks):
+            for mark in _marks(marks, module):
                 if isinstance(mark, OneOf):
                     return " | ".join(map(_json, mark.words))
-                if isinstance(mark, EntryCount) and mark.least == mark.most:
+                if mark.least == mark.most:
                     return f"[{', '.join([of(inner).removesuffix('[]')] * mark.most)}]"
             return of(inner)
     raise TypeError(f"no type of the protocol: {ast.unparse(e)}")
+
+
+def _marks(marks: Iterable[ast.expr], module: ModuleType) -> Iterator[OneOf | EntryCount]:
+    """Those that say more than that a value is read with care."""
+    for mark in marks:
+        match mark:
+            case ast.Call(func=ast.Name(id="OneOf"), args=[words]):
+                yield OneOf(_constant(words, module))
+            case ast.Call(func=ast.Name(id="EntryCount"), args=[least, most]):
+                yield EntryCount(_constant(least, module), _constant(most, module))
+
+
+def _constant(e: ast.expr, module: ModuleType) -> Any:
+    return getattr(module, e.id) if isinstance(e, ast.Name) else ast.literal_eval(e)
 
 
 def _name(name: str) -> str:

@@ -92,7 +92,8 @@ function keepInSight({ pose$, study }: Store, viewer: Viewer, element: HTMLEleme
   };
 }
 
-const PATIENCE = 40; // milliseconds that a picture waits for the numbers of its pose
+/** Milliseconds that a picture waits for the numbers of its pose: legs follow the platform without them, limbs do not. */
+const PATIENCE = { legs: 40, limbs: 150 };
 
 /** Numbers come faster than pictures are made: of those that come meanwhile only the newest are drawn. */
 function followPose(store: Store, viewer: Viewer): () => void {
@@ -111,7 +112,7 @@ function followPose(store: Store, viewer: Viewer): () => void {
   });
   const stops = [
     effect(() => {
-      if (!samePose(pose$.value, viewer.pose)) pace.ask(PATIENCE);
+      if (!samePose(pose$.value, viewer.pose)) pace.ask(store.study.peek()?.kind === "robot" ? PATIENCE.limbs : PATIENCE.legs);
     }),
     effect(() => {
       if (posing.numbers.value) pace.ask(0);
