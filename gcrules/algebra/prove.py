@@ -23,7 +23,7 @@ from gcrules.algebra.assumptions.assumed import PositionKind, kinds
 from gcrules.algebra.assumptions.building import coinciding
 from gcrules.algebra.assumptions.construction import Construction
 from gcrules.algebra.assumptions.frame import Frame, zero_by
-from gcrules.algebra.assumptions.nondegeneracy import chosen, fewest, words
+from gcrules.algebra.assumptions.nondegeneracy import chosen, fewest, nowhere, words
 from gcrules.algebra.bracket import tableau_order
 from gcrules.algebra.claims import error_below
 from gcrules.algebra.duality import Dual
@@ -202,7 +202,7 @@ class _Positions:
         """The kinds of positions that some of them are of."""
         left = [kind for kind in found if not any(map(kind.construction.vanishes, self.nonzero))]
         if found and not left:
-            raise InputError("the assumptions hold only where something that is said of points does not exist")
+            raise InputError(nowhere(e for kind in found for e in kind.construction.nonzero))
         return left
 
 

@@ -57,34 +57,55 @@ class Seated:
         """A condition and what it means, as text in which polars are said in words; None for one that holds anyway: no
         polar of a point is zero, and no three different points of a conic are on a line.
         """
-        if isinstance(e, ex.Bracket) and all(
-            ex.join(*two, rank=_PLANE) in self._pairs for two in combinations(e.args, 2)
-        ):
+        if isinstance(e, ex.Bracket) and any(on.issuperset(e.args) for on in self._together()):
             return None
-        shown, meaning = text(e, names=self.space.declared()), words(e, self.space.declared())
+        names = self.space.declared()
+        if isinstance(e, ex.Sum) and not e.step and (told := self._scalar(e)) is not None:
+            return told
+        shown, meaning = text(e, names=names), words(e, names)
         for part in subexpressions(e):
             if not isinstance(part, ex.Sum) or part.step != 2 or (polar := self._polar(part)) is None:
                 continue
             if part == e:
                 return None
-            long = text(part, names=self.space.declared())
+            long = text(part, names=names)
             shown, meaning = (t.replace(f"({long})", polar).replace(long, polar) for t in (shown, meaning))
         return shown, meaning
 
-    @property
-    def _pairs(self) -> set[Expr]:
-        """Joins of two points that are on one conic."""
-        return {ex.join(*e.children[::way], rank=_PLANE) for e in self.apart for way in (1, -1)}
+    def _together(self) -> Iterable[set[Expr]]:
+        """Of each conic the points that have places of its own."""
+        for conic in conics_of(self.places):
+            yield {Point(self.places[n]) for n in conic_points(conic) if n in self.places}
+
+    def _scalar(self, e: Expr) -> tuple[str, str] | None:
+        """The form of a conic at a point, or at two points, that a scalar is up to a number, with what it means."""
+        names, own = self._names(e), [n for n in points_of(e) if conic_of(n) is None]
+        for conic, five in self._conics(names):
+            for p in own:
+                if _multiple(e, conics.value(Point(p), *five), names):
+                    return f"conic({p}, {conic})", f"{p} is not on {conic}"
+                for q in own:
+                    pair = ex.join(Point(q), conics.polar(Point(p), *five), rank=_PLANE)
+                    if p != q and _multiple(e, pair, names):
+                        return f"{q} \\/ polar({p}, {conic})", f"{q} is not on the polar of {p}"
+        return None
 
     def _polar(self, line: Expr) -> str | None:
         """The polar that a line is up to a number, in words."""
-        names = points_of(*(e for pair in self.claimed.equations for e in pair), *_expressions(self.space.given), line)
-        for conic in conics_of((*names, *self.places)):
-            five = tuple(Point(self.places.get(n, n)) for n in conic_points(conic))
+        names = self._names(line)
+        for conic, five in self._conics(names):
             for name in (n for n in points_of(line) if conic_of(n) is None):
                 if _multiple(line, conics.polar(Point(name), *five), names):
                     return f"polar({name}, {conic})"
         return None
+
+    def _names(self, e: Expr) -> tuple[str, ...]:
+        return points_of(*(s for pair in self.claimed.equations for s in pair), *_expressions(self.space.given), e)
+
+    def _conics(self, names: Sequence[str]) -> Iterable[tuple[str, tuple[Expr, ...]]]:
+        """Each conic with the five points that stand for it."""
+        for conic in conics_of((*names, *self.places)):
+            yield conic, tuple(Point(self.places.get(n, n)) for n in conic_points(conic))
 
 
 def seated(claimed: Claimed, at: Space) -> Seated:
@@ -101,6 +122,8 @@ def seated(claimed: Claimed, at: Space) -> Seated:
     alone = len(set(several)) == len(several) and not set(several) & set(at.ideal)
     on_conics = {a for on in found.values() for some in on.values() for a in some}
     irreducible = bool(letters) and alone and all(a in on_conics for a in at.given)
+    proper = (conics.discriminant(*map(Point, conic_points(name))) for name in letters)  # also where no claim names it
+    claimed = replace(claimed, nonzero=tuple(dict.fromkeys((*claimed.nonzero, *proper))))
     if not places:
         return Seated(claimed, at, irreducible=irreducible)
     seat: dict[str, Expr] = {n: Point(p) for n, p in places.items()}

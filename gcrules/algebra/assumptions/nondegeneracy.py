@@ -19,7 +19,7 @@ from gcrules.algebra.language.text import text
 from gcrules.algebra.letters import conic_of, conics_of, grouped, letter_of, letters_of, named_letter
 from gcrules.algebra.parts import substitute
 
-__all__ = ["assumed", "chosen", "fewest", "words"]
+__all__ = ["assumed", "chosen", "fewest", "nowhere", "words"]
 
 
 def assumed(
@@ -56,11 +56,19 @@ def fewest(found: Iterable[Expr]) -> tuple[Expr, ...]:
 def chosen(found: Iterable[Expr]) -> tuple[Expr, ...]:
     """Without what does not vanish for some choice of the points of letters, which one always may take.
 
-    A point of a line L is outside every smaller extensor A ≠ 0, wherever L is, so that L₁ ∨ A asks for A ≠ 0 only.
+    A point of a line L is outside every smaller extensor A ≠ 0, wherever L is, so that L₁ ∨ A asks for A ≠ 0 only; of
+    a plane P so are two points after each other: P₁₃ ∨ P₂₃ ∨ c asks for nothing.
     A point of a conic that is no pair of lines can be chosen outside any line. Choices are points of irreducible
     varieties, so that what is possible one by one is possible together.
     """
     return fewest(e for e in map(_chosen, found) if e is not None)
+
+
+def nowhere(nonzero: Iterable[Expr]) -> str:
+    """That nothing holds where none of these vanishes, and what is said of points exists."""
+    told = ", ".join(map(text, chosen(nonzero)))
+    what = "the assumptions hold only where something that is said of points does not exist"
+    return f"{what}, or where one of these vanishes: {told}" if told else what
 
 
 def _chosen(e: Expr) -> Expr | None:
@@ -72,12 +80,14 @@ def _chosen(e: Expr) -> Expr | None:
     if named_letter(e) is not None:
         return None
     names = [a.name for a in e.args if isinstance(a, Point)]
-    for n in grouped(names):
-        of = letter_of(n)
-        if of is not None and e.step - 1 < of[2]:
-            rest = ex.join(*(a for a in e.args if a != Point(n)), rank=e.step)
-            if of[0] not in letters_of(points_of(rest)):  # it would change with the choice
-                return None if isinstance(rest, Point) else _chosen(rest)
+    alone = grouped(names)
+    for letter, step in letters_of(alone).items():
+        if e.step > step:
+            continue
+        own = {n for n in alone if (of := letter_of(n)) is not None and of[0] == letter}
+        rest = [a for a in e.args if not (isinstance(a, Point) and a.name in own)]
+        if letter not in letters_of(points_of(*rest)):  # it would change with the choice
+            return _chosen(ex.join(*rest, rank=e.step)) if sum(a.step for a in rest) > 1 else None
     return e
 
 

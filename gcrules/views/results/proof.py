@@ -85,7 +85,7 @@ def conditions(proof: Proof) -> list[str]:
     shown = [f"{e} ({m})" if m else e for e, m in zip(proof.assumed, meanings, strict=True)]
     of = ", in the claim that it is the dual of" if proof.dual else ""
     lines = [f"  assumed not to vanish{of}: {', '.join(shown)}"] if shown else []
-    told = "".join((*proof.assumed, *(e for k in proof.kinds for e in (*k.where, *k.assumed))))
+    told = ", ".join((*proof.assumed, *(e for k in proof.kinds for e in (*k.where, *k.assumed))))
     lines += [f"  where {points}" for points in filter(None, [points_shown(told)])]
     lines += [
         f"  at all positions that this speaks of {a} and {b} coincide, which the assumptions do not say"
