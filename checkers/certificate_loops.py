@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from certificate_bounds import NAMES, cross, dot, inverse, minus, times
+from certificate_bounds import NAMES, Refused, cross, dot, inverse, minus, times
 
 
 class Loops:
@@ -14,6 +14,24 @@ class Loops:
         self.limbs, self.size, self.centre = limbs, size, centre
         self.counts = [1 + max(limb["coordinates"]) for limb in limbs]
         self.units = [self._units(k, n) for k, n in enumerate(self.counts)]
+        self._check()
+
+    def _check(self):
+        """Raises Refused for a size that is none of the robot's lengths, beside which all motions would look small."""
+        ends = [limb["end"] for limb in self.limbs]
+        axes = [cross(s[:3], s[3:]) for limb in self.limbs for s in limb["screws"] if any(s[:3])]
+        span = max(math.dist(p, self.centre) for p in (*ends, *axes))
+        if not 1e-3 * span <= self.size <= 1e3 * (span or 1.0):
+            raise Refused("a size that is not the robot's")
+
+    def binding(self, amounts):
+        """Whether joints are held without which the platform could move in more ways, from amounts that close the
+        loops: these are the twists that all limbs allow.
+        """
+        free = [self.twists(k, own, self.centre) for k, own in enumerate(amounts)]
+        left = [[t for c, t in enumerate(own) if c not in self.limbs[k]["held"]] for k, own in enumerate(free)]
+        forbidden = [[w for own in limbs for w in complement(own)] for limbs in (free, left)]
+        return rank(forbidden[0]) < rank(forbidden[1])
 
     def motions(self, k, amounts):
         """The motions of the links of a limb, from the first joint's to the platform's."""
@@ -93,6 +111,42 @@ class Loops:
         shift = minus(moved(platform, self.centre), self.centre)
         turn = (math.atan2(r[2][1], r[2][2]), -math.asin(max(-1.0, min(1.0, r[2][0]))), math.atan2(r[1][0], r[0][0]))
         return dict(zip(NAMES, (*shift, *turn)))
+
+
+def length(v):
+    return math.sqrt(sum(x * x for x in v))
+
+
+def rank(rows):
+    """The rank of rows of numbers, those of length 1e-6 beside the others being none."""
+    return len(basis([[x / max(length(r), 1e-300) for x in r] for r in rows]))
+
+
+def basis(rows, known=()):
+    """Rows of length 1 at right angles to each other and to those that are known, which span all that is left."""
+    found = list(known)
+    rows = [without(r, found) for r in rows]
+    while rows:
+        best = max(rows, key=length)
+        if length(best) < 1e-6:
+            break
+        unit = [x / length(best) for x in best]
+        rows = [without(r, [unit]) for r in rows if r is not best]
+        found.append(unit)
+    return found[len(known) :]
+
+
+def without(row, units):
+    for u in units:
+        along = sum(p * q for p, q in zip(row, u))
+        row = [x - along * y for x, y in zip(row, u)]
+    return row
+
+
+def complement(twists):
+    """What has no product with any of the twists."""
+    own = basis([[x / max(length(t), 1e-300) for x in t] for t in twists])
+    return basis([[float(i == j) for j in range(6)] for i in range(6)], own)
 
 
 def rates(pose, twist):

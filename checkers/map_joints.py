@@ -87,17 +87,25 @@ class JointSlice:
         turns = f"turned about {' '.join(map(str, self.robot.centre))}"
         rest = ", ".join(f"{n} {v}" for n, v in self.rest.items())
         over = f"over {', '.join(a.words for a in self.axes)}"
-        limbs = [] if isinstance(self.robot, Rods) else map(limb_words, self.robot.limbs)
+        limbs = [] if isinstance(self.robot, Rods) else joint_words(self.robot)
         return [self.robot.words, *limbs, turns, over, *([f"at {rest} (rad, or the file's unit)"] if rest else [])]
 
 
-def limb_words(limb):
-    """The joints of a limb at home, and its end."""
-    joints = [
-        f"turn or screw {numbers(s[:3])}; {numbers(s[3:])}" if any(s[:3]) else f"slide {numbers(s[3:])}"
-        for s in limb["screws"]
-    ]
-    return f"limb to {numbers(limb['end'])} by {', '.join(joints)}"
+def joint_words(robot):
+    """The joints of each limb at home with what moves them, and its end."""
+    for k, limb in enumerate(robot.limbs):
+        driven = {a["coordinate"]: a["name"] for a in robot.actuators if a["limb"] == k}
+        first, joints = {}, []
+        for n, (s, c, sign) in enumerate(zip(limb["screws"], limb["coordinates"], limb["signs"]), 1):
+            word = f"turn or screw {numbers(s[:3])}; {numbers(s[3:])}" if any(s[:3]) else f"slide {numbers(s[3:])}"
+            notes = [f"driven: {driven[c]!r}"] if c in driven else ["held"] if c in limb["held"] else []
+            notes += (
+                [f"moves {sign:g} times as joint {first[c]}"] if c in first else [f"by {sign:g}"] if sign != 1 else []
+            )
+            first.setdefault(c, n)
+            joints.append(f"{word} ({', '.join(notes)})" if notes else word)
+        yield f"limb to {numbers(limb['end'])} by {', '.join(joints)}"
+    yield f"lengths in parts of {robot.size:.6g}"
 
 
 def numbers(values):

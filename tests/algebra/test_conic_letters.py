@@ -282,6 +282,60 @@ def test_points_on_a_conic_are_assumed_to_differ_where_more_is_given() -> None:
     assert (alone.verdict, alone.assumed) == ("proved", ())
 
 
+def test_three_points_are_off_a_line_only_where_one_conic_holds_them() -> None:
+    """a, b and d are on a line here, two by two on three circles, and d is not on N although da ∧ db = 0."""
+    found = gc.prove(
+        "incident(d, N)",
+        rank=3,
+        letters="conic K L M N",
+        given="on_conic(a, b, K), on_conic(b, d, L), on_conic(d, a, M), incident(da /\\ db, N)",
+    )
+    assert {"[abd]", "ab", "bd", "da"} == set(found.assumed)
+    a, b, d = (0, 0, 1), (1, 0, 1), (2, 0, 1)
+    k, n = gc.parse("[abd]", rank=3), [[1, 0, 0], [0, 1, 0], [0, 0, -1]]
+    assert evaluate(k, {"a": a, "b": b, "d": d}) == 0
+    assert sum(x * y * n[i][j] for i, x in enumerate(d) for j, y in enumerate(d)) == 3
+
+
+UNNAMED = [
+    ("collinear(ab /\\ cd, a, f)", "collinear(a, b, f)", "proved"),
+    ("[abc][abf] == 0", "[abf] == 0", "proved"),
+    ("", "[abc][abd] == [abd][abe]", "refuted"),
+    ("incident(ab /\\ cd, ef)", "incident(f, ab)", "refuted"),
+    ("concurrent(ef, cb, bf)", "fe /\\ fd == 0", "refuted"),
+]
+
+
+@pytest.mark.parametrize(("given", "claim", "verdict"), UNNAMED)
+def test_a_conic_is_no_pair_of_lines_also_where_no_claim_names_it(given: str, claim: str, verdict: str) -> None:
+    """The claims that are proved are false for two lines, and counterexamples are none of these."""
+    more = f", {given}" if given else ""
+    found = gc.prove(claim, rank=3, letters="conic K", given=f"on_conic(a, b, c, d, e, K){more}")
+    assert found.verdict == verdict
+    if found.counterexample is not None:
+        brackets = conics.discriminant(*map(Point, "abcde"))
+        assert evaluate(brackets, found.counterexample) != 0
+
+
+def test_conics_without_five_points_have_coordinates_in_a_refutation() -> None:
+    found = gc.prove("[abc] == 0", rank=3, letters="conic K", given="on_conic(a, b, K)")
+    assert found.verdict == "refuted"
+    assert {*FIVE} <= {*(found.counterexample or {})}
+
+
+def test_assumptions_that_hold_nowhere_say_where_else_they_may() -> None:
+    """f = a would do, where what a proof assumes vanishes."""
+    with pytest.raises(InputError, match="or where one of these vanishes: af"):
+        gc.prove("fa == 0", rank=3, letters="conic K", given="on_conic(a,b,c,d,e,K), incident(f, ab), incident(f, ac)")
+
+
+def test_conditions_are_said_of_conics_and_lines_not_of_their_points() -> None:
+    given = "incident(a, K), concurrent(M, ab, polar(a, K))"
+    found = gc.prove("(ba) /\\ (ab) == 0", rank=3, letters="conic K, line M", given=given)
+    assert found.assumed == ("b \\/ polar(a, K)",)
+    assert found.meanings == ("b is not on the polar of a",)
+
+
 def test_points_on_a_conic_that_are_one_point_are_refused() -> None:
     """What is given says that they are, and points of a conic are taken to differ."""
     with pytest.raises(InputError) as fault:

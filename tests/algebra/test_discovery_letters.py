@@ -90,6 +90,16 @@ def test_what_is_assumed_names_letters_only() -> None:
     assert not any(mark in str(found.to_json()) for mark in "₁₂₃")
 
 
+def test_what_a_choice_of_the_points_of_a_letter_avoids_is_not_assumed() -> None:
+    """Of two planes through c two points each can be chosen that are not on a line with c."""
+    found = gc.discover(
+        r"rank 4  plane P Q R  given incident(c, Q), incident(c, P)"
+        r"  let m = P /\ Q  let n = Q /\ R  let k = P /\ R"
+    )
+    assert [d.claim for d in found.found] == ["concurrent(m, n, k)"]
+    assert found.kinds[0].assumed == ()
+
+
 def test_a_line_through_the_sides_of_a_triangle() -> None:
     """Each discovery holds in a drawing; the points of the letter are not among what is looked at."""
     found = gc.discover(TRANSVERSAL)

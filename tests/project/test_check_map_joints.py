@@ -338,6 +338,33 @@ def test_roots_that_are_left_out_make_no_free_cells() -> None:
         CHECK.checked(all_called(file, "f"))
 
 
+def test_in_a_size_that_is_none_of_the_robot_nothing_looks_small() -> None:
+    """Beside it the velocities of all joints, and the gaps of loops, would be nothing."""
+    file = data("3-rpr")
+    for size in (1e15, 1e-9, -1.0, math.inf):
+        file["geometry"]["size"] = size
+        with pytest.raises((CHECK.Refused, JOINTS.Malformed)):
+            CHECK.checked(all_called(file, "f"))
+
+
+@pytest.mark.parametrize("name", ["3-rpr", "delta"])
+def test_joints_that_move_the_platform_are_not_held(name: str) -> None:
+    """Else all poses that are compared would be home."""
+    file = data(name)
+    for limb in file["geometry"]["limbs"]:
+        limb["held"] = list(range(1, max(limb["coordinates"]) + 1))
+    with pytest.raises(CHECK.Refused, match="held"):
+        CHECK.checked(all_called(file, "o"))
+
+
+def test_the_words_say_what_is_driven() -> None:
+    file = data("delta")
+    words = list(JOINTS.joint_words(seen("delta").s.robot))
+    for a in file["geometry"]["actuators"]:
+        assert f"driven: {a['name']!r}" in words[a["limb"]]
+    assert words[-1] == f"lengths in parts of {file['geometry']['size']:.6g}"
+
+
 UNREAD = {"robot", "about", "actuators", "actuator", "end"}
 """What cells do not depend on: the words by which robots are known, drives without limits, how high limbs of a planar
 robot end.

@@ -87,7 +87,8 @@ def _chosen(e: Expr) -> Expr | None:
         own = {n for n in alone if (of := letter_of(n)) is not None and of[0] == letter}
         rest = [a for a in e.args if not (isinstance(a, Point) and a.name in own)]
         if letter not in letters_of(points_of(*rest)):  # it would change with the choice
-            return _chosen(ex.join(*rest, rank=e.step)) if sum(a.step for a in rest) > 1 else None
+            exists = not rest or (len(rest) == 1 and isinstance(rest[0], Point))
+            return None if exists else _chosen(ex.join(*rest, rank=e.step))
     return e
 
 
