@@ -29,6 +29,7 @@ from gcrules.algebra.language.statements import Claim, parse_script
 from gcrules.algebra.language.syntax import Context, parse, parse_equation
 from gcrules.algebra.parts import substitute
 from gcrules.algebra.prove import difference_of, prove
+from gcrules.algebra.seated import seated
 from gcrules.algebra.sparse import Polynomial, Ring
 from gcrules.algebra.straightening.straighten import is_zero, straighten
 from gcrules.core.errors import InputError, LimitReached
@@ -313,9 +314,9 @@ CLAIMS = dict(examples())
 
 @pytest.mark.parametrize("name", CLAIMS)
 def test_examples_are_decided_in_a_frame_too(name: str) -> None:
-    claim = CLAIMS[name]
-    at = claim.context
-    for left, right in claim.claimed.equations:
+    placed = seated(CLAIMS[name].claimed, CLAIMS[name].context)
+    at = placed.space
+    for left, right in placed.claimed.equations:
         assert agree(at, difference_of(left, right, at.rank), at.rank)
 
 

@@ -20,7 +20,7 @@ function Place({ text, place }: { text: string; place: { start: number; end: num
   const line = text.slice(from, until < 0 ? text.length : until);
   const [start, end] = [place.start - from, Math.max(Math.min(place.end - from, line.length), place.start - from + 1)];
   return (
-    <pre class="place" aria-label={`line ${place.line}`} data-line={text.includes("\n") ? place.line : undefined}>
+    <pre class="place" tabIndex={0} aria-label={`line ${place.line}`} data-line={text.includes("\n") ? place.line : undefined}>
       {line.slice(0, start)}
       <mark>{line.slice(start, end) || " "}</mark>
       {line.slice(end)}
