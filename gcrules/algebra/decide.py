@@ -119,7 +119,7 @@ def _said(proof: Proof, placed: Seated) -> Proof:
 
 
 def _decided(claimed: Claimed, at: Space, limit: int, placed: Seated | None = None) -> Proof:
-    """The verdict on the claim as it is; conditions are put in words as those of a claim about conics that is `placed`."""
+    """The verdict on the claim as it is; with conditions in words where it is a claim about conics that is `placed`."""
     for r in claimed.required:
         if vanishes(r.expr, rank=at.rank, ideal=at.ideal, samples=2):
             raise InputError(f"{r.text} vanishes at all positions")
