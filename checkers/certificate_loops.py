@@ -24,14 +24,15 @@ class Loops:
         if not 1e-3 * span <= self.size <= 1e3 * (span or 1.0):
             raise Refused("a size that is not the robot's")
 
-    def binding(self, amounts):
-        """Whether joints are held without which the platform could move in more ways, from amounts that close the
-        loops: these are the twists that all limbs allow.
+    def freedoms(self, amounts, platform, names):
+        """In how many ways the platform can move, as far as these coordinates of its pose change, from amounts that
+        close the loops: by the twists that all limbs allow without the joints that are held.
         """
-        free = [self.twists(k, own, self.centre) for k, own in enumerate(amounts)]
-        left = [[t for c, t in enumerate(own) if c not in self.limbs[k]["held"]] for k, own in enumerate(free)]
-        forbidden = [[w for own in limbs for w in complement(own)] for limbs in (free, left)]
-        return rank(forbidden[0]) < rank(forbidden[1])
+        about = moved(platform, self.centre)
+        moves = [self.twists(k, own, about) for k, own in enumerate(amounts)]
+        free = [[t for c, t in enumerate(own) if c not in limb["held"]] for own, limb in zip(moves, self.limbs)]
+        changes = [rates(self.pose(platform), t) for t in complement([w for own in free for w in complement(own)])]
+        return rank([[found[n] for n in names] for found in changes])
 
     def motions(self, k, amounts):
         """The motions of the links of a limb, from the first joint's to the platform's."""

@@ -94,14 +94,14 @@ class JointSlice:
 def joint_words(robot):
     """The joints of each limb at home with what moves them, and its end."""
     for k, limb in enumerate(robot.limbs):
-        driven = {a["coordinate"]: a["name"] for a in robot.actuators if a["limb"] == k}
+        driven = {a["coordinate"]: f"driven: {a['name']!r}" for a in robot.actuators if a["limb"] == k}
+        known = dict.fromkeys(limb["held"], "held") | driven
         first, joints = {}, []
         for n, (s, c, sign) in enumerate(zip(limb["screws"], limb["coordinates"], limb["signs"]), 1):
             word = f"turn or screw {numbers(s[:3])}; {numbers(s[3:])}" if any(s[:3]) else f"slide {numbers(s[3:])}"
-            notes = [f"driven: {driven[c]!r}"] if c in driven else ["held"] if c in limb["held"] else []
-            notes += (
-                [f"moves {sign:g} times as joint {first[c]}"] if c in first else [f"by {sign:g}"] if sign != 1 else []
-            )
+            as_joint = f" as joint {first[c]}" if c in first else ""
+            notes = [known[c]] if c in known else []
+            notes += [f"moves {sign:g} times{as_joint}"] if as_joint or sign != 1 else []
             first.setdefault(c, n)
             joints.append(f"{word} ({', '.join(notes)})" if notes else word)
         yield f"limb to {numbers(limb['end'])} by {', '.join(joints)}"
@@ -294,19 +294,15 @@ def samples(cells, letters):
     """
     s, rng = cells.s, random.Random(11)
     if isinstance(s.robot, Rods):  # made from points and axes, without closed forms of the file
-        return 0
+        return
     free = [place for place, letter in letters if letter == "f"]
     beyond = [place for place, what in sorted(cells.nodes.items()) if what == "o"]
-    seen = 0
     for cell in rng.sample(free, min(PLACES, len(free))):
         there = s.pose(s.box(cell, [k + 1 for k in cell]).middle)
-        if way_exists(s.robot, there):
-            if not s.robot.reaches(there):
-                raise Refused(f"the loops do not close in the cell {named(s.axes, cell)}, which is called free")
-            seen += 1
+        if way_exists(s.robot, there) and not s.robot.reaches(there):
+            raise Refused(f"the loops do not close in the cell {named(s.axes, cell)}, which is called free")
     for node in rng.sample(beyond, min(PLACES, len(beyond))):
         s.robot.reaches(s.pose([s.at(k, n) for k, n in enumerate(node)]))
-    return seen
 
 
 def checked_joints(data, say=None):
