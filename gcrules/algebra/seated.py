@@ -109,7 +109,7 @@ class Seated:
 
 
 def seated(claimed: Claimed, at: Space) -> Seated:
-    """The claim with points that are given on conics in place of those of the conics; as it is if there are none."""
+    """The claim, of conics that are no pairs of lines, with points that are given on them in place of their own."""
     sides = (e for pair in claimed.equations for e in pair)
     names = points_of(*sides, *_expressions(at.given), *claimed.nonzero)
     letters = conics_of(names)
@@ -122,7 +122,7 @@ def seated(claimed: Claimed, at: Space) -> Seated:
     alone = len(set(several)) == len(several) and not set(several) & set(at.ideal)
     on_conics = {a for on in found.values() for some in on.values() for a in some}
     irreducible = bool(letters) and alone and all(a in on_conics for a in at.given)
-    proper = (conics.discriminant(*map(Point, conic_points(name))) for name in letters)  # also where no claim names it
+    proper = (conics.discriminant(*map(Point, conic_points(name))) for name in letters)
     claimed = replace(claimed, nonzero=tuple(dict.fromkeys((*claimed.nonzero, *proper))))
     if not places:
         return Seated(claimed, at, irreducible=irreducible)

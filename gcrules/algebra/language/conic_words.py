@@ -19,7 +19,7 @@ from gcrules.algebra.space import Space
 from gcrules.core.english import listed
 from gcrules.core.errors import InputError
 
-__all__ = ["called", "conic_behind", "known_on", "proper", "refuse_conic"]
+__all__ = ["called", "conic_behind", "known_on", "refuse_conic"]
 
 
 def conic_behind(
@@ -57,11 +57,6 @@ def known_on(point: Expr, conic: str, shown: str, at: Space, made: Collection[Ex
     if form not in made and form not in {a.args[0] for a in at.given if a.kind == "zero"}:
         hint = f"assume it before, `given incident({shown}, {conic})`"
         raise InputError(f"nothing says that {shown} is on {conic}", span=span_of(tree), hint=hint)
-
-
-def proper(conic: str) -> dict[str, Expr]:
-    """What is not zero because a conic is no pair of lines, by its letter; nothing where there is none."""
-    return {conic: conics.discriminant(*map(Point, conic_points(conic)))} if conic else {}
 
 
 def refuse_conic(name: str, letters: Collection[str]) -> None:

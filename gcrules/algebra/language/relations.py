@@ -18,7 +18,7 @@ from gcrules.algebra import expr as ex
 from gcrules.algebra.assumptions.incidences import MAX_CONDITIONS, equations
 from gcrules.algebra.duality import Dual, dual_of
 from gcrules.algebra.expr import ZERO, Expr, points_of
-from gcrules.algebra.language.conic_words import conic_behind, proper
+from gcrules.algebra.language.conic_words import conic_behind
 from gcrules.algebra.language.parse_tree import Node, read, span_of
 from gcrules.algebra.language.syntax import Builder, Context
 from gcrules.algebra.language.words import FLAT, POINT, SEGMENT, Requirement, Word, ends
@@ -107,7 +107,7 @@ def read_claim(tree: Node, builder: Builder, text: str) -> Claimed:
         return _dual(tree, builder, text)
     if tree.data == "equation":
         sides = builder.equation(tree)
-        said = text if any(name in builder.context.conics for name in builder.lettered) else ""
+        said = text if conics_of(points_of(*sides)) else ""
         return Claimed((sides,), said, builder.requirements(), _apart(builder))
     kind, args, five = _arguments(tree, builder)
     if five:
@@ -182,7 +182,6 @@ def _arguments(tree: Node, builder: Builder) -> tuple[str, tuple[Expr, ...], tup
     token, *parts = tree.children
     kind = str(token)
     parts, conic = conic_behind(kind, OF_CONICS, parts, builder.context.conics)
-    builder.lettered |= proper(conic)
     args = tuple(map(builder.value, parts))
     five = tuple(map(ex.Point, conic_points(conic))) if conic else ()
     if five:

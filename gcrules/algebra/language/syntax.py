@@ -19,7 +19,7 @@ from fractions import Fraction
 from gcrules.algebra import conics, scalars
 from gcrules.algebra import expr as ex
 from gcrules.algebra.expr import Expr
-from gcrules.algebra.language.conic_words import called, conic_behind, known_on, proper, refuse_conic
+from gcrules.algebra.language.conic_words import called, conic_behind, known_on, refuse_conic
 from gcrules.algebra.language.parse_tree import Node, digits, read, run_name, span_of, whole
 from gcrules.algebra.language.text import SHORT_NAME
 from gcrules.algebra.language.words import (
@@ -223,7 +223,6 @@ class Builder:
             hint = f"write a space behind the name: {token} (…)"
             raise InputError(f"{token} is declared here, and a word of the language", span=span_of(token), hint=hint)
         parts, conic = conic_behind(str(token), OF_CONICS, parts, self.context.conics)
-        self.lettered |= proper(conic)
         word, args = (OF_CONICS if conic else CONSTRUCTIONS)[str(token)], tuple(map(self.value, parts))
         self.check(word, args, parts)
         five = list(map(ex.Point, conic_points(conic)))

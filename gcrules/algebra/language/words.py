@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
+from functools import partial
 from typing import TypeVar
 
 from gcrules.algebra import conics, metric
@@ -308,56 +309,27 @@ CONSTRUCTIONS: Mapping[str, Construction] = {
 }
 """The words of expressions by their names, which grammar.lark lists too."""
 
+_of_conic = partial(Construction, ranks=_PLANE, metric=False, of_conic=True)
+
 OF_CONICS: Mapping[str, Construction] = {
     w.name: w
     for w in (
-        Construction(
+        _of_conic(
             "second_on_conic(p, a, K)",
             "the second point of the line pa on the conic K, of which a is a point",
             _P2,
-            _PLANE,
-            metric=False,
-            of_conic=True,
             build=conics.second_of,
             on=1,
         ),
-        Construction(
-            "tangent(a, K)",
-            "the tangent at a point a of the conic K",
-            (POINT,),
-            _PLANE,
-            metric=False,
-            of_conic=True,
-            build=conics.polar,
-            on=0,
-            whole=True,
+        _of_conic(
+            "tangent(a, K)", "the tangent at a point a of the conic K", (POINT,), build=conics.polar, on=0, whole=True
         ),
-        Construction(
-            "polar(p, K)",
-            "the polar of p for the conic K",
-            (POINT,),
-            _PLANE,
-            metric=False,
-            of_conic=True,
-            build=conics.polar,
-            whole=True,
-        ),
-        Construction(
-            "pole(pq, K)",
-            "the pole of any line for the conic K",
-            (LINE,),
-            _PLANE,
-            metric=False,
-            of_conic=True,
-            build=conics.pole_of,
-        ),
-        Construction(
+        _of_conic("polar(p, K)", "the polar of p for the conic K", (POINT,), build=conics.polar, whole=True),
+        _of_conic("pole(pq, K)", "the pole of any line for the conic K", (LINE,), build=conics.pole_of),
+        _of_conic(
             "conic(p, K)",
             "the scalar that is zero where p is on the conic K",
             (POINT,),
-            _PLANE,
-            metric=False,
-            of_conic=True,
             build=conics.value,
             always=True,
         ),
