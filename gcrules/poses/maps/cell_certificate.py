@@ -19,9 +19,10 @@ from typing import Any, Protocol
 
 from gcrules.core.errors import FileError, InputError, LimitReached
 from gcrules.core.version import __version__
+from gcrules.poses.compiling.tape import Program
 from gcrules.poses.maps.cells import MEANINGS
 from gcrules.poses.maps.grid import Grid
-from gcrules.poses.maps.limb_certificate import limb_geometry, limb_question, stated_cells
+from gcrules.poses.maps.limb_certificate import limb_forms, limb_question, stated_cells
 from gcrules.poses.maps.limb_task import LimbsTask
 from gcrules.poses.maps.slices import SliceFactor
 from gcrules.poses.maps.task import MapTask, Slice
@@ -67,13 +68,13 @@ def is_certificate(path: str) -> bool:
     return path.lower().endswith((".json", ".json.gz"))
 
 
-def check_cells(task: MapTask) -> dict[str, Any] | None:
-    """The geometry of a robot of joints, None for six legs. Raises LimitReached for robots of joints whose limbs have
-    no closed forms, and for more than `MAX_CELLS` cells.
+def check_cells(task: MapTask) -> tuple[dict[str, Any], Program] | None:
+    """The geometry and the roots of a robot of joints, None for six legs. Raises LimitReached for more than `MAX_CELLS`
+    cells, and for robots of joints whose limbs have no closed forms.
     """
     if math.prod(n - 1 for n in task.grid.shape) > MAX_CELLS:
         raise LimitReached(f"a certificate has at most {MAX_CELLS:,} cells", hint="use a coarser grid, or several maps")
-    return limb_geometry(task.mechanism, task.grid) if isinstance(task, LimbsTask) else None
+    return limb_forms(task.mechanism, task.grid) if isinstance(task, LimbsTask) else None
 
 
 def cell_certificate(m: _Map) -> dict[str, Any]:
@@ -84,16 +85,16 @@ def cell_certificate(m: _Map) -> dict[str, Any]:
     Raises LimitReached as `check_cells`, and InputError where every pose is singular on a slice that is no polynomial,
     which is seen at random poses.
     """
-    geometry, status = check_cells(m.task), m.values("cell_status")
-    if isinstance(m.task, LimbsTask):
-        grid = m.task.grid
-        status = stated_cells(m.task.mechanism, grid, status)
+    forms, status = check_cells(m.task), m.values("cell_status")
+    if forms and isinstance(m.task, LimbsTask):
+        grid, (geometry, roots) = m.task.grid, forms
+        status = stated_cells(grid, status, roots)
         parts = {"title": grid.title, "question": limb_question(grid, m.recipe), "geometry": geometry}
     else:
         parts = _of_legs(m)
-    meanings = MEANINGS if geometry else MEANINGS[:3]
+    meanings = MEANINGS if forms else MEANINGS[:3]
     found = {
-        "format": JOINTS if geometry else FORMAT,
+        "format": JOINTS if forms else FORMAT,
         "made by": f"gcrules {__version__}",
         **parts,
         "cells": _rows(status),

@@ -13,21 +13,22 @@ from gcrules.core.errors import LimitReached
 from gcrules.mechanisms.limbs import Limbs
 from gcrules.poses.compiling.checking import geometry, placing_program, program_lines
 from gcrules.poses.compiling.closed_forms import run
+from gcrules.poses.compiling.tape import Program
 from gcrules.poses.maps.cells import OUTSIDE, UNDECIDED
 from gcrules.poses.maps.limb_grid import LimbsGrid
 from gcrules.poses.maps.nodes import others
 
-__all__ = ["limb_geometry", "limb_question", "stated_cells"]
+__all__ = ["limb_forms", "limb_question", "stated_cells"]
 
 Statuses = NDArray[np.uint8]
 
 _HINT = "gcrules map proves its cells all the same; the file is for programs that recompute them"
 
 
-def limb_geometry(m: Limbs, grid: LimbsGrid) -> dict[str, Any]:
-    """The geometry of a robot whose limbs have closed forms, as in certificates of ranges, and of other robots than
-    those on six rods the roots that all exist just where home's solutions of the limbs do. Raises LimitReached for
-    robots and coordinates without them.
+def limb_forms(m: Limbs, grid: LimbsGrid) -> tuple[dict[str, Any], Program]:
+    """The geometry of a robot whose limbs have closed forms, as in certificates of ranges, and the roots that all exist
+    just where home's solutions of the limbs do, which stand in the geometry of other robots than those on six rods.
+    Raises LimitReached for robots and coordinates without them.
     """
     if grid.driven:
         raise LimitReached(
@@ -44,7 +45,7 @@ def limb_geometry(m: Limbs, grid: LimbsGrid) -> dict[str, Any]:
         raise LimitReached(
             f"a map of {m.robot.id} has no certificate: no closed forms of all its limbs are known", hint=_HINT
         )
-    return found if "rods" in found else {**found, "roots": program_lines(roots)}
+    return found if "rods" in found else {**found, "roots": program_lines(roots)}, roots
 
 
 def limb_question(grid: LimbsGrid, recipe: Mapping[str, Any]) -> dict[str, Any]:
@@ -63,12 +64,10 @@ def limb_question(grid: LimbsGrid, recipe: Mapping[str, Any]) -> dict[str, Any]:
     }
 
 
-def stated_cells(m: Limbs, grid: LimbsGrid, status: Statuses) -> Statuses:
-    """The status of each cell as a certificate states it: outside where the closed forms have no solution at a corner;
-    where a map calls a cell outside for another reason, undecided.
+def stated_cells(grid: LimbsGrid, status: Statuses, roots: Program) -> Statuses:
+    """The status of each cell as a certificate states it: outside where a root does not exist at a corner; where a map
+    calls a cell outside for another reason, undecided.
     """
-    roots = placing_program(m, grid.names)
-    assert roots is not None
     origin, steps = grid.linear
     places = np.stack(np.meshgrid(*map(np.arange, grid.shape), indexing="ij"), axis=-1).reshape(-1, len(grid.axes))
     with np.errstate(invalid="ignore"):
