@@ -33,8 +33,6 @@ from gcrules.poses.maps.tracing import traced
 from gcrules.screws.pose import Pose
 from gcrules.screws.pose_text import parse_pose
 
-pytestmark = pytest.mark.usefixtures("compiled_once")
-
 F = Fraction
 
 

@@ -30,8 +30,6 @@ from gcrules.poses.tiles.store import TileStore
 from gcrules.views.plots import map_files as outputs
 from gcrules.views.plots.map_formats import MapFormat
 
-pytestmark = pytest.mark.usefixtures("compiled_once")
-
 # --- files ----------------------------------------------------------------------------------------------------------
 
 SMALL = ["x -300:300:15", "z -500:100:16"]

@@ -24,8 +24,6 @@ from gcrules.poses.maps.mesh import Mesh
 from gcrules.poses.maps.report import SingularMap
 from gcrules.views.plots.map_meshes import glb, ply
 
-pytestmark = pytest.mark.usefixtures("compiled_once")
-
 F = Fraction
 FLAT = {  # planes in which all joints lie in one plane and stay there: always singular
     "legs": "[Aa, Bb, Cc, Dd, Ee, Ff]",

@@ -8,6 +8,7 @@ import sys
 import threading
 import traceback
 from collections.abc import Callable, Iterator
+from importlib import import_module
 from itertools import islice
 from queue import SimpleQueue
 from time import monotonic, sleep
@@ -123,6 +124,13 @@ def _next(tasks: SimpleQueue[_Task | None], loads: Iterator[None]) -> _Task | No
     return tasks.get()
 
 
+def _loads() -> Iterator[None]:
+    """All that answers, and then what the first map of a robot would wait for half a second."""
+    yield from loading()
+    import_module("sympy")
+    yield
+
+
 def serve() -> None:
     """Work until the server is gone."""
     threading.Thread(target=_watch, args=(os.getppid(),), daemon=True).start()
@@ -149,7 +157,7 @@ def serve() -> None:
 
     tasks: SimpleQueue[_Task | None] = SimpleQueue()
     threading.Thread(target=_receive, args=(inward, tasks), daemon=True).start()
-    loads = loading()
+    loads = _loads()
     while (task := _next(tasks, loads)) is not None:
         put(done(task.job, known, tell, task.begin))
 

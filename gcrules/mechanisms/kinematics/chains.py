@@ -279,7 +279,7 @@ class Chain:
 
     def placed(self, screws: Floats) -> Chain:
         """The same chain with its screws elsewhere."""
-        found = replace(self, screws=screws)
+        found = Chain(screws, self.uses, self.signs, self.turns, self.runs, self.platform, self.shares)
         found.__dict__["parts"] = self.parts  # the same ones
         return found
 

@@ -14,8 +14,9 @@ r"""Conditions compiled for many poses: a frozen value that is called with array
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from contextlib import suppress
+from functools import lru_cache
 from typing import Any, overload
 
 import numpy as np
@@ -44,7 +45,7 @@ from gcrules.poses.compiling.tape import Program
 from gcrules.poses.compiling.tracing import trace
 from gcrules.poses.methods import Methods, method
 
-__all__ = ["CompiledCondition", "compiled"]
+__all__ = ["CompiledCondition", "compiled", "compiled_motions"]
 
 Floats = NDArray[np.float64]
 
@@ -175,6 +176,12 @@ def _of_legs(
     return _condition(m.analysis, m.rig, expression, engine)
 
 
+@lru_cache(maxsize=8)  # a map of a robot is followed by others of it
+def compiled_motions(m: SixLegs, engine: str) -> CompiledCondition:
+    """The superbracket at poses given by matrices, and by nothing else, which is traced in a third of the time."""
+    return _condition(m.analysis, m.rig, None, engine, ("matrices",))
+
+
 def _of_limbs(
     m: Limbs, expression: str | Expr | None, coordinates: str | Sequence[str] | None, engine: str
 ) -> CompiledCondition | CompiledLimbs:
@@ -195,14 +202,19 @@ _COMPILED: Methods[CompiledCondition | CompiledLimbs] = {SixLegs: _of_legs, Limb
 
 
 def _condition(
-    analysis: Analysis, moving: MovingPlatform | None, expression: str | Expr | None, engine: str
+    analysis: Analysis,
+    moving: MovingPlatform | None,
+    expression: str | Expr | None,
+    engine: str,
+    kinds: Collection[str] | None = None,
 ) -> CompiledCondition:
+    """With the programs of these kinds, of all for None."""
     structure = analysis.structure
     check_finite(structure)
     asked = structure.superbracket if expression is None else _scalar(expression, structure.names)
     roads = roads_of(analysis) if asked == structure.superbracket else [as_written(asked)]
     joints = joints_of(analysis, moving)
-    found = {kind: trace(joints, kind, roads, asked) for kind in joints.kinds}
+    found = {kind: trace(joints, kind, roads, asked) for kind in joints.kinds if kinds is None or kind in kinds}
     return CompiledCondition(
         expression=as_text(asked, names=structure.names),
         joints=joints.moving,

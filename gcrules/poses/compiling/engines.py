@@ -16,7 +16,7 @@ from gcrules.core.errors import InputError
 from gcrules.poses.compiling.native import native
 from gcrules.poses.compiling.tape import BINARY, Program, allocated
 
-__all__ = ["ENGINES", "STEP", "Run", "engine_named", "runner"]
+__all__ = ["ENGINES", "STEP", "Run", "engine_for", "engine_named", "runner"]
 
 Floats = NDArray[np.float64]
 Run = Callable[[Floats, Floats, Floats], None]
@@ -33,6 +33,9 @@ CACHE = 1 << 20
 """Bytes that the registers of a chunk may take: a half of the second-level cache of an ordinary core."""
 
 
+_MANY = 1_000_000
+
+
 def engine_named(name: str | None) -> str:
     """The engine to use; None takes numba where it is installed. Raises InputError for others and for a missing one."""
     if name is None:
@@ -42,6 +45,11 @@ def engine_named(name: str | None) -> str:
     if not find_spec(name):
         raise InputError(f"{name} is not installed", hint='pip install "gcrules[fast]", or take the engine numpy')
     return name
+
+
+def engine_for(poses: int) -> str:
+    """The engine that has the values at so many poses first: numba takes a second to load and to compile."""
+    return "numpy" if poses < _MANY else engine_named(None)
 
 
 def runner(program: Program, engine: str) -> Run:

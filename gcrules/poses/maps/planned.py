@@ -13,9 +13,9 @@ from gcrules.core.errors import InputError
 from gcrules.core.frozen import FrozenMap
 from gcrules.mechanisms.limbs import Limbs
 from gcrules.mechanisms.mechanism import Mechanism, limits_of
-from gcrules.mechanisms.platform_analysis import with_platform
 from gcrules.mechanisms.six_legs import SixLegs
-from gcrules.poses.compiling.compiled import compiled
+from gcrules.poses.compiling.compiled import compiled_motions
+from gcrules.poses.compiling.engines import engine_for
 from gcrules.poses.maps.axes import read_axes
 from gcrules.poses.maps.grid import grid
 from gcrules.poses.maps.limb_task import limbs_task
@@ -58,8 +58,7 @@ def _of_legs(m: SixLegs, over: Any, at: Any, limits: str | None, limit: Threshol
     axes = read_axes(over, m.unit)
     reached = limits_of(m, limits)
     g = grid(m.rig, axes, at)
-    known = m.analysis if m.analysis.platform is not None else with_platform(m.analysis, m.platform)
-    condition = compiled(known, about=m.about)
+    condition = compiled_motions(m, engine_for(g.size))
     moved = g.rotation_axis is not None
     everywhere = vanishes(g) if moved else not slice_polynomial(g)
     task = LegsTask(g, condition, measure, reached, None if moved else factors(g), everywhere)

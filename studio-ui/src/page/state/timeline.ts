@@ -72,7 +72,7 @@ export interface Timeline {
 
 export const SPEEDS: readonly number[] = [0.25, 0.5, 1, 2, 4];
 
-const REST = 150; // milliseconds without a move before the way is proved, if the hand has not let go before
+const REST = 150; // milliseconds from the numbers of the last move until the way is proved, if the hand has not let go before
 const LASTS = 5000; // milliseconds of a way that is played
 
 export function createTimeline(client: Client, editing: Editing, studying: Studying, posing: Posing): Timeline {
@@ -189,32 +189,30 @@ export function createTimeline(client: Client, editing: Editing, studying: Study
     });
   });
 
-  // the proof, once the hand lets go, or rests and the numbers at the pose, which come first, are there
-  let timer = 0;
-  let waiting: (() => void) | null = null; // what starts it
-  const rests = signal(false);
+  // the proof, once the hand lets go, or has rested since the numbers at the pose came
+  const waiting = signal<(() => void) | null>(null); // what starts it
   effect(() => {
     const [list, threshold, source] = [stops.value, threshold$.value, source$.value];
     const there = studying.study.value !== null;
     known.value = false;
-    rests.value = false;
-    window.clearTimeout(timer);
-    waiting = null;
     const [start, goal] = [list[0], list.at(-1)];
-    if (!source || !there || !start || !goal || list.length < 2) return untracked(runner.stop);
-    waiting = () => {
-      window.clearTimeout(timer);
-      waiting = null;
-      void runner.start({ source, start, through: list.slice(1, -1), goal, threshold });
-    };
-    timer = window.setTimeout(() => (rests.value = true), REST);
+    const asks = source && there && start && goal && list.length >= 2;
+    if (!asks) untracked(runner.stop);
+    waiting.value = asks ? () => void runner.start({ source, start, through: list.slice(1, -1), goal, threshold }) : null;
   });
+  function prove(): void {
+    const start = waiting.peek();
+    waiting.value = null;
+    start?.();
+  }
   effect(() => {
-    if (rests.value && !posing.awaited.value) untracked(() => waiting?.());
+    if (!waiting.value || posing.awaited.value) return;
+    const timer = window.setTimeout(prove, REST);
+    return () => window.clearTimeout(timer);
   });
   effect(() => {
     void editing.settled.value;
-    untracked(() => waiting?.());
+    untracked(prove);
   });
 
   function lead(parameter: number): void {
