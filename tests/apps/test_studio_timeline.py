@@ -144,7 +144,7 @@ def test_waypoints_are_added_moved_put_and_taken_out(desk: Desk) -> None:
     rows = desk.page.get_by_test_id("way-stop")
     assert rows.count() == 3
     desk.page.wait_for_selector(PROVED)
-    rows.nth(2).drag_to(rows.nth(0))
+    desk.one("way-grip").nth(2).drag_to(rows.nth(0))
     assert [s["translation"] for s in stops(desk)] == [[60, 0, -100], [0, 0, 0], [0, 0, -100]]
     rows.nth(0).locator("button").first.focus()
     desk.page.keyboard.press("Alt+ArrowDown")

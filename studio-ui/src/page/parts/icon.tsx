@@ -40,13 +40,14 @@ const PATHS = {
   around: "M12 12h.01 M12 3.500a2 2 0 1 0 0 4a2 2 0 0 0 0-4 M5 15a2 2 0 1 0 0 4a2 2 0 0 0 0-4 M19 15a2 2 0 1 0 0 4a2 2 0 0 0 0-4 M6.500 12a6 6 0 0 1 2-4.500 M17.500 12a6 6 0 0 0-2-4.500 M9 19a6 6 0 0 0 6 0",
   trash: "M5 7h14 M10 4h4 M7 7l1 13h8l1-13 M10.500 11v5.500 M13.500 11v5.500",
   drive: "M13 3L5 14h6l-1 7 8-11h-6z",
+  grip: "M9 6h.01 M15 6h.01 M9 12h.01 M15 12h.01 M9 18h.01 M15 18h.01",
   large: "M9 4H4v5 M4 4l6 6 M15 20h5v-5 M20 20l-6-6",
 } as const;
 
 export type IconName = keyof typeof PATHS;
 
 export function Icon({ name, size = 18 }: { name: IconName; size?: number }) {
-  const bold = name === "guided";
+  const bold = name === "guided" || name === "grip";
   return (
     <svg class="icon" viewBox="0 0 24 24" width={size} height={size} aria-hidden="true" focusable="false">
       <path d={PATHS[name]} stroke-width={bold ? 2 : 1.7} />

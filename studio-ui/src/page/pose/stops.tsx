@@ -8,11 +8,22 @@ import { fileName } from "../panels/take-away/making";
 
 const LISTED = 40;
 
+/** A row that is dragged, and the one that it is over. */
+interface Dragged {
+  from: number;
+  to: number;
+}
+
+function rowAt({ clientX, clientY }: PointerEvent): number | null {
+  const row = document.elementFromPoint(clientX, clientY)?.closest<HTMLElement>("[data-testid=way-stop]");
+  return row ? Number(row.dataset["index"]) : null;
+}
+
 export function Stops() {
   const { timeline, study, settle } = useStore();
   const { stops, given } = timeline;
   const shown = study.value;
-  const [held, hold] = useState<number | null>(null);
+  const [dragged, drag] = useState<Dragged | null>(null);
   const list = stops.value;
   if (!shown) return null;
 
@@ -44,18 +55,28 @@ export function Stops() {
             {list.slice(0, LISTED).map((pose, i) => (
               <li
                 key={i}
-                class={held === i ? "held" : given.value && timeline.chosen.value === i ? "chosen" : ""}
-                draggable
+                class={dragged?.from === i ? "held" : dragged?.to === i ? "over" : given.value && timeline.chosen.value === i ? "chosen" : ""}
                 data-testid="way-stop"
-                onDragStart={() => hold(i)}
-                onDragEnd={() => hold(null)}
-                onDragOver={(event) => event.preventDefault()}
-                onDrop={(event) => {
-                  event.preventDefault();
-                  if (held !== null) timeline.shift(held, i);
-                  hold(null);
-                }}
+                data-index={i}
               >
+                <span
+                  class="grip"
+                  title="Drag it to another place in the list"
+                  data-testid="way-grip"
+                  onPointerDown={(event) => {
+                    event.preventDefault();
+                    event.currentTarget.setPointerCapture(event.pointerId);
+                    drag({ from: i, to: i });
+                  }}
+                  onPointerMove={(event) => dragged && drag({ ...dragged, to: rowAt(event) ?? dragged.to })}
+                  onPointerUp={() => {
+                    if (dragged && dragged.to !== dragged.from) timeline.shift(dragged.from, dragged.to);
+                    drag(null);
+                  }}
+                  onPointerCancel={() => drag(null)}
+                >
+                  <Icon name="grip" size={14} />
+                </span>
                 <button
                   type="button"
                   class="quiet name"

@@ -10,7 +10,7 @@ import { Zoom } from "../parts/zoom";
 import { foundBy } from "../state/scene";
 import { ConditionView } from "./condition-view";
 import { Limbs } from "./limbs";
-import { ItemView } from "./item-view";
+import { Items } from "./item-view";
 import { ModelView } from "./model-view";
 import { PointList } from "./point-list";
 
@@ -70,9 +70,7 @@ export function StageView({ study, stage, number }: { study: Study; stage: Stage
       {stage.id === "structure" && <PointList study={study} />}
       {stage.id === "limbs" && study.robot && <Limbs robot={study.robot} />}
       {WITH_CONDITION.includes(stage.id) && <ConditionView study={study} sentence={stage.id === "statement" ? sentenceOf(stage.items)?.text : undefined} />}
-      {itemsOf(stage, study).map((item, i) => (
-        <ItemView key={`${stage.id}${i}`} item={item} found={found} />
-      ))}
+      <Items key={stage.id} items={itemsOf(stage, study)} found={found} />
       {stage.id === "left-over" && found.length > 0 && !stage.items.some(({ kind }) => kind === "entities") && (
         <div class="chips">
           {found.map((entity) => (
