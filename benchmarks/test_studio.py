@@ -67,8 +67,8 @@ class Studio:
                 nonlocal number
                 number += 1
                 socket.send(json.dumps({"id": number, "do": do, "args": args}))
-                while "progress" in (found := json.loads(socket.recv())):
-                    pass
+                while "ok" not in (found := json.loads(socket.recv())):
+                    pass  # how far it is, and parts of the answer
                 assert found["ok"], found
                 return found["result"]
 

@@ -926,14 +926,10 @@ export interface Sign {
   statement: string;
 }
 
-export interface Numbers {
+/** What is said first of a pose. */
+export interface Headline {
   /** The pose that this answers. */
   pose: Pose;
-  /** Those of the study there, in their units. */
-  freedoms: number[];
-  /** Where the platform of a robot with limbs is, from home; null for one on six legs, whose pose says it. */
-  platform: Pose | null;
-  points: Record<string, Vec3>;
   /** Superbracket over its scale: dimensionless, with the sign of the superbracket. */
   value: number;
   /** The singularity margin σ: 0 at a singular pose, at most 1. */
@@ -941,6 +937,14 @@ export interface Numbers {
   /** Below this margin the pose counts as close; null where the threshold is a length. */
   close: number | null;
   verdict: Verdict;
+}
+
+export interface Numbers extends Headline {
+  /** Those of the study there, in their units. */
+  freedoms: number[];
+  /** Where the platform of a robot with limbs is, from home; null for one on six legs, whose pose says it. */
+  platform: Pose | null;
+  points: Record<string, Vec3>;
   reason: string;
   causes: string[];
   readings: Reading[];
@@ -1599,7 +1603,7 @@ export interface Methods {
   hello: { args: NoArgs; result: Hello; part: never };
   gallery: { args: NoArgs; result: Gallery; part: never };
   open: { args: OpenArgs; result: Study; part: never };
-  pose: { args: PoseArgs; result: Numbers; part: never };
+  pose: { args: PoseArgs; result: Numbers; part: Headline };
   move: { args: MoveArgs; result: PlacedPose; part: never };
   along: { args: AlongArgs; result: Along; part: never };
   nearest: { args: PoseArgs; result: Nearest; part: never };

@@ -31,13 +31,14 @@ from gcrules.views.report.stage_ids import STAGE_IDS
 
 pytest.importorskip("starlette", reason="needs the extra gcrules[studio]")
 
-from apps.studio_client import DRAWING, FOUR_DOF, HOME, OCTAHEDRAL, Page
+from apps.studio_client import DRAWING, FOUR_DOF, HOME, OCTAHEDRAL, Page, assert_fits
 
 from gcrules.apps.studio import theory
 from gcrules.apps.studio.faults import fault_view
 from gcrules.apps.studio.formulas import pieces
 from gcrules.apps.studio.numbers import exact_pose, numbers
 from gcrules.apps.studio.pages import STATIC
+from gcrules.apps.studio.protocol.methods import METHODS
 from gcrules.apps.studio.sources import source_of
 from gcrules.apps.studio.study import study
 from gcrules.apps.studio.subject import read_subject
@@ -163,6 +164,15 @@ def test_robot_moves_by_its_actuators(page: Page) -> None:
     assert [limb["name"] for limb in moved["limbs"]] == ["leg 1", "leg 2", "leg 3"]
     fault = page.fault("pose", source=FOUR_DOF, pose=HOME | {"coordinates": [1.0]})
     assert "4 actuators" in fault["message"]
+
+
+def test_value_and_verdict_of_a_robot_come_first(page: Page) -> None:
+    pose = {**HOME, "coordinates": [0.1, 0, 0, 0]}
+    found = page.ask("pose", source=FOUR_DOF, pose=pose)
+    (headline,) = page.parts
+    assert_fits(headline, METHODS["pose"].part)
+    assert headline == {name: found[name] for name in headline}
+    assert headline["pose"] == pose
 
 
 @pytest.mark.parametrize("name", ["gallardo-4dof", "3-rps", "delta", "3-upu", "tricept", "3-rpr", "6-rus"])

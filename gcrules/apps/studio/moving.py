@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from functools import lru_cache
 from math import degrees, isfinite, log10, radians
 
 import numpy as np
 
 from gcrules.apps.studio.actuators_view import actuator_views, jacobian_facts
-from gcrules.apps.studio.protocol.answer_views import Numbers
+from gcrules.apps.studio.parts import give
+from gcrules.apps.studio.protocol.answer_views import Headline, Numbers
 from gcrules.apps.studio.protocol.requests import PoseJson
 from gcrules.apps.studio.protocol.study_views import Axis
 from gcrules.apps.studio.subject import Subject
@@ -23,7 +24,7 @@ from gcrules.mechanisms.kinematics.solve import Solution, free_coordinates
 from gcrules.mechanisms.limbs import Limbs
 from gcrules.poses.limbs.factors import superbracket_value
 from gcrules.poses.limbs.many import Solved
-from gcrules.poses.limbs.pose_report import report_at, report_of_limbs, solution_at
+from gcrules.poses.limbs.pose_report import points_at, report_at, report_of_limbs, solution_at, standing_at
 from gcrules.poses.limbs.report import RobotPose
 from gcrules.poses.numbers.arrays import matrices
 from gcrules.poses.numbers.motion import Twist
@@ -177,33 +178,39 @@ def values_at(subject: Subject, pose: PoseJson) -> dict[str, list[float]]:
     """Coordinates of all points and directions, for which nothing is solved at home. Raises InputError likewise."""
     if subject.limbs is None or not any(pose.get("coordinates", ())):
         return subject.home
-    return values_of(subject, configuration(subject.limbs, pose))
+    return values_of(subject, configuration(subject.limbs, pose).points)
 
 
-def values_of(subject: Subject, found: RobotPose) -> dict[str, list[float]]:
+def values_of(subject: Subject, points: Mapping[str, Sequence[float]]) -> dict[str, list[float]]:
     """Coordinates of all points and directions there, those of the frame among them."""
-    return {**subject.home, **{n: list(p) for n, p in found.points.items()}}
+    return {**subject.home, **{n: list(p) for n, p in points.items()}}
 
 
 def numbers_of_limbs(limbs: Limbs, subject: Subject, pose: PoseJson, threshold: str | None) -> Numbers:
-    """The numbers in a configuration. Raises InputError where the robot does not assemble."""
+    """The numbers in a configuration, the headline given first. Raises InputError where the robot does not assemble."""
     robot = limbs.analysis
+    limit = angle_threshold(threshold or DEFAULT, "for robots of joints")
     solution = solved(limbs.linkage, tuple(amounts_at(limbs, pose)))
-    found = report_at(limbs.linkage, robot, solution, angle_threshold(threshold or DEFAULT, "for robots of joints"))
+    stands = standing_at(limbs.linkage, solution.configuration, limit)
+    values = values_of(subject, points_at(limbs.linkage, solution.configuration))
+    value = superbracket_value(robot, {n: np.asarray(v) for n, v in values.items()})
+    headline: Headline = {
+        "pose": pose,
+        "value": stands.margin.sigma if value is None else value,
+        "margin": stands.margin.sigma,
+        "close": close_margin(limit),
+        "verdict": stands.verdict,
+    }
+    give(headline)
+    found = report_at(limbs.linkage, robot, solution, limit, stands)
     there = Solved.at(limbs, solution.configuration)
-    values = values_of(subject, found)
     names = subject.points
     near = found.verdict != "regular"
-    value = superbracket_value(robot, {n: np.asarray(v) for n, v in values.items()})
     return {
-        "pose": pose,
+        **headline,
         "freedoms": freedoms_at(limbs.linkage, solution.configuration),
         "platform": displacement(limbs.linkage, solution.configuration.platform, subject.about),
         "points": {n: values[n] for n in names} | derived_points(robot, values),
-        "value": found.margin if value is None else value,
-        "margin": found.margin,
-        "close": close_margin(found.threshold),
-        "verdict": found.verdict,
         "reason": found.reason,
         "causes": list(found.causes),
         "readings": [

@@ -6,13 +6,15 @@ import asyncio
 import gc
 import secrets
 from collections import deque
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from concurrent.futures import ThreadPoolExecutor
 from importlib import import_module
 from typing import TYPE_CHECKING, Any, cast
 
+from gcrules.apps.studio.parts import given_to
 from gcrules.apps.studio.pool import Pool
 from gcrules.apps.studio.protocol.answer_views import Followed, Shown
+from gcrules.apps.studio.protocol.messages import Part
 from gcrules.apps.studio.protocol.methods import METHODS
 from gcrules.apps.studio.protocol.requests import FollowArgs, ShowArgs, SourceJson
 from gcrules.apps.studio.protocol.study_views import Hello
@@ -31,8 +33,10 @@ _KEPT = 24
 _ENGINE = "gcrules.apps.studio.answers"  # loaded beside the first page, not before it
 
 
-def _numbers(name: str, subject: Subject, args: Mapping[str, Any], running: list[Budget]) -> Any:
-    with within(METHODS[name].seconds) as budget:
+def _numbers(
+    name: str, subject: Subject, args: Mapping[str, Any], running: list[Budget], give: Callable[[Any], None]
+) -> Any:
+    with within(METHODS[name].seconds) as budget, given_to(give):
         running.append(budget)
         return import_module(_ENGINE).answer(name, subject, args)
 
@@ -111,8 +115,12 @@ class Service:
                 self._keep(source, known)
             loop = asyncio.get_running_loop()
             running: list[Budget] = []
+
+            def give(part: Any) -> None:
+                loop.call_soon_threadsafe(tell, Part(part))
+
             try:
-                return await loop.run_in_executor(self.numbers, _numbers, name, known, args, running)
+                return await loop.run_in_executor(self.numbers, _numbers, name, known, args, running, give)
             except asyncio.CancelledError:
                 for budget in running:
                     budget.cancel()

@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from gcrules.core.dataclass import dataclass
 from gcrules.core.english import agreeing, listed
 from gcrules.core.errors import InputError, LimitReached
 from gcrules.core.floats import without_noise
@@ -45,7 +46,17 @@ from gcrules.screws.pose_text import ANGLES, COORDINATES, Amount
 from gcrules.screws.threshold import DEFAULT, Threshold, angle_threshold, margin_of, safe, turn_of
 from gcrules.screws.verdict import SOLVED, decide
 
-__all__ = ["cause_of", "first_singular_pose", "report_at", "report_of_limbs", "solution_at", "target_of"]
+__all__ = [
+    "Standing",
+    "cause_of",
+    "first_singular_pose",
+    "points_at",
+    "report_at",
+    "report_of_limbs",
+    "solution_at",
+    "standing_at",
+    "target_of",
+]
 
 _BLURRED = 1e-10
 """What rounding may do to σ without being told: a tenth of `SINGULAR`."""
@@ -192,13 +203,39 @@ def _amount(value: Any, name: str, in_degrees: bool) -> Any:
     return Amount(exact(value, name), degrees=True) if in_degrees else value
 
 
-def report_at(m: Linkage, analysis: RobotAnalysis, solution: Solution, limit: Threshold) -> RobotPose:
-    """All numbers at a solution."""
-    c = solution.configuration
+@dataclass(frozen=True, eq=False)
+class Standing:
+    """How a configuration stands: its margin, those of the limbs by themselves, and what is said of them."""
+
+    margin: LimbMargin
+    own: tuple[float, ...]
+    verdict: str
+    reason: str
+
+
+def standing_at(m: Linkage, c: Configuration, limit: Threshold) -> Standing:
+    """The verdict at a configuration, which takes a small part of the time that all numbers take."""
     near = margin(m, c)
-    values = factors(analysis, c.values)
     own = tuple(limb_margins(m, Configurations.of([c]))[0].tolist())
-    verdict, reason = _verdict(m, near, own, limit)
+    return Standing(near, own, *_verdict(m, near, own, limit))
+
+
+def points_at(m: Linkage, c: Configuration) -> dict[str, tuple[float, ...]]:
+    """Coordinates of all points and directions in a configuration."""
+    return {
+        d.name: tuple(without_noise(x, m.size if d.sort == "point" else 1.0) for x in c.values[d.name])
+        for d in m.robot.family.definitions
+    }
+
+
+def report_at(
+    m: Linkage, analysis: RobotAnalysis, solution: Solution, limit: Threshold, known: Standing | None = None
+) -> RobotPose:
+    """All numbers at a solution, of which it may be known already how it stands."""
+    c = solution.configuration
+    stands = known or standing_at(m, c, limit)
+    near, own, verdict = stands.margin, stands.own, stands.verdict
+    values = factors(analysis, c.values)
     motions = _twists(m, near)
     gained = tuple(t for t, s in zip(motions, near.singular_values, strict=True) if s <= SOLVED)
     jacobian = wrench_jacobian(m, c, near)
@@ -207,7 +244,7 @@ def report_at(m: Linkage, analysis: RobotAnalysis, solution: Solution, limit: Th
         title=m.robot.title,
         target=solution.target.text,
         verdict=verdict,
-        reason=reason,
+        reason=stands.reason,
         causes=_causes(values, verdict),
         coordinates=_numbers(COORDINATES, coordinates(COORDINATES, c.platform, m.centre), m.size),
         centre=tuple(without_noise(float(x), m.size) for x in m.centre),
@@ -230,10 +267,7 @@ def report_at(m: Linkage, analysis: RobotAnalysis, solution: Solution, limit: Th
         softest=motions[-1],
         motions=gained,
         types=singularity_types(m, c, gained) if verdict == "singular" else (),
-        points={
-            d.name: tuple(without_noise(x, m.size if d.sort == "point" else 1.0) for x in c.values[d.name])
-            for d in m.robot.family.definitions
-        },
+        points=points_at(m, c),
         notes=(
             *solution.target.notes,
             *m.notes,

@@ -33,6 +33,7 @@ __all__ = [
     "ExactPoint",
     "Followed",
     "FormView",
+    "Headline",
     "HintView",
     "Manual",
     "ManualStep",
@@ -107,14 +108,11 @@ class SignView(TypedDict):
     """What is singular where it is 0; "" for the determinant of the undriven joints' screws, which says no more."""
 
 
-class Numbers(TypedDict):
+class Headline(TypedDict):
+    """What is said first of a pose."""
+
     pose: PoseJson
     """The pose that this answers."""
-    freedoms: list[float]
-    """Those of the study there, in their units."""
-    platform: PoseJson | None
-    """Where the platform of a robot with limbs is, from home; null for one on six legs, whose pose says it."""
-    points: dict[str, Vec3]
     value: float
     """Superbracket over its scale: dimensionless, with the sign of the superbracket."""
     margin: float
@@ -122,6 +120,14 @@ class Numbers(TypedDict):
     close: float | None
     """Below this margin the pose counts as close; null where the threshold is a length."""
     verdict: Verdict
+
+
+class Numbers(Headline):
+    freedoms: list[float]
+    """Those of the study there, in their units."""
+    platform: PoseJson | None
+    """Where the platform of a robot with limbs is, from home; null for one on six legs, whose pose says it."""
+    points: dict[str, Vec3]
     reason: str
     causes: list[str]
     readings: list[ReadingView]

@@ -67,7 +67,7 @@ METHODS: Mapping[str, Method] = {
     "hello": Method(requests.NoArgs, Hello, where="session"),
     "gallery": Method(requests.NoArgs, Gallery),
     "open": Method(requests.OpenArgs, Study, seconds=120),
-    "pose": Method(requests.PoseArgs, answers.Numbers, where="numbers"),
+    "pose": Method(requests.PoseArgs, answers.Numbers, where="numbers", part=answers.Headline),
     "move": Method(requests.MoveArgs, PlacedPose, where="numbers"),
     "along": Method(requests.AlongArgs, answers.Along),
     "nearest": Method(requests.PoseArgs, answers.Nearest, seconds=120),

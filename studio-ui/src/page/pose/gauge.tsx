@@ -15,7 +15,7 @@ export function Gauge() {
   const threshold = threshold$.value;
   const sigma = posing.close.value;
   const [held, hold] = useState<number | null>(null); // where the mark is dragged, ahead of the server
-  const width = useComputed(() => `width: ${100 * along(posing.numbers.value?.margin ?? 0)}%`);
+  const width = useComputed(() => `width: ${100 * along(posing.headline.value?.margin ?? 0)}%`);
   const at = held ?? (sigma === null ? null : along(sigma));
 
   function drag(share: number): void {

@@ -27,8 +27,8 @@ const NONE: [string, IconName] = ["No numbers here", "warn"];
 const WAITING: [string, IconName] = ["…", "ok"];
 
 /** The numbers of the pose on show; none where it has a fault: those that are known are of another pose. */
-function shown({ numbers, fault }: Posing): { value: string; margin: string } | null {
-  const found = numbers.value;
+function shown({ headline, fault }: Posing): { value: string; margin: string } | null {
+  const found = headline.value;
   if (fault.value) return { value: "–", margin: "–" };
   return found && { value: steady(found.value), margin: steady(found.margin).trim().replace("+", "") };
 }
@@ -44,7 +44,7 @@ export function VerdictView() {
     () => ({
       value: computed(() => shown(posing)?.value ?? "…"),
       margin: computed(() => shown(posing)?.margin ?? "…"),
-      verdict: computed(() => (posing.fault.value ? null : (posing.numbers.value?.verdict ?? null))),
+      verdict: computed(() => (posing.fault.value ? null : (posing.headline.value?.verdict ?? null))),
     }),
     [posing],
   );

@@ -1,6 +1,6 @@
 // Numbers at the pose: asked for at every move, latest first; with the way that the margin has gone.
 import { batch, computed, effect, signal, type ReadonlySignal } from "@preact/signals";
-import type { Along, Fault, Numbers, Pose, Source } from "../../protocol";
+import type { Along, Fault, Headline, Numbers, Pose, Source } from "../../protocol";
 import type { Client } from "../net/client";
 import { latest } from "../net/latest";
 import { samePose, sameSource } from "./doc";
@@ -10,6 +10,8 @@ import { extended, LONGEST, passedOf, type Passed } from "./trail";
 
 export interface Posing {
   numbers: ReadonlySignal<Numbers | null>;
+  /** Value, margin and verdict, which come before all the other numbers where these take long. */
+  headline: ReadonlySignal<Headline | null>;
   fault: ReadonlySignal<Fault | null>;
   /** Whether the answer for the pose on show is still to come. */
   awaited: ReadonlySignal<boolean>;
@@ -32,10 +34,11 @@ const THROTTLE = 100; // milliseconds between two pictures of the way
 
 export function createPosing(client: Client, editing: Editing, studying: Studying): Posing {
   const numbers = signal<Numbers | null>(null);
+  const headline = signal<Headline | null>(null);
   const fault = signal<Fault | null>(null);
   const open = signal<Asked | null>(null); // what was asked last, until it is answered
   const awaited = computed(() => open.value !== null);
-  const close = computed(() => numbers.value?.close ?? null);
+  const close = computed(() => headline.value?.close ?? null);
   const trail = signal<readonly Passed[]>([]);
   let passed: readonly Passed[] = [];
   let timer = 0;
@@ -55,12 +58,12 @@ export function createPosing(client: Client, editing: Editing, studying: Studyin
   }
 
   const request = latest(
-    (asked: Asked) => client.ask("pose", { ...asked }, { channel: "pose" }),
+    (asked: Asked) => client.ask("pose", { ...asked }, { channel: "pose", part: (first) => begun(asked, first) }),
     (found, asked) =>
       batch(() => {
         answered(asked);
         if (!current(asked)) return;
-        numbers.value = found;
+        numbers.value = headline.value = found;
         fault.value = null;
         note(found);
       }),
@@ -71,6 +74,14 @@ export function createPosing(client: Client, editing: Editing, studying: Studyin
         if (current(asked) && said.kind !== "superseded") fault.value = said;
       }),
   );
+
+  function begun(asked: Asked, first: Headline): void {
+    if (!current(asked)) return;
+    batch(() => {
+      headline.value = first;
+      fault.value = null;
+    });
+  }
 
   function answered(asked: Asked): void {
     if (asked === open.peek()) open.value = null;
@@ -103,7 +114,7 @@ export function createPosing(client: Client, editing: Editing, studying: Studyin
 
   effect(() => {
     if (studying.study.value !== null) return;
-    numbers.value = null;
+    numbers.value = headline.value = null;
     fault.value = null;
     open.value = null;
     forget();
@@ -118,5 +129,5 @@ export function createPosing(client: Client, editing: Editing, studying: Studyin
     request(asked);
   });
 
-  return { numbers, fault, awaited, close, trail, forget, walk };
+  return { numbers, headline, fault, awaited, close, trail, forget, walk };
 }
