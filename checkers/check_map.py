@@ -26,35 +26,18 @@ All this is recomputed, not proved in Coq.
 
 from __future__ import annotations
 
-import argparse
-import gzip
-import io
-import json
-import math
 import sys
-import zlib
 from itertools import product
 
-from certificate_bounds import Refused, once
-from map_cells import check_digest, counted, listed_cells, named
+from certificate_bounds import Refused
+from map_cells import counted, listed_cells, named
+from map_files import answered, check_digest
 from map_joints import FORMAT, checked_joints
 from map_polynomials import Polynomial, in_whole_numbers, parts_of, superbracket
-from map_slice import Malformed, Slice, expect
+from map_slice import Slice, expect
 from map_turns import Turned
 
 WORDS = {"f": "free", "x": "crossed", "u": "undecided"}
-BROKEN = (
-    ArithmeticError,
-    AttributeError,
-    EOFError,
-    LookupError,
-    OSError,
-    RecursionError,
-    TypeError,
-    ValueError,
-    zlib.error,
-)
-MOST_BYTES = 100_000_000
 DEPTH = {True: 14, False: 6}  # halvings of a cell, where the determinant is a polynomial and where not
 PARTS = {True: 3_000, False: 600}  # of a cell at once
 
@@ -112,7 +95,7 @@ def cells_of(one, shape, is_exact, say=None):
 
 def checked(data, say=None):
     """What is proved, in words, and how many cells are left undecided, by the file or here. Raises Refused."""
-    if isinstance(data, dict) and data.get("format") == FORMAT:
+    if data.get("format") == FORMAT:
         return checked_joints(data, say)
     s = Slice(data)
     check_digest(data)
@@ -160,52 +143,8 @@ def checked(data, say=None):
     return "\n".join(lines), left + sum(unseen.values())
 
 
-def read(name):
-    """The contents of a file. Raises Malformed."""
-    with open(name, "rb") as file:
-        data = file.read(MOST_BYTES + 1)
-    if data[:2] == b"\x1f\x8b":
-        data = gzip.GzipFile(fileobj=io.BytesIO(data)).read(MOST_BYTES + 1)
-    expect(len(data) <= MOST_BYTES, f"more than {MOST_BYTES:,} bytes")
-    try:
-        found = json.loads(data, object_pairs_hook=once, parse_constant=once, parse_float=finite)
-    except Refused:
-        raise Malformed("a name twice, or a number that is none") from None
-    expect((isinstance(found, dict) and found.get("format") == FORMAT) or not has_float(found), "a number is not whole")
-    return found
-
-
-def finite(text):
-    """A number with decimals, which only the geometry of joints has."""
-    number = float(text)
-    expect(math.isfinite(number), "a number that is too large")
-    return number
-
-
-def has_float(value):
-    inner = value.values() if isinstance(value, dict) else value if isinstance(value, list) else ()
-    return isinstance(value, float) or any(map(has_float, inner))
-
-
 def main():
-    parser = argparse.ArgumentParser(description="Recompute the cells of a map of gcrules.")
-    parser.add_argument("file", metavar="FILE.json[.gz]")
-    arguments = parser.parse_args()
-    if isinstance(sys.stdout, io.TextIOWrapper):
-        sys.stdout.reconfigure(errors="backslashreplace")
-    try:
-        words, left = checked(read(arguments.file), lambda text: print(text, file=sys.stderr))
-    except Malformed as fault:
-        print(f"refused: {fault}")
-        return 2
-    except Refused as fault:
-        print(f"refused: {fault}")
-        return 1
-    except BROKEN as fault:
-        print(f"refused: no certificate ({type(fault).__name__}: {str(fault)[:200]})")
-        return 2
-    print(words)
-    return 3 if left else 0
+    return answered("Recompute the cells of a map of gcrules.", checked, FORMAT)
 
 
 if __name__ == "__main__":

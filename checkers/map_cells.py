@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-import hashlib
-import json
-
 from certificate_bounds import Refused
 from map_slice import MOST_CELLS, expect, whole
 
@@ -38,8 +35,3 @@ def named(axes, place):
     """A cell by its ranges."""
     ends = (f"{a.name} {a.start + k * a.step}..{a.start + (k + 1) * a.step} {a.unit}" for a, k in zip(axes, place))
     return ", ".join(words.strip() for words in ends)
-
-
-def check_digest(data):
-    text = json.dumps({k: v for k, v in data.items() if k != "digest"}, sort_keys=True, separators=(",", ":"))
-    expect(data["digest"] == hashlib.sha256(text.encode()).hexdigest(), "it names another digest")

@@ -24,7 +24,8 @@ from itertools import product
 from certificate_bounds import NAMES, Box, Refused, sign_of
 from certificate_joints import OPERATIONS, PLACES, Joints
 from certificate_rods import Rods
-from map_cells import check_digest, counted, listed_cells, named
+from map_cells import counted, listed_cells, named
+from map_files import check_digest
 from map_slice import MOST_CELLS, Axis, Malformed, exact, expect
 
 FORMAT = "gcrules map certificate of joints 1"
@@ -37,20 +38,20 @@ EDGE = 5  # halvings of an edge
 MOST = 64  # limbs, and joints of each
 
 
-class JointSlice:
-    """The robot and the grid of a file."""
+class JointRanges:
+    """The robot and the coordinates of a file with these names, from `least` to `most` of them."""
 
-    def __init__(self, data):
-        expect(set(data) == KEYS, "names are missing, or there are too many")
+    over = ()
+
+    def __init__(self, data, names, least, most, numbered=False):
+        expect(set(data) == names, "names are missing, or there are too many")
         q, geometry = data["question"], data["geometry"]
         expect(isinstance(q, dict) and set(q) == ASKED and isinstance(geometry, dict), "no question, or no geometry")
-        expect(q["limits"] is None and q["cones"] == [] and q["tilt"] is None, "limits, which a map does not prove")
+        expect(q["limits"] is None and q["cones"] == [] and q["tilt"] is None, "limits, which are not considered here")
         expect(isinstance(q["robot"], dict) and isinstance(q["rest"], dict), "no robot, or no rest of the pose")
         over = q["over"]
-        expect(isinstance(over, list) and 2 <= len(over) <= 3, "two or three axes are expected")
-        keys = {"coordinate": "name", "low": "start", "high": "stop", "number": "number", "unit": "unit"}
-        expect(all(isinstance(r, dict) and set(r) == set(keys) for r in over), "not an axis")
-        self.axes = [Axis({keys[k]: v for k, v in r.items()}) for r in over]
+        expect(isinstance(over, list) and least <= len(over) <= most, f"{least} to {most} axes are expected")
+        self.axes = [Axis.of_range(r, numbered) for r in over]
         length = q["robot"].get("units") or ""
         expect(isinstance(length, str) and len(length) < 13 and (length.isalnum() or not length), "no unit")
         expect(length not in ("deg", "rad"), "lengths in another unit")
@@ -63,8 +64,6 @@ class JointSlice:
         expect(isinstance(every, list) and sorted([*names, *self.rest]) == sorted(every), "other coordinates")
         if not rods:
             check_sizes(geometry)
-        self.shape = tuple(a.cells for a in self.axes)
-        expect(math.prod(self.shape) <= MOST_CELLS, f"more than {MOST_CELLS:,} cells")
         try:
             self.robot = Rods(data) if rods else Joints(data, roots=True)
         except (KeyError, TypeError, IndexError, AttributeError, ValueError, ArithmeticError) as fault:
@@ -86,9 +85,19 @@ class JointSlice:
     def words(self):
         turns = f"turned about {' '.join(map(str, self.robot.centre))}"
         rest = ", ".join(f"{n} {v}" for n, v in self.rest.items())
-        over = f"over {', '.join(a.words for a in self.axes)}"
         limbs = [] if isinstance(self.robot, Rods) else joint_words(self.robot)
-        return [self.robot.words, *limbs, turns, over, *([f"at {rest} (rad, or the file's unit)"] if rest else [])]
+        at = [f"at {rest} (rad, or the file's unit)"] if rest else []
+        return [self.robot.words, *limbs, turns, *self.over, *at]
+
+
+class JointSlice(JointRanges):
+    """The robot and the grid of a map."""
+
+    def __init__(self, data):
+        super().__init__(data, KEYS, 2, 3, numbered=True)
+        self.over = [f"over {', '.join(a.words for a in self.axes)}"]
+        self.shape = tuple(a.cells for a in self.axes)
+        expect(math.prod(self.shape) <= MOST_CELLS, f"more than {MOST_CELLS:,} cells")
 
 
 def joint_words(robot):

@@ -1,4 +1,4 @@
-"""The platform and the grid of poses of a map's certificate, read strictly, for `check_map.py`, which explains them."""
+"""A platform on six legs and coordinates of poses in certificates, read strictly, and the grid of `check_map.py`."""
 
 from __future__ import annotations
 
@@ -70,16 +70,22 @@ class Axis:
         self.start, stop = exact(data["start"]), exact(data["stop"])
         expect(self.start < stop, "a range that is none")
         self.cells = whole(data["number"], 2, 100_000) - 1
-        self.step = (stop - self.start) / self.cells
+        self.stop, self.step = stop, (stop - self.start) / self.cells
         self.words = f"{self.name} {self.start}..{stop} {self.unit}".strip() + f" in {self.cells} cells"
 
+    @classmethod
+    def of_range(cls, data, numbered=False):
+        """A coordinate as questions have it; one without a number of nodes has two, its ends."""
+        keys = {"coordinate": "name", "low": "start", "high": "stop", "unit": "unit"}
+        keys |= {"number": "number"} if numbered else {}
+        expect(isinstance(data, dict) and set(data) == set(keys), "not an axis")
+        return cls({"number": 2, **{keys[k]: v for k, v in data.items()}})
 
-class Slice:
-    """The platform and the poses of a file, all numbers exact."""
+
+class Platform:
+    """A platform on six legs, all numbers exact: `bases` and `arms` are the ends of legs from the centre."""
 
     def __init__(self, data):
-        expect(isinstance(data, dict) and data.get("format") == "gcrules map certificate 1", "no certificate of a map")
-        expect(set(data) == KEYS, "names are missing, or there are too many")
         unit = data["unit"]
         expect(isinstance(unit, str) and len(unit) < 13 and (unit.isalnum() or not unit), "no unit")
         legs, points = data["legs"], data["points"]
@@ -87,16 +93,38 @@ class Slice:
         expect(all(isinstance(p, list) and len(p) == 2 and all(isinstance(n, str) for n in p) for p in legs), "legs")
         base, platform = ({leg[k] for leg in legs} for k in (0, 1))
         expect(not base & platform and base | platform == set(points), "points of the base and of the platform")
-        self.points, self.legs = {n: vector(p) for n, p in points.items()}, legs
+        self.length, self.legs, self.points = unit, legs, {n: vector(p) for n, p in points.items()}
         self.centre = vector(data["centre"])
+        ends = [[[c - m for c, m in zip(self.points[n], self.centre)] for n in leg] for leg in legs]
+        self.bases, self.arms = [e[0] for e in ends], [e[1] for e in ends]
+
+    def check(self, axes):
+        """Raises Malformed for coordinates that do not go together."""
+        meant = [a.turn or a.name for a in axes]
+        expect(len(set(meant)) == len(meant), "a coordinate occurs twice")
+        expect(len({(a.turn[0], a.unit) for a in axes if a.turn}) < 2, "turns of several kinds")
+        expect(all(a.unit == self.length for a in axes if not a.turn), "lengths in another unit")
+
+    def words(self):
+        return [
+            "of legs, base first: " + ", ".join(f"{a!r} {b!r}" for a, b in self.legs),
+            "points: " + ", ".join(f"{n!r} {' '.join(map(str, p))}" for n, p in self.points.items()),
+            f"turned about {' '.join(map(str, self.centre))}",
+        ]
+
+
+class Slice(Platform):
+    """The platform and the poses of a map."""
+
+    def __init__(self, data):
+        expect(data.get("format") == "gcrules map certificate 1", "no certificate of a map")
+        expect(set(data) == KEYS, "names are missing, or there are too many")
+        super().__init__(data)
         axes = data["axes"]
         expect(isinstance(axes, list) and 2 <= len(axes) <= 3, "two or three axes are expected")
         self.axes = [Axis(a) for a in axes]
-        meant = [a.turn or a.name for a in self.axes]
-        expect(len(set(meant)) == len(meant), "a coordinate occurs twice")
+        self.check(self.axes)
         turning = [a for a in self.axes if a.turn]
-        expect(len({(a.turn[0], a.unit) for a in turning}) < 2, "turns of several kinds")
-        expect(all(a.unit == data["unit"] for a in self.axes if not a.turn), "lengths in another unit")
         pose = data["pose"]
         expect(isinstance(pose, dict) and set(pose) == {"translation", "quaternion", "angles"}, "no pose")
         self.shift = vector(pose["translation"])
@@ -108,8 +136,6 @@ class Slice:
         self.turn = None if turning else rotation(self.quaternion)
         self.shape = tuple(a.cells for a in self.axes)
         expect(math.prod(self.shape) <= MOST_CELLS, f"more than {MOST_CELLS:,} cells")
-        ends = [[[c - m for c, m in zip(self.points[n], self.centre)] for n in leg] for leg in legs]
-        self.bases, self.arms = [e[0] for e in ends], [e[1] for e in ends]  # from the centre
 
     def words(self):
         rest = [f"{n} {self.shift[k]}" for k, n in enumerate(TRANSLATION) if n not in {a.name for a in self.axes}]
@@ -118,9 +144,7 @@ class Slice:
         else:
             words = f"turned by the quaternion {' '.join(map(str, self.quaternion))}"
         return [
-            "of legs, base first: " + ", ".join(f"{a!r} {b!r}" for a, b in self.legs),
-            "points: " + ", ".join(f"{n!r} {' '.join(map(str, p))}" for n, p in self.points.items()),
-            f"turned about {' '.join(map(str, self.centre))}",
+            *super().words(),
             f"over {', '.join(a.words for a in self.axes)}",
             f"at {', '.join([*rest, words])}",
         ]

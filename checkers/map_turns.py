@@ -123,6 +123,11 @@ class Turned:
         rows = self._rows([Fraction(2 * a + w, by) for a, w in zip(low, width)], [Fraction(w, by) for w in width])
         return sign_in(rows)
 
+    def regular(self, low, width):
+        """Whether all matrices in a box, counted in cells, are regular, and what keeps from it by coordinates."""
+        fine, parts, _ = regular_in(self._rows([a + w / 2 for a, w in zip(low, width)], [w / 2 for w in width]))
+        return fine, parts
+
     def corner(self, depth, place):
         """The sign at a place, None where it is not known."""
         key = tuple(Fraction(u, 2**depth) for u in place)
@@ -148,12 +153,7 @@ class Turned:
         for letter, c in zip(sequence.lower(), angles):
             one = about(letter, *QUARTER[int(c) % 4], 0, 1)
             turn = product_of(turn, one) if sequence.isupper() else product_of(one, turn)
-        rows = []
-        for base, arm in zip(s.bases, s.arms):
-            r = [sum(p * q for p, q in zip(row, arm)) for row in turn]
-            way = [p - q for p, q in zip(shift, base)]
-            rows.append([*(p + q for p, q in zip(r, way)), *cross(r, way)])
-        return determinant_sign(rows)
+        return exact_sign(s, turn, shift)
 
 
 def cross_of(a, b):
@@ -201,12 +201,27 @@ def series(terms, s):
     )
 
 
+def regular_in(rows):
+    """Whether a matrix with bounds is regular, what keeps from it by coordinates, and the matrix in the middle."""
+    if not all(math.isfinite(v.c) and math.isfinite(v.reach) for row in rows for v in row):
+        return False, None, None
+    return holds_matrix(rows, 0.0)
+
+
 def sign_in(rows):
     """The sign of all determinants of a matrix with bounds, 0 where it is not known."""
-    if not all(math.isfinite(v.c) and math.isfinite(v.reach) for row in rows for v in row):
-        return 0
-    fine, _, middle = holds_matrix(rows, 0.0)
+    fine, _, middle = regular_in(rows)
     return sign_of(middle) if fine else 0
+
+
+def exact_sign(s, turn, shift):
+    """The sign of the determinant of the rows (f, m) of a platform in an exact pose."""
+    rows = []
+    for base, arm in zip(s.bases, s.arms):
+        r = [sum(p * q for p, q in zip(row, arm)) for row in turn]
+        way = [p - q for p, q in zip(shift, base)]
+        rows.append([*(p + q for p, q in zip(r, way)), *cross(r, way)])
+    return determinant_sign(rows)
 
 
 def determinant_sign(rows):

@@ -1,4 +1,4 @@
-"""Certificates of maps that were changed, and signed anew, for the tests of what recomputes them."""
+"""Certificates that were changed, and signed anew, for the tests of what recomputes them."""
 
 from __future__ import annotations
 
@@ -22,12 +22,20 @@ def signed(file: dict[str, Any]) -> dict[str, Any]:
     return {**rest, "digest": hashlib.sha256(words.encode()).hexdigest()}
 
 
-def run(file: str | bytes, folder: Path, monkeypatch: pytest.MonkeyPatch, name: str = "cells.json") -> int:
-    """The exit code of the program for a file."""
+def run(
+    file: str | bytes,
+    folder: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    name: str = "cells.json",
+    *,
+    program: str = "check_map",
+    more: tuple[str, ...] = (),
+) -> int:
+    """The exit code of a program for a file."""
     path = folder / name
     path.write_bytes(file.encode() if isinstance(file, str) else file)
-    monkeypatch.setattr("sys.argv", ["check_map.py", str(path)])
-    return int(checker("check_map").main())
+    monkeypatch.setattr("sys.argv", [f"{program}.py", str(path), *more])
+    return int(checker(program).main())
 
 
 def leaves(value: Any, path: tuple[Any, ...] = ()) -> Iterator[tuple[Any, ...]]:

@@ -163,6 +163,7 @@ RIGHT: dict[str, dict[str, Any]] = {
 }
 COMPILED = gc.compiled(PLATFORM, engine="numpy")
 COMPILED_ROBOT = gc.compiled(ANALYZED)
+FREE = gc.free_region(PLATFORM, over="x")
 MAP = gc.singular_map(PLATFORM, ["x -1:1:2", "y -1:1:2"], measure="value")
 LIBRARY = gc.load_rules()
 METHODS: dict[str, tuple[Callable[..., Any], tuple[str, ...]]] = {
@@ -194,6 +195,7 @@ METHODS: dict[str, tuple[Callable[..., Any], tuple[str, ...]]] = {
     "SingularMap.values": (MAP.values, ("name",)),
     "SingularMap.save": (lambda path: MAP.save(path), ("path",)),
     "SingularMap.save_certificate": (MAP.save_certificate, ("path",)),
+    "FreeRegion.save_certificate": (FREE.save_certificate, ("path",)),
     "Library[]": (LIBRARY.__getitem__, ("rule_id",)),
     "Library.strategy": (LIBRARY.strategy, ("ids", "without")),
     "Library.plus": (LIBRARY.plus, ("rules",)),

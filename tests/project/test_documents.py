@@ -64,6 +64,13 @@ NOT_RUN = {
     ("docs/map.md", "recomputed: 1,110 cells free, 90 crossed, undecided: none"): (
         "tests/project/test_check_map.py reads what it prints"
     ),
+    (
+        "docs/free.md",
+        'gcrules free examples/octahedral.yaml --over "rx, ry, rz" --ball --certificate region.json',
+    ): "tests/project/test_check_free.py checks regions",
+    ("docs/free.md", "proved: no pose of this ball is singular (1,374 boxes)"): (
+        "tests/project/test_check_free.py reads what it prints"
+    ),
     ("docs/map.md", 'gcrules map refine map.zarr -o wider.zarr --over "x -200:400"'): (
         "tests/poses/test_map_extended.py extends stores"
     ),

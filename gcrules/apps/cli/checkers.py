@@ -26,6 +26,7 @@ def checkers(folder: str) -> None:
     python checkers/recompute.py FILE.json            what does not exist, stated in a proof file
     python checkers/check_certificate.py FILE.json    a certificate of a range
     python checkers/check_map.py FILE.json            what the cells of a map are
+    python checkers/check_free.py FILE.json           a free region
     """
     files = sorted(path for path in _shipped().iterdir() if path.suffix in (".md", ".py"))
     target = Path(folder)

@@ -16,7 +16,17 @@ from gcrules.core.budget import waiting, within
 from gcrules.core.errors import FileError, InputError
 from gcrules.core.files import check_name, check_target, held
 
-__all__ = ["ANSWERED", "OutputCommand", "OutputFile", "Status", "files_option", "printed", "read_stdin", "working"]
+__all__ = [
+    "ANSWERED",
+    "OutputCommand",
+    "OutputFile",
+    "Status",
+    "certificate_option",
+    "files_option",
+    "printed",
+    "read_stdin",
+    "working",
+]
 
 _Command = Callable[..., Any]
 
@@ -123,6 +133,12 @@ figure_option = click.option(
     metavar="FILE",
     help="Draw the robot, or the graph of legs without coordinates: .svg or .pdf.",
 )
+
+
+def certificate_option(words: str) -> Callable[[_Command], _Command]:
+    """--certificate FILE.json, for what another program recomputes."""
+    kind = OutputFile(".json", ".gz", noun="certificate")
+    return click.option("--certificate", type=kind, metavar="FILE.json", help=words)
 
 
 class OutputCommand(click.Command):

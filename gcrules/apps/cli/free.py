@@ -5,7 +5,7 @@ from __future__ import annotations
 import click
 
 from gcrules.apps.cli.base import ExpressionCommand
-from gcrules.apps.cli.files import OutputFile, working
+from gcrules.apps.cli.files import OutputFile, certificate_option, working
 from gcrules.apps.cli.limits import time_limit
 from gcrules.apps.cli.naming import mechanism_argument, offering
 from gcrules.apps.cli.options import about_option
@@ -37,6 +37,7 @@ __all__ = ["free"]
     metavar="FILE.svg|FILE.pdf",
     help="Draw the range of each coordinate, and the pose at which the proof ended.",
 )
+@certificate_option("Write the region, which check_free.py of `gcrules checkers` proves again without gcrules.")
 @time_limit()
 @output_options()
 def free(
@@ -48,6 +49,7 @@ def free(
     about: str,
     boxes: int | None,
     picture: str | None,
+    certificate: str | None,
     out: Output,
 ) -> None:
     """Find the largest box, or ball, around a pose that is proved free of singular poses.
@@ -63,6 +65,8 @@ def free(
     loaded = warn(read_source(file, mode=mode))
     with working("proving"):
         found = free_region(loaded, at, over=over, ball=ball, boxes=boxes, about=about)
+    if certificate is not None:
+        found.save_certificate(certificate)
     if picture is not None:
         save(found.picture(), picture)
     out.show(found)

@@ -7,7 +7,7 @@ from typing import Any
 
 import click
 
-from gcrules.apps.cli.files import OutputFile, working
+from gcrules.apps.cli.files import certificate_option, working
 from gcrules.apps.cli.limits import time_limit
 from gcrules.apps.cli.map_options import at_option, limits_option, show, telling_what_is_kept, tile_options
 from gcrules.apps.cli.map_tiles import MapCommand
@@ -54,12 +54,7 @@ __all__ = ["map_"]
     type=click.Choice(MEASURES),
     help="margin σ and leg lengths too; the superbracket only, which is quick; or the margin and what actuators do.",
 )
-@click.option(
-    "--certificate",
-    type=OutputFile(".json", ".gz", noun="certificate"),
-    metavar="FILE.json",
-    help="Write what each cell is, which check_map.py of `gcrules checkers` recomputes without gcrules.",
-)
+@certificate_option("Write what each cell is, which check_map.py of `gcrules checkers` recomputes without gcrules.")
 @digits_option
 @time_limit(None)
 @tile_options(MAP_FORMATS)

@@ -25,8 +25,8 @@ from gcrules.poses.boxes.question import Question, question
 from gcrules.poses.boxes.trees import LEAF, NEGATIVE, Leaves, grown, leaves_of
 from gcrules.poses.maps.axes import parse_axis
 from gcrules.poses.maps.cells import CROSSED, FREE, OUTSIDE, UNDECIDED
-from gcrules.poses.maps.recipe import recipe_of, robot_of
 from gcrules.poses.methods import legs_within
+from gcrules.poses.recipe import recipe_of, robot_of
 from gcrules.poses.tiles.task import Coordinate, Tile, TiledArray, number_of, tile_at
 
 __all__ = ["KIND", "MODES", "SHARES", "BoxTask", "box_task", "decided_part", "shares_of", "task_again", "within_boxes"]

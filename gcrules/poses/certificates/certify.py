@@ -25,8 +25,8 @@ from gcrules.poses.certificates.certificate import Bad, Certificate, parts_of, r
 from gcrules.poses.certificates.search import OTHER, Search
 from gcrules.poses.maps.axes import GridAxis
 from gcrules.poses.maps.cells import CROSSED, FREE, OUTSIDE, UNDECIDED
-from gcrules.poses.maps.recipe import robot_of
 from gcrules.poses.pose import pose
+from gcrules.poses.recipe import robot_of
 
 __all__ = ["certified", "certify"]
 

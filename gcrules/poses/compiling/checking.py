@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 
+from gcrules.core.errors import LimitReached
 from gcrules.mechanisms.kinematics.targets import Target
 from gcrules.mechanisms.limbs import Limbs
 from gcrules.mechanisms.mechanism import Mechanism
@@ -24,7 +25,7 @@ from gcrules.poses.compiling.tape import Program, lower
 from gcrules.poses.compiling.turns import turned_by
 from gcrules.poses.methods import Methods, method
 
-__all__ = ["geometry", "placing_program", "program_lines"]
+__all__ = ["checkable", "geometry", "program_lines"]
 
 
 def geometry(m: Mechanism, names: tuple[str, ...]) -> dict[str, Any] | None:
@@ -37,7 +38,31 @@ def geometry(m: Mechanism, names: tuple[str, ...]) -> dict[str, Any] | None:
     return found
 
 
-def placing_program(m: Limbs, names: tuple[str, ...]) -> Program | None:
+def checkable(m: Limbs, names: tuple[str, ...], what: str, *, driven: bool = False) -> tuple[dict[str, Any], Program]:
+    """The geometry of a robot whose limbs have closed forms, and the roots that all exist just where home's solutions
+    of the limbs do, which stand in the geometry of other robots than those on six rods. Raises LimitReached for robots
+    without them: `what` of them has no certificate; and where actuators are the coordinates.
+    """
+    if driven:
+        raise LimitReached(
+            f"a {what} over actuators has no certificate: no closed form tells the pose by them",
+            hint=f"take a {what} over coordinates of the platform",
+        )
+    hint = f"gcrules {what.split()[0]} gives its proof all the same; the file is for programs that recompute it"
+    if m.linkage.looped:
+        raise LimitReached(
+            f"a {what} of {m.robot.id} has no certificate: it has loops inside its limbs, which no checker closes",
+            hint=hint,
+        )
+    found, roots = geometry(m, names), _placing_program(m, names)
+    if found is None or roots is None:
+        raise LimitReached(
+            f"a {what} of {m.robot.id} has no certificate: no closed forms of all its limbs are known", hint=hint
+        )
+    return found if "rods" in found else {**found, "roots": program_lines(roots)}, roots
+
+
+def _placing_program(m: Limbs, names: tuple[str, ...]) -> Program | None:
     """The roots over the coordinates `names` that all exist at a pose just where home's solutions of all limbs do; None
     where the roots that are known do not show whether each limb reaches a pose.
     """

@@ -10,19 +10,17 @@ r"""What a map says of its cells, with all that another program needs to recompu
 
 from __future__ import annotations
 
-import gzip
-import hashlib
-import json
 import math
 from collections.abc import Mapping
 from typing import Any, Protocol
 
-from gcrules.core.errors import FileError, InputError, LimitReached
-from gcrules.core.version import __version__
+from gcrules.core.errors import InputError, LimitReached
+from gcrules.poses.certificate_files import platform_parts, pose_parts, signed, texts
+from gcrules.poses.compiling.checking import checkable
 from gcrules.poses.compiling.tape import Program
 from gcrules.poses.maps.cells import MEANINGS
 from gcrules.poses.maps.grid import Grid
-from gcrules.poses.maps.limb_certificate import limb_forms, limb_question, stated_cells
+from gcrules.poses.maps.limb_certificate import limb_question, stated_cells
 from gcrules.poses.maps.limb_task import LimbsTask
 from gcrules.poses.maps.slices import SliceFactor
 from gcrules.poses.maps.task import MapTask, Slice
@@ -33,9 +31,7 @@ __all__ = [
     "LETTERS",
     "MAX_CELLS",
     "cell_certificate",
-    "cells_bytes",
     "check_cells",
-    "is_certificate",
 ]
 
 FORMAT = "gcrules map certificate 1"
@@ -63,18 +59,15 @@ class _Map(Protocol):
     def values(self, name: str) -> Any: ...
 
 
-def is_certificate(path: str) -> bool:
-    """Whether a name is one for a certificate."""
-    return path.lower().endswith((".json", ".json.gz"))
-
-
 def check_cells(task: MapTask) -> tuple[dict[str, Any], Program] | None:
     """The geometry and the roots of a robot of joints, None for six legs. Raises LimitReached for more than `MAX_CELLS`
     cells, and for robots of joints whose limbs have no closed forms.
     """
     if math.prod(n - 1 for n in task.grid.shape) > MAX_CELLS:
         raise LimitReached(f"a certificate has at most {MAX_CELLS:,} cells", hint="use a coarser grid, or several maps")
-    return limb_forms(task.mechanism, task.grid) if isinstance(task, LimbsTask) else None
+    if not isinstance(task, LimbsTask):
+        return None
+    return checkable(task.mechanism, task.grid.names, "map", driven=task.grid.driven)
 
 
 def cell_certificate(m: _Map) -> dict[str, Any]:
@@ -89,22 +82,16 @@ def cell_certificate(m: _Map) -> dict[str, Any]:
     if forms and isinstance(m.task, LimbsTask):
         grid, (geometry, roots) = m.task.grid, forms
         status = stated_cells(grid, status, roots)
-        parts = {"title": grid.title, "question": limb_question(grid, m.recipe), "geometry": geometry}
+        title, parts = grid.title, {"question": limb_question(grid, m.recipe), "geometry": geometry}
     else:
-        parts = _of_legs(m)
+        title, parts = _of_legs(m)
     meanings = MEANINGS if forms else MEANINGS[:3]
-    found = {
-        "format": JOINTS if forms else FORMAT,
-        "made by": f"gcrules {__version__}",
-        **parts,
-        "cells": _rows(status),
-        "claim": {word: int((status == k).sum()) for k, word in enumerate(meanings)},
-    }
-    return {**found, "digest": _digest(found)}
+    claim = {word: int((status == k).sum()) for k, word in enumerate(meanings)}
+    return signed(JOINTS if forms else FORMAT, title, **parts, cells=_rows(status), claim=claim)
 
 
-def _of_legs(m: _Map) -> dict[str, Any]:
-    """The platform, the slice and the factors."""
+def _of_legs(m: _Map) -> tuple[str, dict[str, Any]]:
+    """The title; the platform, the slice and the factors."""
     g = m.grid
     assert isinstance(g, Grid)
     if m.everywhere and m.factors is None:
@@ -112,17 +99,11 @@ def _of_legs(m: _Map) -> dict[str, Any]:
             "this map has no certificate: that every pose is singular was seen at random poses",
             hint="over coordinates that do not turn the platform it is proved",
         )
-    return {
-        "title": g.rig.title,
-        "unit": g.rig.unit,
-        "legs": [list(leg) for leg in g.rig.legs],
-        "points": {n: _texts(g.rig.points[n]) for leg in g.rig.legs for n in leg},
-        "centre": _texts(g.rig.centre),
-        "pose": {
-            "translation": _texts(g.at.translation),
-            "quaternion": _texts(g.at.quaternion) if g.rotation_axis is None else None,
-            "angles": None if g.rotation_axis is None else _texts(g.angles),
-        },
+    turned = g.rotation_axis is not None
+    pose = pose_parts(g.at)
+    return g.rig.title, {
+        **platform_parts(g.rig),
+        "pose": {**pose, "quaternion": None, "angles": texts(g.angles)} if turned else {**pose, "angles": None},
         "axes": [
             {"name": a.name, "start": str(a.start), "stop": str(a.stop), "number": a.number, "unit": a.unit}
             for a in g.axes
@@ -135,23 +116,7 @@ def _of_legs(m: _Map) -> dict[str, Any]:
     }
 
 
-def cells_bytes(m: _Map, path: str) -> bytes:
-    """The file, packed where its name ends in .gz. Raises FileError for a name of something else."""
-    if not is_certificate(path):
-        raise FileError("not a name for a certificate", filename=path, hint="certificates end in .json or .json.gz")
-    text = json.dumps(cell_certificate(m), separators=(",", ":")).encode() + b"\n"
-    return gzip.compress(text, mtime=0) if path.lower().endswith(".gz") else text
-
-
-def _texts(numbers: Any) -> list[str]:
-    return [str(c) for c in numbers]
-
-
 def _rows(status: Any) -> Any:
     if status.ndim > 1:
         return [_rows(part) for part in status]
     return "".join(LETTERS[k] for k in status.tolist())
-
-
-def _digest(found: dict[str, Any]) -> str:
-    return hashlib.sha256(json.dumps(found, sort_keys=True, separators=(",", ":")).encode()).hexdigest()

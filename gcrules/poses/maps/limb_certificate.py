@@ -9,43 +9,15 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from gcrules.core.errors import LimitReached
-from gcrules.mechanisms.limbs import Limbs
-from gcrules.poses.compiling.checking import geometry, placing_program, program_lines
 from gcrules.poses.compiling.closed_forms import run
 from gcrules.poses.compiling.tape import Program
 from gcrules.poses.maps.cells import OUTSIDE, UNDECIDED
 from gcrules.poses.maps.limb_grid import LimbsGrid
 from gcrules.poses.maps.nodes import others
 
-__all__ = ["limb_forms", "limb_question", "stated_cells"]
+__all__ = ["limb_question", "stated_cells"]
 
 Statuses = NDArray[np.uint8]
-
-_HINT = "gcrules map proves its cells all the same; the file is for programs that recompute them"
-
-
-def limb_forms(m: Limbs, grid: LimbsGrid) -> tuple[dict[str, Any], Program]:
-    """The geometry of a robot whose limbs have closed forms, as in certificates of ranges, and the roots that all exist
-    just where home's solutions of the limbs do, which stand in the geometry of other robots than those on six rods.
-    Raises LimitReached for robots and coordinates without them.
-    """
-    if grid.driven:
-        raise LimitReached(
-            "a map over actuators has no certificate: no closed form tells the pose by them",
-            hint="take a map over coordinates of the platform",
-        )
-    if m.linkage.looped:
-        raise LimitReached(
-            f"a map of {m.robot.id} has no certificate: it has loops inside its limbs, which no checker closes",
-            hint=_HINT,
-        )
-    found, roots = geometry(m, grid.names), placing_program(m, grid.names)
-    if found is None or roots is None:
-        raise LimitReached(
-            f"a map of {m.robot.id} has no certificate: no closed forms of all its limbs are known", hint=_HINT
-        )
-    return found if "rods" in found else {**found, "roots": program_lines(roots)}, roots
 
 
 def limb_question(grid: LimbsGrid, recipe: Mapping[str, Any]) -> dict[str, Any]:

@@ -19,11 +19,11 @@ from gcrules.poses.compiling.engines import engine_for
 from gcrules.poses.maps.axes import read_axes
 from gcrules.poses.maps.grid import grid
 from gcrules.poses.maps.limb_task import limbs_task
-from gcrules.poses.maps.recipe import recipe_of
 from gcrules.poses.maps.slices import factors, slice_polynomial, vanishes
 from gcrules.poses.maps.task import KINDS, MEASURES, MapTask, width_of
 from gcrules.poses.maps.values import LegsTask
 from gcrules.poses.methods import Methods, legs_within, method
+from gcrules.poses.recipe import recipe_of
 from gcrules.screws.threshold import Threshold, angle_threshold
 
 __all__ = ["KIND", "Plan", "bytes_of", "planned"]

@@ -12,11 +12,11 @@ from numpy.typing import NDArray
 from gcrules.core.arguments import FILE, TEXT, checked, each
 from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import EngineFault, InputError, LimitReached
-from gcrules.core.files import write_file
 from gcrules.core.frozen import FrozenMap, HoldsArrays
 from gcrules.core.shown import Shown
 from gcrules.mechanisms.description.limits import LengthLimits
-from gcrules.poses.maps.cell_certificate import cell_certificate, cells_bytes
+from gcrules.poses.certificate_files import write_certificate
+from gcrules.poses.maps.cell_certificate import cell_certificate
 from gcrules.poses.maps.mesh import Mesh
 from gcrules.poses.maps.slices import SliceFactor
 from gcrules.poses.maps.summary import MapSummary
@@ -239,7 +239,7 @@ class SingularMap(HoldsArrays, Shown):
 
         Raises as `certificate`, and FileError.
         """
-        write_file(path, cells_bytes(self, path), at_once=True)
+        write_certificate(self, path)
 
     def __repr__(self) -> str:
         shape = " x ".join(map(str, self.grid.shape))

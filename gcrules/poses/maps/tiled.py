@@ -11,9 +11,9 @@ from gcrules.core.dataclass import dataclass
 from gcrules.core.frozen import FrozenMap, HoldsArrays
 from gcrules.mechanisms.mechanism import mechanism
 from gcrules.poses.maps.planned import Plan, planned
-from gcrules.poses.maps.recipe import robot_of
 from gcrules.poses.maps.task import KINDS, MapTask, width_of
 from gcrules.poses.maps.variables import Variable, about, coordinates, variables
+from gcrules.poses.recipe import robot_of
 from gcrules.poses.tiles.task import Coordinate, Stage, Tile, TiledArray
 from gcrules.screws.threshold import DEFAULT
 

@@ -38,6 +38,7 @@ from gcrules.poses.regions.extent import ACTUATORS, Extent, parse_extents
 from gcrules.poses.regions.leg_prover import NAMES, LegProver
 from gcrules.poses.regions.limb_prover import LimbProver
 from gcrules.poses.regions.report import FreeRegion
+from gcrules.screws.pose import Pose
 from gcrules.screws.pose_text import ANGLES, HOME, VECTOR
 
 __all__ = ["free_region", "region_of"]
@@ -85,10 +86,12 @@ def region_of(
 
 @dataclass(frozen=True, eq=False)
 class _Question:
-    """What is asked for: `names` with the values `centre` in the middle; scales of at most `largest`."""
+    """What is asked for: of a mechanism, if it has six legs around the pose `at`, `names` with the values `centre` in
+    the middle; scales of at most `largest`.
+    """
 
-    title: str
-    unit: str
+    mechanism: Mechanism
+    at: Pose | None
     pose: str
     names: tuple[str, ...]
     angles: tuple[bool, ...]
@@ -142,8 +145,8 @@ def _answer(q: _Question, proved: Scaled, tried: Scaled | None, *, ball: bool) -
     weights = q.prover.weights
     worst = q.centre + (tried[1].worst if tried else 0.0) * weights
     return FreeRegion(
-        title=q.title,
-        unit=q.unit,
+        title=q.mechanism.title,
+        unit=q.mechanism.unit,
         shape="ball" if ball else "box",
         pose=q.pose,
         names=q.names,
@@ -156,6 +159,8 @@ def _answer(q: _Question, proved: Scaled, tried: Scaled | None, *, ball: bool) -
         tried=tried[0] if tried else None,
         worst=dict(zip(q.names, worst.tolist(), strict=True)),
         margin=tried[1].margin if tried else 0.0,
+        mechanism=q.mechanism,
+        at=q.at,
         notes=q.notes,
     )
 
@@ -177,7 +182,7 @@ def _of_legs(m: SixLegs, at: Any, over: str | None) -> _Question:
     angles = tuple(kinds[n] for n in names)
     middle = np.zeros(len(names))
     where = "home" if at is None else str(at)
-    return _Question(m.title, m.unit, where, names, angles, False, middle, prover, largest, _BOXES[0])
+    return _Question(m, pose, where, names, angles, False, middle, prover, largest, _BOXES[0])
 
 
 def _parts(extents: Sequence[Extent]) -> tuple[tuple[str, ...], Floats]:
@@ -218,7 +223,7 @@ def _of_limbs(m: Limbs, at: Any, over: str | None) -> _Question:
     prover = LimbProver(m, wanted, centre, weights, start)
     pose = "home" if target is None else written(dict(zip(names, place.tolist(), strict=True))).strip('"')
     names, notes = wanted.names, tuple(k.notes)
-    return _Question(m.title, m.unit, pose, names, angles, driven, centre, prover, largest, _BOXES[1], notes)
+    return _Question(m, None, pose, names, angles, driven, centre, prover, largest, _BOXES[1], notes)
 
 
 def _named(m: Limbs, over: str | None) -> tuple[Extent, ...]:

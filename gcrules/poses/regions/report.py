@@ -3,11 +3,17 @@ r"""The answer to how large a region around a pose is free of singular ones."""
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import field
 from typing import Any
 
+from gcrules.core.arguments import FILE, checked
 from gcrules.core.dataclass import dataclass
 from gcrules.core.frozen import FrozenMap
 from gcrules.core.shown import Shown
+from gcrules.mechanisms.mechanism import Mechanism
+from gcrules.poses.certificate_files import write_certificate
+from gcrules.poses.regions.certificate import region_certificate
+from gcrules.screws.pose import Pose
 
 __all__ = ["FreeRegion"]
 
@@ -23,6 +29,8 @@ class FreeRegion(Shown):
 
     With the larger `tried` scale the proof ended: around the coordinates `worst`, of margin `margin`, 0 where the robot
     is singular or does not assemble. None where no scale was tried that is not proved.
+
+    It is of this `mechanism`; around six legs' pose `at`, which the centre is counted from.
     """
 
     title: str
@@ -39,6 +47,8 @@ class FreeRegion(Shown):
     tried: float | None
     worst: Mapping[str, float]
     margin: float
+    mechanism: Mechanism = field(repr=False, compare=False)
+    at: Pose | None = field(repr=False, compare=False)
     notes: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
@@ -73,6 +83,22 @@ class FreeRegion(Shown):
             "margin": self.margin if self.tried is not None else None,
             "notes": list(self.notes),
         }
+
+    def certificate(self) -> dict[str, Any]:
+        """The robot and the region, with all that another program needs to prove it again, as JSON: see
+        `save_certificate`.
+
+        Raises LimitReached for regions of actuators and for robots of joints without closed forms of their limbs.
+        """
+        return region_certificate(self)
+
+    @checked("region.save_certificate", path=FILE)
+    def save_certificate(self, path: str) -> None:
+        """Write the robot and the region, .json or .json.gz, for the program check_free.py, which proves it again.
+
+        Raises as `certificate`, and FileError.
+        """
+        write_certificate(self, path)
 
     def picture(self) -> Any:
         """The range of each coordinate, and the pose at which the proof ended: a drawing with `svg()`."""

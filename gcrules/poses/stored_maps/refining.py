@@ -15,9 +15,9 @@ from gcrules.poses.boxes.report import BoxMap
 from gcrules.poses.boxes.task import MOST_BOXES, BoxTask, box_task
 from gcrules.poses.maps.axes import GridAxis, parse_axis
 from gcrules.poses.maps.cells import CROSSED, UNDECIDED
-from gcrules.poses.maps.recipe import robot_of
 from gcrules.poses.maps.report import SingularMap
 from gcrules.poses.maps.tiled import GridTiles
+from gcrules.poses.recipe import robot_of
 from gcrules.poses.stored_maps.extending import extended
 from gcrules.poses.stored_maps.kinds import task_of
 from gcrules.poses.tiles.how import running

@@ -15,22 +15,29 @@ from gcrules.mechanisms.six_legs import SixLegs
 from gcrules.poses.methods import Methods, method
 from gcrules.screws.pose import Pose
 
-__all__ = ["recipe_of", "robot_of"]
+__all__ = ["described", "recipe_of", "robot_of"]
 
 
 def recipe_of(kind: str, found: Mechanism, over: Any, at: Any, limits: str | None, **more: Any) -> dict[str, Any]:
     """From what a task of this kind is made anew, as JSON: the robot with its coordinates, and the options as they were
     given; with the limits of the file, if there are any, which a mode may have left out.
     """
-    own = {"limits": found.limits} if found.limits else {}
     return {
         "kind": kind,
-        "robot": {**method(_DESCRIBED, found, "a map")(), **own},
-        "about": _plain(getattr(found, "about", "centroid")),
+        **described(found),
         "over": [axis if isinstance(axis, str) else axis.text for axis in over],
         "at": at.text() if isinstance(at, Pose) else _plain(at),
         "limits": limits,
         **more,
+    }
+
+
+def described(found: Mechanism) -> dict[str, Any]:
+    """The robot, with the limits of its file if there are any, and about what its platform turns."""
+    own = {"limits": found.limits} if found.limits else {}
+    return {
+        "robot": {**method(_DESCRIBED, found, "a map")(), **own},
+        "about": _plain(getattr(found, "about", "centroid")),
     }
 
 
