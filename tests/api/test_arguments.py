@@ -164,6 +164,7 @@ RIGHT: dict[str, dict[str, Any]] = {
 COMPILED = gc.compiled(PLATFORM, engine="numpy")
 COMPILED_ROBOT = gc.compiled(ANALYZED)
 FREE = gc.free_region(PLATFORM, over="x")
+PLAN = gc.plan(PLATFORM, "home", "0 0 -490")
 MAP = gc.singular_map(PLATFORM, ["x -1:1:2", "y -1:1:2"], measure="value")
 LIBRARY = gc.load_rules()
 METHODS: dict[str, tuple[Callable[..., Any], tuple[str, ...]]] = {
@@ -196,6 +197,7 @@ METHODS: dict[str, tuple[Callable[..., Any], tuple[str, ...]]] = {
     "SingularMap.save": (lambda path: MAP.save(path), ("path",)),
     "SingularMap.save_certificate": (MAP.save_certificate, ("path",)),
     "FreeRegion.save_certificate": (FREE.save_certificate, ("path",)),
+    "Plan.save_certificate": (PLAN.save_certificate, ("path",)),
     "Library[]": (LIBRARY.__getitem__, ("rule_id",)),
     "Library.strategy": (LIBRARY.strategy, ("ids", "without")),
     "Library.plus": (LIBRARY.plus, ("rules",)),

@@ -71,6 +71,14 @@ NOT_RUN = {
     ("docs/free.md", "proved: no pose of this ball is singular (1,374 boxes)"): (
         "tests/project/test_check_free.py reads what it prints"
     ),
+    (
+        "docs/plan.md",
+        'gcrules plan examples/octahedral.yaml --from home --to "0 0 -490" --certificate plan.json',
+    ): "tests/project/test_check_plan.py checks plans",
+    (
+        "docs/plan.md",
+        "proved: every way from the start to the goal passes a singular pose, since the determinant of the legs is",
+    ): "tests/project/test_check_plan.py reads what it prints",
     ("docs/map.md", 'gcrules map refine map.zarr -o wider.zarr --over "x -200:400"'): (
         "tests/poses/test_map_extended.py extends stores"
     ),

@@ -27,6 +27,7 @@ def checkers(folder: str) -> None:
     python checkers/check_certificate.py FILE.json    a certificate of a range
     python checkers/check_map.py FILE.json            what the cells of a map are
     python checkers/check_free.py FILE.json           a free region
+    python checkers/check_plan.py FILE.json           that no way leads from one pose to another
     """
     files = sorted(path for path in _shipped().iterdir() if path.suffix in (".md", ".py"))
     target = Path(folder)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import click
 
 from gcrules.apps.cli.base import ExpressionCommand
-from gcrules.apps.cli.files import OutputFile, working
+from gcrules.apps.cli.files import OutputFile, certificate_option, working
 from gcrules.apps.cli.limits import time_limit
 from gcrules.apps.cli.naming import mechanism_argument
 from gcrules.apps.cli.options import about_option
@@ -44,6 +44,10 @@ _CODES = {"way": 0, "none": 1, "undecided": 3}
     metavar="FILE.svg|FILE.pdf",
     help="Draw the margin along the way, if there is one.",
 )
+@certificate_option(
+    "Where there is no way, write the poses and the signs, which check_plan.py of `gcrules checkers` computes again"
+    " without gcrules."
+)
 @time_limit()
 @output_options()
 def plan(
@@ -59,6 +63,7 @@ def plan(
     seed: int,
     table: str | None,
     plot: str | None,
+    certificate: str | None,
     out: Output,
 ) -> None:
     """Find a way from one pose to another without a singularity, or prove that there is none.
@@ -88,6 +93,10 @@ def plan(
             about=about,
         )
     code = _CODES[found.outcome]
+    if certificate is not None and found.outcome == "none":
+        found.save_certificate(certificate)
+    elif certificate is not None:
+        click.echo(f"note: {certificate} is not written, since it is not proved that there is no way", err=True)
     if table is not None and code == 0:
         write_file(table, found.csv())
     if plot is not None and found.path is not None:

@@ -261,6 +261,7 @@ def _plan(
         size=p.domain.size,
         opposed=opposed,
         search=search,
+        mechanism=p.domain.m,
         notes=p.notes,
     )
 

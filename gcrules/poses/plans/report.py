@@ -3,14 +3,19 @@ r"""The answer to where a robot can go: a way that is proved, the proof that the
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import field
 from typing import Any
 
+from gcrules.core.arguments import FILE, checked
 from gcrules.core.dataclass import dataclass
 from gcrules.core.floats import rounded_down
 from gcrules.core.shown import Shown
+from gcrules.mechanisms.mechanism import Mechanism
+from gcrules.poses.certificate_files import write_certificate
 from gcrules.poses.limbs.path_report import RobotPath
 from gcrules.poses.paths.report import PathReport
 from gcrules.poses.paths.table import table_text
+from gcrules.poses.plans.certificate import plan_certificate
 from gcrules.screws.pose import Pose
 
 __all__ = ["OpposedSign", "Plan", "Search", "Waypoint", "pose_json"]
@@ -63,7 +68,8 @@ class Plan(Shown):
     or at the samples of the path, and so are its limits (`limits_proved`). Where a margin was named and is proved of no
     way, the outcome is undecided, and `poses` and `path` are those of the best one that was found.
     A way out, with an `end_margin`, has `asked` at its end only; where none is found there is no `goal`. That there is
-    none between two poses is proved by what is `opposed`. `length` is how long the way is, lengths in parts of the
+    none between two poses is proved by what is `opposed`. It is of this `mechanism`, of a robot whose limbs are six legs
+    by its platform. `length` is how long the way is, lengths in parts of the
     robot's `size`, angles in rad, and `straight` that from start to goal.
     """
 
@@ -84,6 +90,7 @@ class Plan(Shown):
     size: float
     opposed: tuple[OpposedSign, ...]
     search: Search | None
+    mechanism: Mechanism = field(repr=False, compare=False)
     end_margin: float | None = None
     notes: tuple[str, ...] = ()
 
@@ -116,6 +123,22 @@ class Plan(Shown):
     def csv(self) -> str:
         """A table of the way's poses; that of a platform on six legs `gcrules path --poses` reads."""
         return table_text(self.poses, self.unit)
+
+    def certificate(self) -> dict[str, Any]:
+        """That there is no way, with all that another program needs to see it again, as JSON: see `save_certificate`.
+
+        Raises InputError for another plan, LimitReached for robots of joints, and where only factors of the condition
+        have opposite signs.
+        """
+        return plan_certificate(self)
+
+    @checked("plan.save_certificate", path=FILE)
+    def save_certificate(self, path: str) -> None:
+        """Write the poses and the signs, .json or .json.gz, for the program check_plan.py, which computes them again.
+
+        Raises as `certificate`, and FileError.
+        """
+        write_certificate(self, path)
 
     def plot(self) -> Any:
         """The margin along the way, with the one that was asked for: a drawing with `svg()`. Raises InputError where
