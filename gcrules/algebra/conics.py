@@ -10,16 +10,13 @@ The conic through a, b, c, d, e is the form [abc][ade][xbd][xce] − [abd][ace][
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
 from itertools import combinations
-from typing import Any
 
 from gcrules.algebra import expr as ex
 from gcrules.algebra.expr import Expr, Number
 from gcrules.algebra.scalars import bracket
 
 __all__ = [
-    "coefficients",
     "discriminant",
     "on_conic",
     "on_conic_again",
@@ -28,6 +25,7 @@ __all__ = [
     "pole_of",
     "second_of",
     "tangent",
+    "touching",
     "value",
 ]
 
@@ -111,15 +109,14 @@ def pole_of(line: Expr, *five: Expr) -> Expr:
     )
 
 
+def touching(line: Expr, *five: Expr) -> Expr:
+    """The scalar that is zero where a line is a tangent: its pole is on it."""
+    return _b(pole_of(line, *five), line)
+
+
 def second_of(p: Expr, a: Expr, *five: Expr) -> Expr:
     """The second point of the line pa on the conic through five points, of which a is one more point. At s a + t p the
     form is t (s B + t Q), where B is the bilinear form at a and p, and Q the form at p.
     """
     both, alone = _b(p, polar(a, *five)), value(p, *five)
     return _sum(ex.mul(both, p), ex.mul(Number(-1), alone, a))
-
-
-def coefficients(form: Callable[[Sequence[int]], Any]) -> tuple[Any, ...]:
-    """Of x², y², z², yz, zx, xy in a quadratic form, from its values at points."""
-    x, y, z = (form(p) for p in ((1, 0, 0), (0, 1, 0), (0, 0, 1)))
-    return x, y, z, form((0, 1, 1)) - y - z, form((1, 0, 1)) - z - x, form((1, 1, 0)) - x - y

@@ -14,7 +14,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from gcrules.algebra.assumptions.nondegeneracy import words
 from gcrules.algebra.duality import Dual, dual_of
 from gcrules.algebra.evaluate import vanishes
 from gcrules.algebra.expand import MAX_TERMS
@@ -23,7 +22,8 @@ from gcrules.algebra.language.relations import Claimed, parse_claim
 from gcrules.algebra.language.statements import parse_assumption
 from gcrules.algebra.language.syntax import Context
 from gcrules.algebra.language.text import text
-from gcrules.algebra.letters import conics_of, declarations, letter_of, letters_of, named_letter
+from gcrules.algebra.letter_forms import FORMS
+from gcrules.algebra.letters import conics_of, declarations, letter_of, letters_of, marks_in, named_letter
 from gcrules.algebra.prove import Proof, prove
 from gcrules.algebra.seated import Seated, seated
 from gcrules.algebra.space import Assumption, Space
@@ -33,6 +33,7 @@ from gcrules.core.errors import GcrulesError, InputError
 __all__ = ["decide"]
 
 _VERDICTS = ("refuted", "undecided", "proved")
+_UNSAID = "both sides are equal, but where something does not vanish that the letters do not determine"
 
 
 def decide(claimed: Claimed, at: Space, *, limit: int = MAX_TERMS) -> Proof:
@@ -91,13 +92,15 @@ def _of_points(claimed: Claimed, at: Space) -> tuple[Claimed, Space] | None:
 
 
 def _about_conics(claimed: Claimed, at: Space, limit: int) -> Proof:
-    """The verdict on a claim about conic letters: with points that are given on them in place of their own."""
+    """The verdict on a claim about conics or quadrics: with points that are given on them in place of their own."""
     placed = seated(claimed, at)
     try:
         found = _decided(placed.claimed, placed.space, limit, placed)
     except InputError as fault:
-        if placed.apart:
-            fault.hint = fault.hint or "points that are given on one conic are taken to differ"
+        if placed.places:
+            if marks_in(fault.message):
+                fault.message = fault.message.partition(", or where")[0]
+            fault.hint = fault.hint or f"points that are given on one {FORMS[at.rank].word} are taken to differ"
         raise
     if found.counterexample is not None:
         places = {n: found.counterexample[p] for n, p in placed.places.items() if p in found.counterexample}
@@ -107,8 +110,12 @@ def _about_conics(claimed: Claimed, at: Space, limit: int) -> Proof:
     if placed.irreducible:
         required = {r.text: r.meaning for r in claimed.required}
         return replace(found, assumed=tuple(required), meanings=tuple(required.values()), kinds=())
-    told = {text(e): words(e) for e in placed.apart}
+    told = dict(placed.told)
     told |= dict(zip(found.assumed, found.meanings or [""] * len(found.assumed), strict=True))
+    if placed.generic and any(map(marks_in, (*told, *map(str, found.kinds)))):
+        return replace(
+            found, verdict="undecided", method="random-points", reason=_UNSAID, assumed=(), meanings=(), kinds=()
+        )
     return replace(found, assumed=tuple(told), meanings=tuple(told.values()))
 
 

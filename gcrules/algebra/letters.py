@@ -3,7 +3,8 @@ r"""Letters that stand for lines, planes and hyperplanes: each is the join of po
 A line L is L₁ ∨ L₂, a plane P of space P₁₃ ∨ P₂₃ ∨ P₃₃: of a letter of step k the i-th point is marked by i, and by k
 behind it where k is not 2. So every line is reached, and only lines are: the Plücker coordinates of a join satisfy the
 quadratic relation. Nobody can write the names of these points, and where all of them stand side by side the letter is
-printed. A conic K of the plane is the one through five points K¹, …, K⁵ without names.
+printed. A conic K of the plane is the one through five points K¹, …, K⁵ without names, and of a quadric Q of space a
+tetrahedron with the corners Q¹, …, Q⁴ is on it (see `quadric_forms`).
 
 >>> str(letter("L", 2)), grouped(("a", *names_of("L", 2), "b"))
 ('L', ('a', 'L', 'b'))
@@ -23,6 +24,7 @@ from gcrules.core.errors import InputError
 __all__ = [
     "CONIC",
     "LETTERS",
+    "QUADRIC",
     "conic_of",
     "conic_points",
     "conics_of",
@@ -33,6 +35,7 @@ __all__ = [
     "letter_step",
     "letters_of",
     "marked",
+    "marks_in",
     "named_letter",
     "names_of",
     "plain_name",
@@ -41,11 +44,14 @@ __all__ = [
 ]
 
 CONIC = "conic"
-LETTERS = ("line", "plane", "hyperplane", CONIC)
-"""The words that declare letters of other steps than that of a point, and of conics."""
+QUADRIC = "quadric"
+LETTERS = ("line", "plane", "hyperplane", CONIC, QUADRIC)
+"""The words that declare letters of other steps than that of a point, of conics and of quadrics."""
 
 _WORDS = {2: "line", 3: "plane"}
-_PLANE = 3
+_PLANE, _SPACE = 3, 4
+_OWN_POINTS = {_PLANE: 5, _SPACE: 4}
+_CURVED = {CONIC: (_PLANE, "a curve of the plane"), QUADRIC: (_SPACE, "a surface of space")}
 
 _TO_MARKS = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
 _RAISED = "¹²³⁴⁵"
@@ -54,11 +60,14 @@ _MARKS = "₁₂₃₄₅₆₇₈₉"
 
 
 def letter_step(kind: str, rank: int) -> int:
-    """The step of a line, a plane or a hyperplane, 0 for a conic. Raises InputError where a rank has no room for it."""
-    if kind == CONIC:
-        if rank != _PLANE:
-            hint = f"`rank {_PLANE}` in a file, --rank {_PLANE} in the shell"
-            raise InputError(f"a conic is a curve of the plane (rank {_PLANE}); this is rank {rank}", hint=hint)
+    """The step of a line, a plane or a hyperplane, 0 for a conic or a quadric. Raises InputError where a rank has no
+    room for it.
+    """
+    if kind in _CURVED:
+        own, what = _CURVED[kind]
+        if rank != own:
+            hint = f"`rank {own}` in a file, --rank {own} in the shell"
+            raise InputError(f"a {kind} is {what} (rank {own}); this is rank {rank}", hint=hint)
         return 0
     step = rank - 1 if kind == "hyperplane" else LETTERS.index(kind) + 2
     if not 2 <= step < rank:
@@ -92,20 +101,27 @@ def letter_of(point: str) -> tuple[str, int, int] | None:
     return name, int(digits[0]), int(digits[1:] or 2)
 
 
-def conic_points(name: str) -> tuple[str, ...]:
-    """The names of the points through which the conic of a letter runs."""
-    return tuple(name + mark for mark in _RAISED)
+def conic_points(name: str, rank: int = _PLANE) -> tuple[str, ...]:
+    """The names of the points through which the conic of a letter runs, or of the corners of a tetrahedron on the
+    quadric.
+    """
+    return tuple(name + mark for mark in _RAISED[: _OWN_POINTS[rank]])
 
 
 def conic_of(point: str) -> str | None:
-    """The letter of the conic to which a point belongs; None for other points."""
+    """The letter of the conic or quadric to which a point belongs; None for other points."""
     name = point[:-1]
     return name if point[-1:] in _RAISED and NAME.fullmatch(name) else None
 
 
 def conics_of(names: Iterable[str]) -> tuple[str, ...]:
-    """The letters of conics to which some of the points belong."""
+    """The letters of conics or quadrics to which some of the points belong."""
     return tuple(dict.fromkeys(name for n in names if (name := conic_of(n)) is not None))
+
+
+def marks_in(shown: str) -> bool:
+    """Whether a text shows points of conics or quadrics."""
+    return any(mark in shown for mark in _RAISED)
 
 
 def marked(point: str) -> bool:

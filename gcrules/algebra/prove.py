@@ -202,7 +202,7 @@ class _Positions:
         """The kinds of positions that some of them are of."""
         left = [kind for kind in found if not any(map(kind.construction.vanishes, self.nonzero))]
         if found and not left:
-            raise InputError(nowhere(e for kind in found for e in kind.construction.nonzero))
+            raise InputError(nowhere(kind.construction for kind in found))
         return left
 
 
@@ -272,11 +272,11 @@ def _under_assumptions(left: Expr, right: Expr, difference: Expr, space: Space, 
         return replace(worst, assumed=(), meanings=(), together=(), kinds=told)
     # Each kind says what it leaves out; what an image leaves out is of that kind, and not left out by all.
     assumed = fewest(e for kind in found if not kind.image for e in kind.construction.nonzero)
-    return replace(_assuming(proofs[0], assumed, names), together=(), kinds=told)
+    return replace(_assuming(proofs[0], assumed, space), together=(), kinds=told)
 
 
-def _assuming(proof: Proof, nonzero: Iterable[Expr], names: Sequence[str]) -> Proof:
-    found = chosen(nonzero)
+def _assuming(proof: Proof, nonzero: Iterable[Expr], space: Space) -> Proof:
+    found, names = chosen(nonzero, space.rank), space.declared()
     assumed, told = tuple(text(e, names=names) for e in found), tuple(words(e, names) for e in found)
     return replace(proof, assumed=assumed, meanings=told, conditions=found)
 
@@ -307,7 +307,7 @@ def _at_one_kind(
             reason = f"{_in_frame(zero)}, at all points that satisfy the assumptions"
         method = "frame" if isinstance(zero, Frame) else "normal-form"
         found = Proof(left, right, "proved", method, reason)
-    found = _assuming(found, construction.nonzero, space.declared())
+    found = _assuming(found, construction.nonzero, space)
     return replace(found, together=coinciding(construction, space.given))
 
 

@@ -140,7 +140,7 @@ def random_claim(seed: int) -> tuple[str, str, list[bool]]:
     on = tuple(names[: rng.randrange(len(names) + 1)])
     conjugate = {n: names[0] for n in names if n not in on and n != names[0] and rng.random() < 0.4}
     given = [f"incident({n}, K)" for n in on] + [f"incident({n}, polar({p}, K))" for n, p in conjugate.items()]
-    kind = rng.randrange(4)
+    kind = rng.randrange(5)
     if kind == 0:
         things = [point(rng, names, on, 1)]
         claim = f"incident({things[0][0]}, K)"
@@ -150,6 +150,9 @@ def random_claim(seed: int) -> tuple[str, str, list[bool]]:
     elif kind == 2:
         things = [point(rng, names, on, 1) for _ in range(3)]
         claim = f"collinear({', '.join(t[0] for t in things)})"
+    elif kind == 3:
+        things = [made_line(rng, names, on, 1)]
+        claim = f"touches({things[0][0]}, K)"
     else:
         things = [made_line(rng, names, on, 1) for _ in range(3)]
         claim = f"[({things[0][0]}) /\\ ({things[1][0]}), ({things[2][0]})] == 0"
@@ -159,6 +162,8 @@ def random_claim(seed: int) -> tuple[str, str, list[bool]]:
         values = [value(t, at) for t in things]
         if kind == 0:
             holds.append(at.form(values[0]) == 0)
+        elif kind == 3:
+            holds.append(dot(values[0], at.pole(values[0])) == 0)
         else:
             holds.append(dot(*values) == 0 if kind == 1 else dot(cross(*values[:2]), values[2]) == 0)
     return ", ".join(given), claim, holds
@@ -252,6 +257,9 @@ VERDICTS = [
     ("on_conic(a, b, c, d, e, f, K)", "collinear(ab /\\ de, bc /\\ ef, cd /\\ fa)", "proved"),
     ("on_conic(a, b, c, d, e, K)", "collinear(ab /\\ de, bc /\\ ef, cd /\\ fa)", "refuted"),
     ("conic L, on_conic(a, b, K), on_conic(a, b, L)", "incident(tangent(a, K) /\\ tangent(b, L), ab)", "refuted"),
+    ("on_conic(a, b, K)", "touches(tangent(a, K), K)", "proved"),
+    ("on_conic(a, b, K)", "touches(ab, K)", "refuted"),
+    ("incident(a, K), incident(b, tangent(a, K))", "touches(ab, K)", "proved"),
     ("isotropic i j, on_conic(i, j, a, b, c, d, K)", "concyclic(a, b, c, d)", "proved"),
 ]
 
@@ -369,6 +377,8 @@ FAULTS = [
     ("rank 3 conic K show polar(K, p)", "K is a conic, not a point or a line"),
     ("rank 3 conic K show polar(K)", "polar(p, K) takes 2 arguments, found 1"),
     ("rank 3 conic K show pole(p, K)", "a point (step 1) where a line is expected"),
+    ("rank 3 conic K claim touches(p, K)", "a point (step 1) where a line is expected"),
+    ("rank 3 conic K given touches(ab, K)", "touches(L, K) is claimed, not assumed"),
     ("rank 3 conic K show tangent(p, K)", "nothing says that p is on K"),
     ("rank 3 conic K show second_on_conic(p, q, K)", "nothing says that q is on K"),
     ("rank 3 conic K claim dual(incident(p, polar(q, K)))", "the dual of a conic letter has no word"),

@@ -18,6 +18,7 @@ from places import ROOT
 from gcrules.algebra.decide import decide
 from gcrules.algebra.evaluate import Evaluator
 from gcrules.algebra.expr import Expr
+from gcrules.algebra.language.letter_words import CONSTRUCTION_NAMES, CONSTRUCTIONS_OF_LETTERS, RELATIONS_OF_LETTERS
 from gcrules.algebra.language.relations import RELATION_NAMES, RELATIONS, parse_claim
 from gcrules.algebra.language.statements import Claim, parse_assumption, parse_script
 from gcrules.algebra.language.syntax import Context, parse
@@ -404,10 +405,12 @@ def test_every_relation_is_compared() -> None:
 
 def test_the_page_and_the_grammar_list_every_word() -> None:
     page = (ROOT / "docs" / "language.md").read_text(encoding="utf-8")
-    for word in (*CONSTRUCTIONS.values(), *RELATIONS.values()):
+    tables = (*CONSTRUCTIONS_OF_LETTERS.values(), *RELATIONS_OF_LETTERS.values())
+    of_letters = [word for words in tables for word in words.values()]
+    for word in (*CONSTRUCTIONS.values(), *RELATIONS.values(), *of_letters):
         assert f"| `{word.usage}` | {word.meaning} |" in page
     grammar = (ROOT / "gcrules" / "grammar.lark").read_text(encoding="utf-8")
-    for terminal, names in (("CONSTRUCTION", [*CONSTRUCTIONS]), ("RELATION", [*RELATION_NAMES])):
+    for terminal, names in (("CONSTRUCTION", [*CONSTRUCTION_NAMES]), ("RELATION", [*RELATION_NAMES])):
         found = re.search(rf"^{terminal}\.1: /\(([a-z_|]+)\)", grammar, re.MULTILINE)
         assert found is not None
         assert found[1].split("|") == names

@@ -12,7 +12,7 @@ from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 
 from gcrules.algebra import expr as ex
-from gcrules.algebra.assumptions.construction import ConstructionStep
+from gcrules.algebra.assumptions.construction import Construction, ConstructionStep
 from gcrules.algebra.assumptions.incidences import Helper
 from gcrules.algebra.expr import Bracket, Expr, Join, Meet, Point, Product, points_of
 from gcrules.algebra.language.text import text
@@ -53,7 +53,7 @@ def fewest(found: Iterable[Expr]) -> tuple[Expr, ...]:
     return tuple(kept)
 
 
-def chosen(found: Iterable[Expr]) -> tuple[Expr, ...]:
+def chosen(found: Iterable[Expr], rank: int) -> tuple[Expr, ...]:
     """Without what does not vanish for some choice of the points of letters, which one always may take.
 
     A point of a line L is outside every smaller extensor A ≠ 0, wherever L is, so that L₁ ∨ A asks for A ≠ 0 only; of
@@ -61,20 +61,21 @@ def chosen(found: Iterable[Expr]) -> tuple[Expr, ...]:
     A point of a conic that is no pair of lines can be chosen outside any line. Choices are points of irreducible
     varieties, so that what is possible one by one is possible together.
     """
-    return fewest(e for e in map(_chosen, found) if e is not None)
+    return fewest(e for e in (_chosen(e, rank) for e in found) if e is not None)
 
 
-def nowhere(nonzero: Iterable[Expr]) -> str:
-    """That nothing holds where none of these vanishes, and what is said of points exists."""
-    told = ", ".join(map(text, chosen(nonzero)))
+def nowhere(constructions: Iterable[Construction]) -> str:
+    """That nothing holds where nothing vanishes that these ask for, and what is said of points exists."""
+    told = ", ".join(map(text, fewest(e for c in constructions for e in chosen(c.nonzero, c.rank))))
     what = "the assumptions hold only where something that is said of points does not exist"
     return f"{what}, or where one of these vanishes: {told}" if told else what
 
 
-def _chosen(e: Expr) -> Expr | None:
-    if isinstance(e, Join | Bracket) and conics_of(points_of(e)) and all(isinstance(a, Point) for a in e.args):
+def _chosen(e: Expr, rank: int) -> Expr | None:
+    conics = conics_of(points_of(e)) if rank == _PLANE else ()
+    if isinstance(e, Join | Bracket) and conics and all(isinstance(a, Point) for a in e.args):
         others = [a for a in e.args if isinstance(a, Point) and conic_of(a.name) is None]
-        return _chosen(ex.join(*others, rank=_PLANE)) if len(others) > 1 else None
+        return _chosen(ex.join(*others, rank=_PLANE), rank) if len(others) > 1 else None
     if not isinstance(e, Join):
         return e
     if named_letter(e) is not None:
@@ -88,7 +89,7 @@ def _chosen(e: Expr) -> Expr | None:
         rest = [a for a in e.args if not (isinstance(a, Point) and a.name in own)]
         if letter not in letters_of(points_of(*rest)):  # it would change with the choice
             exists = not rest or (len(rest) == 1 and isinstance(rest[0], Point))
-            return None if exists else _chosen(ex.join(*rest, rank=e.step))
+            return None if exists else _chosen(ex.join(*rest, rank=e.step), rank)
     return e
 
 

@@ -32,6 +32,7 @@ from gcrules.algebra.expand import MAX_TERMS
 from gcrules.algebra.expr import Expr
 from gcrules.algebra.language.syntax import Context
 from gcrules.algebra.language.text import text
+from gcrules.algebra.letter_forms import FORMS
 from gcrules.core.budget import report
 from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import InputError, LimitReached
@@ -71,8 +72,9 @@ def discover(
         hint = "they are looked for in the plane (rank 3) and in space (rank 4)"
         raise InputError(f"incidences are not looked for in rank {at.rank}", hint=hint)
     if at.conics:
-        what = f"{at.conics[0]} is a conic, and incidences are looked for between points, lines and planes"
-        raise InputError(what, hint="say by five points which conic it is: on_conic(a, b, c, d, e, f)")
+        what = f"{at.conics[0]} is a {FORMS[at.rank].word}, and incidences are looked for between points, lines and"
+        by_points = "say by five points which conic it is: on_conic(a, b, c, d, e, f)" if at.rank == 3 else None
+        raise InputError(f"{what} planes", hint=by_points)
     figure = figure_of(at)
     number = candidates(len(figure.points), len(figure.flats), at.rank)
     if number > most:
@@ -90,7 +92,9 @@ class _Kind:
     """A kind of positions with the figure at some of its positions, and what is known of it."""
 
     def __init__(self, kind: PositionKind, figure: Figure, limit: int) -> None:
-        self.construction = replace(kind.construction, nonzero=chosen(kind.construction.nonzero))
+        self.construction = replace(
+            kind.construction, nonzero=chosen(kind.construction.nonzero, kind.construction.rank)
+        )
         self.kind, self.limit = replace(kind, construction=self.construction), limit
         seed = ("discover", *map(str, figure.bound.values()), *map(str, kind.where))
         values = (kind.construction.random_points((*seed, k)) for k in range(_SAMPLES))

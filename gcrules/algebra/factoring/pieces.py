@@ -13,6 +13,7 @@ from gcrules.algebra.bracket import BracketPolynomial, ExtensorPolynomial, Row, 
 from gcrules.algebra.expand import expand
 from gcrules.algebra.expr import Expr, Number
 from gcrules.algebra.factoring.powers import number_power, powers
+from gcrules.algebra.letter_forms import FORMS
 from gcrules.algebra.letters import conics_of, letters_of
 from gcrules.algebra.names import step_name
 from gcrules.core.dataclass import dataclass
@@ -65,7 +66,8 @@ def factor_pieces(
     names = ex.points_of(e) if isinstance(e, Expr) else e.points
     lettered = letters_of(names)
     for conic in conics_of(names):
-        raise InputError(f"only expressions of points are {what}, and {conic} is a conic")
+        word = FORMS[ex.common_rank(rank, e) if isinstance(e, Expr) else e.rank].word
+        raise InputError(f"only expressions of points are {what}, and {conic} is a {word}")
     if lettered:
         name, step = next(iter(lettered.items()))
         hint = f"write {name} as a join of points" if isinstance(e, Expr) else None

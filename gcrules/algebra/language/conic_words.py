@@ -1,4 +1,4 @@
-r"""Conic letters in words: `polar(p, K)` is said of the conic K, which stands where five of its points might.
+r"""Letters for conics and quadrics in words: `polar(p, K)` is said of the conic K, `polar(p, Q)` of the quadric Q.
 
 >>> from gcrules.algebra.language.statements import parse_assumption
 >>> from gcrules.algebra.language.syntax import Context, parse
@@ -10,11 +10,11 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Mapping, Sequence
 
-from gcrules.algebra import conics
-from gcrules.algebra.expr import Expr, Point, points_of
+from gcrules.algebra.expr import Expr, points_of
 from gcrules.algebra.language.parse_tree import Node, span_of
 from gcrules.algebra.language.text import text
-from gcrules.algebra.letters import conic_points, conics_of
+from gcrules.algebra.letter_forms import FORMS
+from gcrules.algebra.letters import conics_of
 from gcrules.algebra.space import Space
 from gcrules.core.english import listed
 from gcrules.core.errors import InputError
@@ -23,24 +23,33 @@ __all__ = ["called", "conic_behind", "known_on", "refuse_conic"]
 
 
 def conic_behind(
-    word: str, words: Collection[str], parts: Sequence[Node], letters: Collection[str]
+    word: str, words: Collection[str], others: Collection[str], parts: Sequence[Node], at: Space
 ) -> tuple[list[Node], str]:
-    """The arguments of a word without the conic letter that stands last, and that letter, "" where there is none.
+    """The arguments of a word without the letter for a conic or a quadric that stands last, and that letter, "" where
+    there is none.
 
-    Raises InputError where the word is not among `words`, which are said of conics.
+    Raises InputError where the word is not among `words`, which are said of such letters in this space, and where there
+    is no letter, not among `others`.
     """
+    letters = getattr(at, "conics", ())
     last = parts[-1]
     name = str(last.children[0]) if last.data == "word" else ""
     if name not in letters:
+        if word not in others:
+            raise InputError(f"{word}(…) is said of a letter, which stands last", span=span_of(last), hint=_LETTER)
         return list(parts), ""
     if word not in words:
-        hint = f"words about conics are {listed(list(words))}"
-        raise InputError(f"{word}(…) says nothing of the conic {name}", span=span_of(last), hint=hint)
+        kind = FORMS[at.rank].word
+        hint = f"words about {kind}s are {listed(list(words))}"
+        raise InputError(f"{word}(…) says nothing of the {kind} {name}", span=span_of(last), hint=hint)
     return list(parts[:-1]), name
 
 
+_LETTER = "declare it: `conic K` in the plane, `quadric Q` in space"
+
+
 def called(e: Expr, made: Mapping[Expr, str], names: Iterable[str]) -> str:
-    """The text of an expression, with names and words for what they stand for, where conics are in it."""
+    """The text of an expression, with names and words for what they stand for, where conics or quadrics are in it."""
     if e in made:
         return made[e]
     written = text(e, names=names)
@@ -52,15 +61,18 @@ def called(e: Expr, made: Mapping[Expr, str], names: Iterable[str]) -> str:
 
 
 def known_on(point: Expr, conic: str, shown: str, at: Space, made: Collection[Expr], tree: Node) -> None:
-    """Raises InputError where nothing says that a point is on a conic: neither an assumption nor how it was made."""
-    form = conics.value(point, *map(Point, conic_points(conic)))
+    """Raises InputError where nothing says that a point is on a conic or a quadric: neither an assumption nor how it
+    was made.
+    """
+    form = FORMS[at.rank].value(point, *FORMS[at.rank].own(conic))
     if form not in made and form not in {a.args[0] for a in at.given if a.kind == "zero"}:
         hint = f"assume it before, `given incident({shown}, {conic})`"
         raise InputError(f"nothing says that {shown} is on {conic}", span=span_of(tree), hint=hint)
 
 
-def refuse_conic(name: str, letters: Collection[str]) -> None:
-    """Raises InputError for a conic letter where a point must stand."""
+def refuse_conic(name: str, letters: Collection[str], rank: int) -> None:
+    """Raises InputError for the letter of a conic or a quadric where a point must stand."""
     if name in letters:
-        hint = f"conics stand last in words about them: polar(p, {name}), incident(p, {name})"
-        raise InputError(f"{name} is a conic, not a point or a line", hint=hint)
+        kind = FORMS[rank].word
+        hint = f"{kind}s stand last in words about them: polar(p, {name}), incident(p, {name})"
+        raise InputError(f"{name} is a {kind}, not a point or a line", hint=hint)

@@ -17,6 +17,7 @@ from gcrules.algebra.language.statements import parse_assumption, parse_letters
 from gcrules.algebra.language.syntax import Context
 from gcrules.algebra.language.text import Names, split_names
 from gcrules.algebra.language.text import text as as_text
+from gcrules.algebra.letter_forms import FORMS
 from gcrules.algebra.letters import letters_of
 from gcrules.algebra.structure import NoLine, Structure, leg_text, legs_text
 from gcrules.core.errors import GcrulesError, InputError, Span
@@ -49,8 +50,8 @@ def read_legs(
     for written in filter(str.strip, [given] if isinstance(given, str) else given):
         at = parse_assumption(written, at)
     if at.conics:
-        what = f"{at.conics[0]} is a conic, and what is assumed of legs is said of their points"
-        raise InputError(what, hint="on_conic(a, b, c, d, e, f)")
+        what = f"{at.conics[0]} is a {FORMS[at.rank].word}, and what is assumed of legs is said of their points"
+        raise InputError(what, hint="on_conic(a, b, c, d, e, f)" if at.rank == 3 else None)
     reading = Context(rank, points, letters=at.letters)
     if isinstance(legs, str):
         found = tuple(_read_text(legs, reading, built))

@@ -19,10 +19,12 @@ from gcrules.algebra.assumptions.incidences import MAX_CONDITIONS, equations
 from gcrules.algebra.duality import Dual, dual_of
 from gcrules.algebra.expr import ZERO, Expr, points_of
 from gcrules.algebra.language.conic_words import conic_behind
+from gcrules.algebra.language.letter_words import RELATIONS_OF_LETTERS
 from gcrules.algebra.language.parse_tree import Node, read, span_of
 from gcrules.algebra.language.syntax import Builder, Context
-from gcrules.algebra.language.words import FLAT, POINT, SEGMENT, Requirement, Word, ends
-from gcrules.algebra.letters import conic_points, conics_of, named_letter
+from gcrules.algebra.language.words import FLAT, POINT, SEGMENT, Relation, Requirement, ends
+from gcrules.algebra.letter_forms import FORMS
+from gcrules.algebra.letters import conics_of, named_letter
 from gcrules.algebra.metric import Infinity
 from gcrules.algebra.names import step_name
 from gcrules.algebra.space import Assumption, SourcePlace, Space
@@ -31,11 +33,9 @@ from gcrules.core.errors import GcrulesError, InputError, StepError
 
 __all__ = [
     "INCIDENCES",
-    "OF_CONICS",
     "RELATIONS",
     "RELATION_NAMES",
     "Claimed",
-    "Relation",
     "parse_claim",
     "parse_sides",
     "read_assumptions",
@@ -43,17 +43,6 @@ __all__ = [
 ]
 
 _Equations = Iterable[Expr]
-
-
-@dataclass(frozen=True, slots=True)
-class Relation(Word):
-    """A word of `given` and `claim`, for the expressions that vanish where it holds.
-
-    `whole` gives all of them, `chain` as many as say the same where the first of the points are in general position.
-    """
-
-    whole: Callable[..., _Equations] = lambda *_: []
-    chain: Callable[..., _Equations] | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -109,9 +98,9 @@ def read_claim(tree: Node, builder: Builder, text: str) -> Claimed:
         sides = builder.equation(tree)
         said = text if conics_of(points_of(*sides)) else ""
         return Claimed((sides,), said, builder.requirements(), _apart(builder))
-    kind, args, five = _arguments(tree, builder)
-    if five:
-        found = tuple(conics.value(p, *five) for p in args)
+    kind, args, own = _arguments(tree, builder)
+    if own:
+        found = tuple(RELATIONS_OF_LETTERS[builder.rank][kind].whole(builder.rank, own, *args))
         kind = ""
     elif kind in INCIDENCES:
         found = equations(Assumption(kind, args, text, role="claim"), builder.rank)
@@ -137,7 +126,8 @@ def _dual(tree: Node, builder: Builder, text: str) -> Claimed:
     if at.conics and conics_of(
         points_of(*(e for pair in found.equations for e in pair), *(e for a in at.given for e in a.args))
     ):
-        raise InputError("the dual of a conic letter has no word", hint="claim it of the conic through five points")
+        form = FORMS[at.rank]
+        raise InputError(f"the dual of a {form.word} letter has no word", hint=f"claim it of {form.instead}")
     if any(r for some in at.required.values() for r in some) or found.required:
         raise InputError("the dual of a construction has no word", hint="write out its joins and meets")
     relation = Assumption(found.kind, found.args, text) if found.kind else None
@@ -155,10 +145,14 @@ def read_assumptions(
         left, right = builder.equation(tree.children[0])
         zero = left if right == ZERO else right if left == ZERO else ex.sub(left, right, rank=builder.rank)
         return (Assumption("zero", (zero,), text, place, exists=_existing(builder)),)
-    kind, args, five = _arguments(tree, builder)
-    if five:
+    kind, args, own = _arguments(tree, builder)
+    if own:
+        word = RELATIONS_OF_LETTERS[builder.rank][kind]
+        if not word.assumed:
+            raise InputError(f"{word.usage} is claimed, not assumed", hint=_TOUCHED[builder.rank])
         exists = _existing(builder)
-        return tuple(Assumption("zero", (conics.value(p, *five),), text, place, exists=exists) for p in args)
+        found = word.whole(builder.rank, own, *args)
+        return tuple(Assumption("zero", (e,), text, place, exists=exists) for e in found)
     if kind in INCIDENCES:
         return (Assumption(kind, args, text, place, exists=_existing(builder)),)
     whole, chain = _expanded(RELATIONS[kind], args, builder.context)
@@ -178,20 +172,22 @@ def _existing(builder: Builder) -> tuple[Expr, ...]:
 
 
 def _arguments(tree: Node, builder: Builder) -> tuple[str, tuple[Expr, ...], tuple[Expr, ...]]:
-    """The name of a relation, its arguments, which it takes, and five points of the conic letter behind them."""
+    """The name of a relation, its arguments, which it takes, and the points of the letter behind them that stands for a
+    conic or a quadric.
+    """
     token, *parts = tree.children
-    kind = str(token)
-    parts, conic = conic_behind(kind, OF_CONICS, parts, builder.context.conics)
+    kind, of_letters = str(token), RELATIONS_OF_LETTERS.get(builder.rank, {})
+    parts, conic = conic_behind(kind, of_letters, (*INCIDENCES, *RELATIONS), parts, builder.context)
     args = tuple(map(builder.value, parts))
-    five = tuple(map(ex.Point, conic_points(conic))) if conic else ()
-    if five:
-        builder.check(OF_CONICS[kind], args, parts)
+    own = FORMS[builder.rank].own(conic) if conic else ()
+    if own:
+        builder.check(of_letters[kind], args, parts)
     elif kind in INCIDENCES:
         INCIDENCES[kind](args, parts, builder.rank)
     else:
         word = RELATIONS[kind]
         builder.check(word, args, parts)
-    return kind, args, five
+    return kind, args, own
 
 
 def _expanded(word: Relation, args: Sequence[Expr], at: Space) -> tuple[list[Expr], list[Expr]]:
@@ -353,23 +349,14 @@ RELATIONS: Mapping[str, Relation] = {
         ),
     )
 }
-"""Relations that are equations of brackets, joins and meets, by their names, which grammar.lark lists too."""
+"""Relations that are equations of brackets, joins and meets, by their names."""
 
-OF_CONICS: Mapping[str, Relation] = {
-    w.name: w
-    for w in (
-        Relation("incident(p, K)", "p is on the conic K", (POINT,), _PLANE, metric=False, of_conic=True),
-        Relation(
-            "on_conic(p, q, …, K)",
-            "the points are on the conic K",
-            (POINT,),
-            _PLANE,
-            metric=False,
-            open=True,
-            of_conic=True,
-        ),
-    )
+_TOUCHED = {
+    3: "say where: `given incident(a, K)`, and tangent(a, K) is the line that touches there",
+    4: "say where: `given incident(a, Q)`, and tangent(a, Q) is the plane that touches there",
 }
-"""Relations that are said of conic letters too."""
 
-RELATION_NAMES = (*INCIDENCES, *RELATIONS)
+RELATION_NAMES = tuple(
+    dict.fromkeys((*INCIDENCES, *RELATIONS, *(n for some in RELATIONS_OF_LETTERS.values() for n in some)))
+)
+"""The names of all relations, which grammar.lark lists too."""

@@ -16,6 +16,7 @@ from gcrules.algebra.language.relations import Claimed, read_assumptions, read_c
 from gcrules.algebra.language.rule_text import Case, RuleText, instances
 from gcrules.algebra.language.syntax import Builder, Context
 from gcrules.algebra.language.words import METRICS, with_infinity
+from gcrules.algebra.letter_forms import FORMS
 from gcrules.algebra.letters import LETTERS, letter_step
 from gcrules.algebra.names import NAME, NAMES_HINT, step_name
 from gcrules.algebra.space import SourcePlace, shortened
@@ -204,9 +205,8 @@ class _Reader:
                 what = f"{shortened(name)} is already {step_name(self.context.letters[name], self.context.rank)}"
                 raise InputError(what, span=span_of(token), hint="choose another name")
             if name in self.context.conics and kind not in LETTERS:
-                raise InputError(
-                    f"{shortened(name)} is already a conic", span=span_of(token), hint="choose another name"
-                )
+                what = f"{shortened(name)} is already a {FORMS[self.context.rank].word}"
+                raise InputError(what, span=span_of(token), hint="choose another name")
             names.append(name)
         return tuple(dict.fromkeys((*known, *names)))
 
@@ -286,8 +286,10 @@ class _Reader:
         for word in words:
             used = next((n for n, _ in Builder(at).split(word) if n in at.letters or n in at.conics), None)
             if used is not None:
-                what = "a conic" if used in at.conics else step_name(at.letters[used], at.rank)
-                instead = "the conic by five points" if used in at.conics else "the line or plane as a join of points"
+                what = f"a {FORMS[at.rank].word}" if used in at.conics else step_name(at.letters[used], at.rank)
+                instead = "the line or plane as a join of points"
+                if used in at.conics:
+                    instead = FORMS[at.rank].instead
                 hint = f"write {instead}"
                 raise InputError(f"{used} is {what}, and rules are about points", span=span_of(word), hint=hint)
 

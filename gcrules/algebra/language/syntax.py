@@ -16,15 +16,15 @@ import unicodedata
 from collections.abc import Iterable, Mapping, Sequence
 from fractions import Fraction
 
-from gcrules.algebra import conics, scalars
 from gcrules.algebra import expr as ex
+from gcrules.algebra import scalars
 from gcrules.algebra.expr import Expr
 from gcrules.algebra.language.conic_words import called, conic_behind, known_on, refuse_conic
+from gcrules.algebra.language.letter_words import CONSTRUCTIONS_OF_LETTERS
 from gcrules.algebra.language.parse_tree import Node, digits, read, run_name, span_of, whole
 from gcrules.algebra.language.text import SHORT_NAME
 from gcrules.algebra.language.words import (
     CONSTRUCTIONS,
-    OF_CONICS,
     POINT,
     SEGMENT,
     Requirement,
@@ -32,7 +32,8 @@ from gcrules.algebra.language.words import (
     constructed,
     ends,
 )
-from gcrules.algebra.letters import conic_points, letter, names_of
+from gcrules.algebra.letter_forms import FORMS
+from gcrules.algebra.letters import letter, names_of
 from gcrules.algebra.names import step_name
 from gcrules.algebra.scalars import MAX_EXPONENT, superbracket
 from gcrules.algebra.space import Space, shortened
@@ -52,7 +53,7 @@ MAX_WORD = 1_000
 class Context(Space):
     """What names mean: a space, and the names bound by `let`, each with what its words require not to vanish; which of
     what these made is `finite` then. `letters` stand for lines, planes and hyperplanes, each with its step, `conics`
-    for conics; the forms of these in `on_conics` are zero, as words made points of them.
+    for conics, and in space for quadrics; the forms of these in `on_conics` are zero, as words made points of them.
     """
 
     bound: Mapping[str, Expr] = FrozenMap()
@@ -222,16 +223,17 @@ class Builder:
         if str(token) in self.context.declared():
             hint = f"write a space behind the name: {token} (…)"
             raise InputError(f"{token} is declared here, and a word of the language", span=span_of(token), hint=hint)
-        parts, conic = conic_behind(str(token), OF_CONICS, parts, self.context.conics)
-        word, args = (OF_CONICS if conic else CONSTRUCTIONS)[str(token)], tuple(map(self.value, parts))
+        of_letters = CONSTRUCTIONS_OF_LETTERS.get(self.rank, {})
+        parts, conic = conic_behind(str(token), of_letters, CONSTRUCTIONS, parts, self.context)
+        word, args = (of_letters if conic else CONSTRUCTIONS)[str(token)], tuple(map(self.value, parts))
         self.check(word, args, parts)
-        five = list(map(ex.Point, conic_points(conic)))
+        own = FORMS[self.rank].own(conic) if conic else ()
         if word.on is not None:
             shown = self._called(args[word.on])
             known_on(args[word.on], conic, shown, self.context, self.on_conics, parts[word.on])
-        made, may_vanish = constructed(word, args, self.context, five)
+        made, may_vanish = constructed(word, args, self.context, own)
         if word.on == 1:
-            self.on_conics.add(conics.value(made, *five))
+            self.on_conics.add(FORMS[self.rank].value(made, *own))
         self._count(made, word.name)
         self.made[made] = f"{word.name}({', '.join((*map(self._called, args), *filter(None, [conic])))})"
         if may_vanish:
@@ -340,7 +342,7 @@ class Builder:
     def _named(self, name: str) -> Expr:
         """What a name stands for, counted among the parts of the expression."""
         bound = self.context.bound.get(name)
-        refuse_conic(name, self.context.conics)
+        refuse_conic(name, self.context.conics, self.rank)
         if name in self.context.letters:
             self.lettered[name] = letter(name, self.context.letters[name])
             return self.lettered[name]

@@ -33,7 +33,7 @@ _TERMINALS = {
     "RUN": "a run of points (R...)",
     "RELATION": "a relation such as collinear(a, b, c)",
     "CONSTRUCTION": "a word such as midpoint(a, b)",
-    "LETTERS": "line, plane, hyperplane or conic",
+    "LETTERS": "line, plane, hyperplane, conic or quadric",
     "$END": "the end",
 }
 _STARTERS = {"WORD", "NUMBER", "LPAR", "LSQB", "DOT", "RUN"}
@@ -50,7 +50,7 @@ _HINTS: tuple[tuple[re.Pattern[str], str], ...] = (
         "one == stands between two expressions, for `prove`, for `claim`, or alone at the prompt",
     ),
 )
-_NO_LETTER = re.compile(r"\s*(quadric|circle|sphere)\s+[A-Za-z]")
+_NO_LETTER = re.compile(r"\s*(circle|sphere)\s+[A-Za-z]")
 _CALL = re.compile(r"(?<![A-Za-z0-9_'])([A-Za-z_]+)\s*\(")
 _INFIX = {
     **dict.fromkeys(("meet", "cap", "intersect", "intersection", "regressive", "wedge"), (" /\\ ", "the meet")),
@@ -101,7 +101,7 @@ def _no_letter(text: str, at: int) -> str | None:
     """What takes the place of letters that there are not, where the line up to a place declares one."""
     if not _NO_LETTER.match(text, text.rfind("\n", 0, at) + 1):
         return None
-    return "letters stand for lines, planes and, in the plane, conics; a circle is a conic through the isotropic points"
+    return "letters stand for lines, planes, conics and quadrics; a circle is a conic through the isotropic points"
 
 
 def words_of(pattern: str) -> list[str]:

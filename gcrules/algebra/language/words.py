@@ -6,9 +6,8 @@ words of a text are taken to have `made`: a claim is about positions at which th
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
-from functools import partial
 from typing import TypeVar
 
 from gcrules.algebra import conics, metric
@@ -26,10 +25,12 @@ __all__ = [
     "FLAT",
     "LINE",
     "METRICS",
-    "OF_CONICS",
+    "PLANE",
     "POINT",
+    "POINT_OR_LINE",
     "SEGMENT",
     "Construction",
+    "Relation",
     "Requirement",
     "Word",
     "constructed",
@@ -43,6 +44,7 @@ METRICS = ("isotropic", "orthonormal")
 """How the points at infinity are declared by which right angles and lengths are known."""
 
 POINT, LINE, FLAT, SEGMENT = "a point", "a line", "a line or a plane", "a line of two points"
+PLANE, POINT_OR_LINE = "a plane", "a point or a line"
 """What a word takes; a line of two points is written as their join, ab."""
 
 _PLANE, _SPACE = (3,), (4,)
@@ -72,7 +74,7 @@ class Word:
     ranks: tuple[int, ...]
     metric: bool = True
     open: bool = False
-    of_conic: bool = False  # said of a conic letter, which stands behind the arguments
+    of_conic: bool = False  # said of the letter of a conic or a quadric, which stands behind the arguments
 
     @property
     def name(self) -> str:
@@ -116,7 +118,7 @@ class Word:
 class Construction(Word):
     """A word that stands in expressions: `build` writes it out. `always` says that finite points have a finite one.
 
-    Of a conic letter `build` takes the five points last. The argument of the number `on` is a point of the conic, and
+    Of a letter `build` takes its own points last. The argument of the number `on` is a point of the conic, and
     what is `whole` is not zero where all arguments are points.
     """
 
@@ -130,10 +132,23 @@ class Construction(Word):
         return rank if self.by_rank else len(self.takes)
 
 
-def constructed(word: Construction, args: Sequence[Expr], at: Space, five: Sequence[Expr] = ()) -> tuple[Expr, bool]:
+@dataclass(frozen=True, slots=True)
+class Relation(Word):
+    """A word of `given` and `claim`, for the expressions that vanish where it holds.
+
+    `whole` gives all of them, `chain` as many as say the same where the first of the points are in general position.
+    Said of a letter, `whole` takes the rank and the points of the letter first. Not all words are `assumed`.
+    """
+
+    whole: Callable[..., Iterable[Expr]] = lambda *_: []
+    chain: Callable[..., Iterable[Expr]] | None = None
+    assumed: bool = True
+
+
+def constructed(word: Construction, args: Sequence[Expr], at: Space, own: Sequence[Expr] = ()) -> tuple[Expr, bool]:
     """What a construction makes of its arguments, and whether that may be zero although the arguments are finite."""
     if word.of_conic:
-        return word.build(*args, *five), not (word.always or (word.whole and all(isinstance(a, Point) for a in args)))
+        return word.build(*args, *own), not (word.always or (word.whole and all(isinstance(a, Point) for a in args)))
     given = [ends(a) if kind == SEGMENT else a for a, kind in zip(args, word.kinds(len(args)), strict=True)]
     made = word.build(at.infinity, *given) if word.metric else word.build(*given)
     return made, not word.always
@@ -177,6 +192,8 @@ _FITS: Mapping[str, Callable[[Expr, int], bool]] = {
     POINT: lambda e, rank: e.step == 1,
     LINE: lambda e, rank: e.step == 2,
     FLAT: lambda e, rank: 2 <= e.step < rank,
+    PLANE: lambda e, rank: e.step == 3,
+    POINT_OR_LINE: lambda e, rank: 1 <= e.step <= 2,
     SEGMENT: _is_segment,
 }
 _ROOMS = {3: "the plane (rank 3)", 4: "space (rank 4)"}
@@ -307,32 +324,4 @@ CONSTRUCTIONS: Mapping[str, Construction] = {
         ),
     )
 }
-"""The words of expressions by their names, which grammar.lark lists too."""
-
-_of_conic = partial(Construction, ranks=_PLANE, metric=False, of_conic=True)
-
-OF_CONICS: Mapping[str, Construction] = {
-    w.name: w
-    for w in (
-        _of_conic(
-            "second_on_conic(p, a, K)",
-            "the second point of the line pa on the conic K, of which a is a point",
-            _P2,
-            build=conics.second_of,
-            on=1,
-        ),
-        _of_conic(
-            "tangent(a, K)", "the tangent at a point a of the conic K", (POINT,), build=conics.polar, on=0, whole=True
-        ),
-        _of_conic("polar(p, K)", "the polar of p for the conic K", (POINT,), build=conics.polar, whole=True),
-        _of_conic("pole(pq, K)", "the pole of any line for the conic K", (LINE,), build=conics.pole_of),
-        _of_conic(
-            "conic(p, K)",
-            "the scalar that is zero where p is on the conic K",
-            (POINT,),
-            build=conics.value,
-            always=True,
-        ),
-    )
-}
-"""The words that are said of conic letters too."""
+"""The words of expressions by their names."""

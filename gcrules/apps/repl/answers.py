@@ -6,9 +6,10 @@ import re
 from collections.abc import Iterable, Iterator
 
 from gcrules.algebra.bracket import BracketPolynomial, ExtensorPolynomial
-from gcrules.algebra.expr import Expr
+from gcrules.algebra.expr import Expr, common_rank
 from gcrules.algebra.language.syntax import Context
 from gcrules.algebra.language.text import text
+from gcrules.algebra.letter_forms import FORMS
 from gcrules.algebra.letters import marked
 from gcrules.algebra.names import step_name
 from gcrules.algebra.whole_letters import in_letters
@@ -138,7 +139,7 @@ def value_text(e: Expr, settings: Settings, names: tuple[str, ...]) -> str:
     if settings.latex:
         return latex(e)
     shown = text(e, unicode=settings.unicode, names=[n for n in names if not marked(n)])
-    return "  # ".join([shown, *filter(None, [points_shown(shown)])])
+    return "  # ".join([shown, *filter(None, [points_shown(shown, common_rank(None, e))])])
 
 
 def polynomial_text(p: Polynomial, settings: Settings, context: Context) -> str:
@@ -164,7 +165,7 @@ def context_text(state: PromptState, settings: Settings) -> str:
         "ideal": [" ".join(at.ideal)] if at.ideal else [],
         "metric": [str(at.infinity)] if at.infinity else [],
         "letters": [f"{name}, {step_name(step, at.rank)}" for name, step in at.letters.items()]
-        + [f"{name}, a conic" for name in at.conics],
+        + [f"{name}, a {FORMS[at.rank].word}" for name in at.conics],
         "given": list(dict.fromkeys(map(str, at.given))),
         "let": [bound_text(n, at, settings) for n in at.bound],
         "rules": [", ".join(r.id for r in state.rules)] if state.rules else [],

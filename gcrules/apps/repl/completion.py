@@ -11,12 +11,13 @@ import os
 import re
 from collections.abc import Iterable, Iterator, Mapping
 
-from gcrules.algebra.language.words import CONSTRUCTIONS
+from gcrules.algebra.language.letter_words import CONSTRUCTION_NAMES
+from gcrules.algebra.letter_forms import FORMS
 from gcrules.algebra.names import step_name
 from gcrules.apps.repl.help import TOPICS
 from gcrules.apps.repl.reading import first_word, split_command
 from gcrules.apps.repl.state import PromptState
-from gcrules.apps.repl.tables import COMMANDS, RELATIONS, RULE_WORDS, STATEMENTS, SYMBOLS, meant
+from gcrules.apps.repl.tables import COMMANDS, RELATIONS, RULE_WORDS, STATEMENTS, SYMBOLS, WORDS, meant
 from gcrules.core.dataclass import dataclass
 
 __all__ = ["Completion", "candidates"]
@@ -85,7 +86,7 @@ def _words(before: str, state: PromptState) -> Iterator[Completion]:
     if word and (start in ("given", "claim") or re.search(r"\bif\b", before)) and start != word:
         yield from _starting(word, dict.fromkeys(RELATIONS, ""))
     elif len(word) > 1:
-        yield from _starting(word, {f"{n}(": CONSTRUCTIONS[n].meaning for n in CONSTRUCTIONS})
+        yield from _starting(word, {f"{n}(": WORDS[n][1] for n in CONSTRUCTION_NAMES})
     yield from _names(before, state)
 
 
@@ -98,7 +99,7 @@ def _names(before: str, state: PromptState) -> Iterator[Completion]:
         dict.fromkeys(at.points, "a point")
         | dict.fromkeys(at.ideal, "at infinity")
         | {n: step_name(step, at.rank) for n, step in at.letters.items()}
-        | dict.fromkeys(at.conics, "a conic")
+        | dict.fromkeys(at.conics, f"a {FORMS[at.rank].word}")
         | {n: f"= {e}" for n, e in _bound(state)}
     )
     for begin in range(max(1, len(word) - 1)):

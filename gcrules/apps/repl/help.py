@@ -27,6 +27,11 @@ _MORE: Mapping[str, str] = {
         "conic K\nLast in words about conics:  polar(p, K),  pole(ab, K),  given incident(a, K), then tangent(a, K)\n"
         "K is the conic through five points without names, and no pair of lines."
     ),
+    "quadric": (
+        "quadric Q\nLast in words about quadrics:  polar(p, Q),  polar(ab, Q),  pole(abc, Q),  touches(ab, Q),\n"
+        "given incident(a, Q), then tangent(a, Q) and second_on_quadric(p, a, Q)\n"
+        "Q is any quadric of space, real or not, that is not a cone."
+    ),
     "let": "let p = ab /\\ cde",
     "claim": (
         'claim "two forms": ab /\\ cd == [abcd]\nAn equation without `claim` is decided too, but not saved.\n'

@@ -4,13 +4,13 @@ the same tables.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 
 from gcrules.algebra.discovery.limits import RELATIONS as DISCOVERED
-from gcrules.algebra.language.relations import OF_CONICS as RELATIONS_OF_CONICS
-from gcrules.algebra.language.relations import RELATION_NAMES
+from gcrules.algebra.language.letter_words import CONSTRUCTIONS_OF_LETTERS, RELATIONS_OF_LETTERS
+from gcrules.algebra.language.relations import INCIDENCES, RELATION_NAMES
 from gcrules.algebra.language.relations import RELATIONS as METRIC_RELATIONS
-from gcrules.algebra.language.words import CONSTRUCTIONS, METRICS, OF_CONICS
+from gcrules.algebra.language.words import CONSTRUCTIONS, METRICS, Word
 from gcrules.algebra.letters import LETTERS
 from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import InputError
@@ -48,6 +48,7 @@ STATEMENTS: Mapping[str, tuple[str, str]] = {
     "plane": ("plane NAMES", "letters that stand for planes"),
     "hyperplane": ("hyperplane NAMES", "letters that stand for hyperplanes, of one step less than the rank"),
     "conic": ("conic NAMES", "in the plane: letters that stand for conics, of which words speak: polar(p, K)"),
+    "quadric": ("quadric NAMES", "in space: letters that stand for quadrics, of which words speak: polar(p, Q)"),
     "given": ("given collinear(a, b, c), …", "what is assumed: relations of points, lines and planes, LHS == RHS too"),
     "let": ("let NAME = EXPR", "a name for an expression"),
     "claim": ('claim ["label":] LHS == RHS', "an equation, or a relation, to prove and to save"),
@@ -59,11 +60,26 @@ STATEMENTS: Mapping[str, tuple[str, str]] = {
 
 RULE_WORDS = ("if", "source", "fires", "silent")
 RELATIONS = (*RELATION_NAMES, "ideal", *METRICS, *LETTERS)
-_OF_CONICS = {**OF_CONICS, **RELATIONS_OF_CONICS}
-WORDS: Mapping[str, tuple[str, str]] = {
-    w.name: (w.usage, "; ".join((w.meaning, *(f"{k.usage}: {k.meaning}" for k in [_OF_CONICS.get(w.name)] if k))))
-    for w in (*CONSTRUCTIONS.values(), *METRIC_RELATIONS.values())
-}
+
+
+def _words() -> Iterator[Word]:
+    """Each word as often as it has a meaning, first without letters for conics and quadrics."""
+    for words in (CONSTRUCTIONS, METRIC_RELATIONS):
+        yield from words.values()
+    for some in (CONSTRUCTIONS_OF_LETTERS, RELATIONS_OF_LETTERS):
+        for words in some.values():
+            yield from (w for w in words.values() if w.name not in INCIDENCES)
+
+
+def _described(words: Iterable[Word]) -> Iterator[tuple[str, tuple[str, str]]]:
+    found: dict[str, list[Word]] = {}
+    for w in words:
+        found.setdefault(w.name, []).append(w)
+    for name, (first, *others) in found.items():
+        yield name, (first.usage, "; ".join((first.meaning, *(f"{w.usage}: {w.meaning}" for w in others))))
+
+
+WORDS: Mapping[str, tuple[str, str]] = dict(_described(_words()))
 """How each word with arguments is written and what it is, but for the relations of incidence."""
 
 

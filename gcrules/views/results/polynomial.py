@@ -48,10 +48,10 @@ def _of_letters(p: BracketPolynomial | ExtensorPolynomial, unicode: bool, short:
     """In whole letters where that can be; a comment says what points are shown of others."""
     e = in_letters(p, short=short)
     shown = expression_text(e, unicode=unicode, names=[n for n in p.points if not marked(n)])
-    return "  # ".join([shown, *filter(None, [points_shown(shown)])])
+    return "  # ".join([shown, *filter(None, [points_shown(shown, p.rank)])])
 
 
-def points_shown(shown: str) -> str:
+def points_shown(shown: str, rank: int = 4) -> str:
     """What the points of letters are that a text shows: "L = L₁ ∨ L₂", for each letter.
 
     >>> points_shown("[abc L₁]")
@@ -59,8 +59,13 @@ def points_shown(shown: str) -> str:
     """
     names = _MARKED.findall(shown)
     told = [f"{name} = {' ∨ '.join(names_of(name, step))}" for name, step in letters_of(names).items()]
-    told += [f"{name} is the conic through {listed(conic_points(name))}" for name in conics_of(names)]
+    told += [_through(name, rank) for name in conics_of(names)]
     return f"{', '.join(told)}, whichever points of {'it' if len(told) == 1 else 'them'} these are" if told else ""
+
+
+def _through(name: str, rank: int) -> str:
+    points = listed(conic_points(name, rank))
+    return f"{name} is the conic through {points}" if rank == 3 else f"a tetrahedron on {name} has the corners {points}"
 
 
 _MARKED = re.compile(r"[A-Za-z][A-Za-z0-9_]*'*(?:[₁-₉]+|[¹²³⁴⁵])")

@@ -7,11 +7,11 @@ from fractions import Fraction
 from math import gcd, lcm
 from typing import Any
 
-from gcrules.algebra import conics
 from gcrules.algebra.evaluate import evaluate, plucker
 from gcrules.algebra.expr import Point
 from gcrules.algebra.language.text import text as expression_text
-from gcrules.algebra.letters import conic_points, conics_of, letter, letters_of, marked
+from gcrules.algebra.letter_forms import FORMS, coefficients
+from gcrules.algebra.letters import conics_of, letter, letters_of, marked
 from gcrules.algebra.prove import Proof, number_text
 from gcrules.views.formulas import latex as formulas
 from gcrules.views.results.polynomial import points_shown
@@ -60,19 +60,20 @@ def _coordinates(points: Mapping[str, Sequence[Any]], rank: int) -> Iterator[tup
         kind = "coordinates of the hyperplane" if step == rank - 1 else "Plücker coordinates"
         yield name, f"{number_text(value)}, {_KINDS.get((step, rank), kind)}"
     for name in conics_of(points):
-        yield name, f"{number_text(_form(name, points))}, coefficients of x², y², z², yz, zx and xy"
+        yield name, f"{number_text(_form(name, points, rank))}, coefficients of {_SQUARES[rank]}"
     yield from ((name, number_text(tuple(c))) for name, c in points.items() if not marked(name))
 
 
-def _form(name: str, points: Mapping[str, Sequence[Any]]) -> tuple[Any, ...]:
-    """The coefficients of the form of a conic letter, without a common factor."""
-    form = conics.value(Point("x"), *map(Point, conic_points(name)))
-    found = conics.coefficients(lambda p: evaluate(form, {**points, "x": p}))
+def _form(name: str, points: Mapping[str, Sequence[Any]], rank: int) -> tuple[Any, ...]:
+    """The coefficients of the form of a letter for a conic or a quadric, without a common factor."""
+    form = FORMS[rank].value(Point("x"), *FORMS[rank].own(name))
+    found = coefficients(lambda p: evaluate(form, {**points, "x": p}), rank)
     common = Fraction(gcd(*(c.numerator for c in found)), lcm(*(c.denominator for c in found)))
     sign = -1 if next(c for c in found if c) < 0 else 1
     return tuple(int(sign * c / common) for c in found)
 
 
+_SQUARES = {3: "x², y², z², yz, zx and xy", 4: "x², y², z², w², yz, zx, xy, xw, yw and zw"}
 _OF = ("these coordinates", "the coordinates of the points, and where the letters go with them")
 _KINDS = {(2, 3): "coordinates of the line", (3, 4): "coordinates of the plane"}
 
@@ -86,7 +87,7 @@ def conditions(proof: Proof) -> list[str]:
     of = ", in the claim that it is the dual of" if proof.dual else ""
     lines = [f"  assumed not to vanish{of}: {', '.join(shown)}"] if shown else []
     told = ", ".join((*proof.assumed, *(e for k in proof.kinds for e in (*k.where, *k.assumed))))
-    lines += [f"  where {points}" for points in filter(None, [points_shown(told)])]
+    lines += [f"  where {points}" for points in filter(None, [points_shown(told, proof.rank)])]
     lines += [
         f"  at all positions that this speaks of {a} and {b} coincide, which the assumptions do not say"
         for a, b in proof.together

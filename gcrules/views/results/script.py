@@ -36,7 +36,7 @@ def shown(r: ShowResult, *, unicode: bool = False) -> str:
         return f"line {r.line}: undecided: {_shortened(r.label)}\n    {r.reason}"
     e, names = in_letters(r.polynomial), [n for n in (*r.names, *r.polynomial.points) if not marked(n)]
     expansion = expression_text(e, unicode=unicode, names=names)
-    expansion = "  # ".join([expansion, *filter(None, [polynomial.points_shown(expansion)])])
+    expansion = "  # ".join([expansion, *filter(None, [polynomial.points_shown(expansion, r.polynomial.rank)])])
     return f"line {r.line}: {_shortened(r.label)} = {expansion}"
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from gcrules.algebra.language.words import CONSTRUCTIONS
+from gcrules.algebra.language.letter_words import CONSTRUCTION_NAMES
 from gcrules.apps.repl.tables import COMMANDS, OPERATIONS, QUESTIONS, RELATIONS, STATEMENTS, WORDS
 
 __all__ = ["BENCH_COMMANDS", "BENCH_CONSTRUCTIONS", "BENCH_OPERATIONS", "BENCH_RELATIONS", "BENCH_WORDS"]
@@ -20,7 +20,7 @@ BENCH_WORDS = (
 BENCH_OPERATIONS = OPERATIONS
 """How an operation is written, and what it is; from the tightest to the loosest."""
 
-BENCH_CONSTRUCTIONS = tuple(CONSTRUCTIONS)
+BENCH_CONSTRUCTIONS = CONSTRUCTION_NAMES
 """The words of expressions that have arguments."""
 
 BENCH_RELATIONS = RELATIONS
