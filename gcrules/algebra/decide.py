@@ -14,17 +14,18 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
+from gcrules.algebra.combinations import without_given
 from gcrules.algebra.duality import Dual, dual_of
 from gcrules.algebra.evaluate import vanishes
 from gcrules.algebra.expand import MAX_TERMS
-from gcrules.algebra.expr import points_of
+from gcrules.algebra.expr import ZERO, Expr, points_of
 from gcrules.algebra.language.relations import Claimed, parse_claim
 from gcrules.algebra.language.statements import parse_assumption
 from gcrules.algebra.language.syntax import Context
 from gcrules.algebra.language.text import text
 from gcrules.algebra.letter_forms import FORMS
 from gcrules.algebra.letters import conics_of, declarations, letter_of, letters_of, marks_in, named_letter
-from gcrules.algebra.prove import Proof, prove
+from gcrules.algebra.prove import Proof, difference_of, prove
 from gcrules.algebra.seated import Seated, seated
 from gcrules.algebra.space import Assumption, Space
 from gcrules.core.english import listed
@@ -33,6 +34,7 @@ from gcrules.core.errors import GcrulesError, InputError
 __all__ = ["decide"]
 
 _VERDICTS = ("refuted", "undecided", "proved")
+_SUMMED = "both sides differ by a sum of multiples of what is given, which vanishes"
 _UNSAID = "both sides are equal, but where something does not vanish that the letters do not determine"
 
 
@@ -131,10 +133,12 @@ def _decided(claimed: Claimed, at: Space, limit: int, placed: Seated | None = No
         if vanishes(r.expr, rank=at.rank, ideal=at.ideal, samples=2):
             raise InputError(f"{r.text} vanishes at all positions")
     nonzero = (*claimed.nonzero, *(r.expr for r in claimed.required))
-    parts = []
+    parts: list[Proof] = []
     for left, right in claimed.equations:
+        summed = _summed(left, right, at, limit) if placed is not None and placed.generic else None
         parts.append(
-            prove(
+            summed
+            or prove(
                 left,
                 right,
                 points=at.points,
@@ -151,6 +155,15 @@ def _decided(claimed: Claimed, at: Space, limit: int, placed: Seated | None = No
             break
     found = _told(_together(parts), claimed, at)
     return replace(found, dual=claimed.dual, relation=claimed.relation, parts=tuple(parts) if len(parts) > 1 else ())
+
+
+def _summed(left: Expr, right: Expr, at: Space, limit: int) -> Proof | None:
+    """The proof that both sides differ by numbers times what is given, without conditions; None where they do not."""
+    rest = without_given(difference_of(left, right, at.rank), at)
+    found = None if rest is None else prove(rest, ZERO, points=at.points, ideal=at.ideal, rank=at.rank, limit=limit)
+    if found is None or not found.proved:
+        return None
+    return replace(found, left=left, right=right, given=at.given, reason=_SUMMED)
 
 
 def _together(parts: Sequence[Proof]) -> Proof:

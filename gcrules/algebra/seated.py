@@ -146,6 +146,7 @@ def seated(claimed: Claimed, at: Space) -> Seated:
     """The claim, of conics that are no pairs of lines and quadrics that are no cones, with points that are given on
     them in place of their own.
     """
+    at = replace(at, given=tuple(a for given in at.given for a in _resolved(given, at)))
     sides = (e for pair in claimed.equations for e in pair)
     names = points_of(*sides, *_expressions(at.given), *claimed.nonzero)
     letters, form = conics_of(names), FORMS[at.rank]
@@ -177,6 +178,21 @@ def seated(claimed: Claimed, at: Space) -> Seated:
 
 def _expressions(given: Iterable[Assumption]) -> tuple[Expr, ...]:
     return tuple(e for a in given for e in (*a.args, *a.also, *a.exists))
+
+
+def _resolved(a: Assumption, at: Space) -> Iterable[Assumption]:
+    """That a point is on the polar line of a line as what is said of two points of that: it is on their polar planes."""
+    if at.rank == _SPACE and a.kind == "incident" and {e.step for e in a.args} == {1, 2}:
+        point, line = sorted(a.args, key=lambda e: e.step)
+        names = points_of(line)
+        for letter in conics_of(names):
+            own = FORMS[_SPACE].own(letter)
+            for two in combinations(map(Point, (n for n in names if conic_of(n) is None)), 2):
+                flats = [ex.join(*some, rank=_SPACE) for some in (two, two[::-1])]
+                if line in [quadric_forms.polar_line(flat, *own) for flat in flats]:
+                    both = (replace(a, args=(point, FORMS[_SPACE].polar(p, *own))) for p in two)
+                    return [replace(one, exists=(*one.exists, flats[0])) for one in both]
+    return [a]
 
 
 def _moved(a: Assumption, put: Callable[[Expr], Expr]) -> Assumption:

@@ -14,6 +14,7 @@ from itertools import combinations
 import pytest
 from places import EXAMPLES
 from rules.metric_positions import METRIC
+from rules.quadric_positions import QUADRICS
 from rules.theorem_positions import POSITIONS, Position, cross, det, drawn, grid, vector
 
 from gcrules.algebra.assumptions.assumed import equations
@@ -26,7 +27,7 @@ from gcrules.rules.script import run_script
 
 THEOREMS = sorted((EXAMPLES / "theorems").glob("*.gca"))
 NAMES = [p.stem for p in THEOREMS]
-PLACED = POSITIONS | METRIC
+PLACED = POSITIONS | METRIC | QUADRICS
 
 # --- the theorems there ---------------------------------------------------------------------------------------------
 
