@@ -3,8 +3,8 @@ r"""A claim as a sum of numbers times what is given: then it holds wherever that
 >>> from gcrules.algebra.language.statements import parse_assumption
 >>> at = parse_assumption("[abcd] == [abce], [abcf] == [abce]")
 >>> from gcrules.algebra.language.syntax import parse
->>> print(without_given(parse("[abcd] - [abcf]"), at))
-[abcd] - [abcf] - ([abcd] - [abce]) + [abcf] - [abce]
+>>> print(given_part(parse("[abcd] - [abcf]"), at))
+[abcd] - [abce] - ([abcf] - [abce])
 """
 
 from __future__ import annotations
@@ -20,15 +20,15 @@ from gcrules.algebra.expr import Expr, Number, points_of
 from gcrules.algebra.space import Space
 from gcrules.core.linear_algebra import kernel
 
-__all__ = ["without_given"]
+__all__ = ["given_part"]
 
 _MORE = 4  # positions beyond as many as there are numbers
 _SIZE = 50  # of coordinates
 
 
-def without_given(e: Expr, at: Space) -> Expr | None:
-    """A scalar minus what is given, times numbers: zero at some positions more than it takes to find these; that it is
-    zero everywhere is left to be proved. None where there are no such numbers.
+def given_part(e: Expr, at: Space) -> Expr | None:
+    """Numbers times what is given that a scalar equals at some positions more than it takes to find them; that it does
+    everywhere is left to be proved. None where there are no such numbers.
     """
     given = [g for a in at.given for g in equations(a, at.rank) if not g.step]
     if e.step or not given:
@@ -37,8 +37,8 @@ def without_given(e: Expr, at: Space) -> Expr | None:
     found = next((v for v in kernel(rows, len(given) + 1) if v[0]), None)
     if found is None:
         return None
-    shares = [Fraction(k) / Fraction(found[0]) for k in found[1:]]
-    return ex.add(e, *(ex.mul(Number(k), g) for k, g in zip(shares, given, strict=True) if k), rank=at.rank)
+    shares = [-Fraction(k) / Fraction(found[0]) for k in found[1:]]
+    return ex.add(*(ex.mul(Number(k), g) for k, g in zip(shares, given, strict=True) if k), rank=at.rank)
 
 
 def _values(es: list[Expr], at: Space) -> Iterator[tuple[Fraction, ...]]:

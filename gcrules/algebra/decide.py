@@ -14,7 +14,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from gcrules.algebra.combinations import without_given
+from gcrules.algebra.combinations import given_part
 from gcrules.algebra.duality import Dual, dual_of
 from gcrules.algebra.evaluate import vanishes
 from gcrules.algebra.expand import MAX_TERMS
@@ -35,7 +35,7 @@ __all__ = ["decide"]
 
 _VERDICTS = ("refuted", "undecided", "proved")
 _SUMMED = "both sides differ by a sum of multiples of what is given, which vanishes"
-_UNSAID = "both sides are equal, but where something does not vanish that the letters do not determine"
+_UNSAID = "both sides are equal where something does not vanish that cannot be said without the corners of {}"
 
 
 def decide(claimed: Claimed, at: Space, *, limit: int = MAX_TERMS) -> Proof:
@@ -116,7 +116,13 @@ def _about_conics(claimed: Claimed, at: Space, limit: int) -> Proof:
     told |= dict(zip(found.assumed, found.meanings or [""] * len(found.assumed), strict=True))
     if placed.generic and any(map(marks_in, (*told, *map(str, found.kinds)))):
         return replace(
-            found, verdict="undecided", method="random-points", reason=_UNSAID, assumed=(), meanings=(), kinds=()
+            found,
+            verdict="undecided",
+            method="random-points",
+            reason=_UNSAID.format(listed(conics_of(_names(claimed, at)))),
+            assumed=(),
+            meanings=(),
+            kinds=(),
         )
     return replace(found, assumed=tuple(told), meanings=tuple(told.values()))
 
@@ -159,11 +165,12 @@ def _decided(claimed: Claimed, at: Space, limit: int, placed: Seated | None = No
 
 def _summed(left: Expr, right: Expr, at: Space, limit: int) -> Proof | None:
     """The proof that both sides differ by numbers times what is given, without conditions; None where they do not."""
-    rest = without_given(difference_of(left, right, at.rank), at)
-    found = None if rest is None else prove(rest, ZERO, points=at.points, ideal=at.ideal, rank=at.rank, limit=limit)
-    if found is None or not found.proved:
+    difference = difference_of(left, right, at.rank)
+    part = given_part(difference, at)
+    if part is None or part == ZERO:
         return None
-    return replace(found, left=left, right=right, given=at.given, reason=_SUMMED)
+    found = prove(difference, part, points=at.points, ideal=at.ideal, rank=at.rank, limit=limit)
+    return replace(found, left=left, right=right, given=at.given, reason=_SUMMED) if found.proved else None
 
 
 def _together(parts: Sequence[Proof]) -> Proof:

@@ -181,7 +181,7 @@ def _expressions(given: Iterable[Assumption]) -> tuple[Expr, ...]:
 
 
 def _resolved(a: Assumption, at: Space) -> Iterable[Assumption]:
-    """That a point is on the polar line of a line as what is said of two points of that: it is on their polar planes."""
+    """That a point is on the polar line of a line, as that it is on the polar planes of two points of this."""
     if at.rank == _SPACE and a.kind == "incident" and {e.step for e in a.args} == {1, 2}:
         point, line = sorted(a.args, key=lambda e: e.step)
         names = points_of(line)

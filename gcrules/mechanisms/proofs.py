@@ -10,8 +10,10 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
+from functools import partial
 from typing import Any
 
+from gcrules.algebra.combinations import given_part
 from gcrules.algebra.evaluate import vanishes
 from gcrules.algebra.expr import Expr, Number, add, mul
 from gcrules.algebra.factoring.forms import Factors
@@ -22,7 +24,7 @@ from gcrules.algebra.proofs.proof_file import Absence, LeftOut, ProofFile
 from gcrules.algebra.proofs.theorem import Theorem, theorem
 from gcrules.algebra.prove import Proof, difference_of
 from gcrules.algebra.shortening.result import Shortening
-from gcrules.algebra.space import Assumption
+from gcrules.algebra.space import Assumption, Space
 from gcrules.algebra.structure import Structure
 from gcrules.conditions.analysis import Analysis
 from gcrules.conditions.transversals import Transversals
@@ -117,19 +119,25 @@ def _proved(title: str, claims: Iterable[_Said]) -> ProofFile:
 
 def _multiple_of_given(claim: _Claim) -> Theorem | None:
     """The identity of which a claim under assumptions is a case: its sides differ by a multiple of something that is
-    given. None where there is none, or no proof of it.
+    given, or by numbers times several such things. None where there is none, or no proof of it.
     """
     difference = difference_of(claim.left, claim.right, claim.rank)
     name = f"{claim.name}, up to a multiple of what is given"
-    for a in claim.given:
+    space = Space(claim.rank, (), tuple(claim.ideal), tuple(claim.given))
+    zeros = (a.args[0] for a in claim.given if a.kind == "zero")
+    for part in (*(partial(_times, difference, e, claim) for e in zeros), partial(given_part, difference, space)):
         try:
-            found = cofactor(difference, a.args[0], claim.rank, claim.ideal) if a.kind == "zero" else None
-            if found is not None:
-                right = add(claim.right, mul(found, a.args[0]), rank=claim.rank)
+            if (found := part()) is not None:
+                right = add(claim.right, found, rank=claim.rank)
                 return theorem(name, claim.left, right, ideal=claim.ideal, rank=claim.rank)
         except (InputError, LimitReached):
             continue
     return None
+
+
+def _times(difference: Expr, given: Expr, claim: _Claim) -> Expr | None:
+    found = cofactor(difference, given, claim.rank, claim.ideal)
+    return None if found is None else mul(found, given)
 
 
 def _everywhere(claim: _Claim) -> bool:

@@ -336,6 +336,11 @@ VERDICTS = [
     ("on_quadric(a, b, c, d, e, f, Q)", "[abcd][abef] == 0", "refuted"),
     ("quadric R, on_quadric(a, b, Q), on_quadric(a, b, R)", "incident(a, polar(b, R))", "refuted"),
     ("", "[ab polar(cd, Q)] + [ac polar(db, Q)] + [ad polar(bc, Q)] == 0", "proved"),
+    ("[ab polar(cd, Q)] == 0, [ac polar(bd, Q)] == 0", "[ad polar(bc, Q)] == 0", "proved"),
+    ("[ab polar(cd, Q)] == 0, [ac polar(be, Q)] == 0", "[ad polar(bc, Q)] == 0", "refuted"),
+    ("line L, incident(p, polar(L, Q))", "incident(L, polar(p, Q))", "proved"),
+    ("incident(c, polar(ab, Q))", "[ab polar(ac, Q)] == 0", "proved"),
+    ("incident(c, polar(ab, Q))", "[bc polar(ac, Q)] == 0", "refuted"),
     ("", "a pole(bcd, Q) - b pole(acd, Q) + c pole(abd, Q) - d pole(abc, Q) == 0", "proved"),
     ("", "a pole(bcd, Q) - b pole(acd, Q) + c pole(abd, Q) + d pole(abc, Q) == 0", "refuted"),
 ]
@@ -375,6 +380,22 @@ CONDITIONS = [
     (f"{LINE_ON}, incident(p, ab)", "incident(p, Q)", {"ab"}),
     ("on_quadric(a, b, Q), incident(p, ab)", "incident(polar(ab, Q), polar(p, Q))", {"b \\/ polar(a, Q)"}),
 ]
+
+
+def test_a_sum_of_what_is_given_asks_for_no_conditions() -> None:
+    given = "[ab polar(cd, Q)] == 0, [ac polar(bd, Q)] == 0"
+    found = gc.prove("[ad polar(bc, Q)] == 0", given=given, letters="quadric Q")
+    assert found.reason.startswith("both sides of its equation differ by a sum of multiples of what is given")
+    assert found.assumed == ("polar(bc, Q)",)
+
+
+def test_conditions_that_cannot_be_said_leave_a_claim_undecided() -> None:
+    """Where the two planes on which d is are one, d can be any of their points."""
+    given = "[ab polar(cd, Q)] == 0, [ac polar(bd, Q)] == 0"
+    found = gc.prove("[ad polar(bc, Q)] quadric(e, Q) == 0", given=given, letters="quadric Q")
+    assert found.verdict == "undecided"
+    assert found.reason.endswith("that cannot be said without the corners of Q")
+    assert (found.assumed, found.kinds) == ((), ())
 
 
 @pytest.mark.parametrize(("given", "claim", "expected"), CONDITIONS)
