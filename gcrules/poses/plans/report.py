@@ -68,9 +68,9 @@ class Plan(Shown):
     or at the samples of the path, and so are its limits (`limits_proved`). Where a margin was named and is proved of no
     way, the outcome is undecided, and `poses` and `path` are those of the best one that was found.
     A way out, with an `end_margin`, has `asked` at its end only; where none is found there is no `goal`. That there is
-    none between two poses is proved by what is `opposed`. It is of this `mechanism`, of a robot whose limbs are six legs
-    by its platform. `length` is how long the way is, lengths in parts of the
-    robot's `size`, angles in rad, and `straight` that from start to goal.
+    none between two poses is proved by what is `opposed`. It is of this `mechanism`, of a robot whose limbs are six
+    legs by its platform. `length` is how long the way is, lengths in parts of the robot's `size`, angles in rad, and
+    `straight` that from start to goal.
     """
 
     title: str
