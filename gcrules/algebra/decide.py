@@ -26,6 +26,7 @@ from gcrules.algebra.language.text import text
 from gcrules.algebra.letter_forms import FORMS
 from gcrules.algebra.letters import conics_of, declarations, letter_of, letters_of, marks_in, named_letter
 from gcrules.algebra.prove import Proof, difference_of, prove
+from gcrules.algebra.screw_letters import screw_of, screws_of
 from gcrules.algebra.seated import Seated, seated
 from gcrules.algebra.space import Assumption, Space
 from gcrules.core.english import listed
@@ -53,7 +54,8 @@ def decide(claimed: Claimed, at: Space, *, limit: int = MAX_TERMS) -> Proof:
         if of_points.proved:
             written = claimed.relation or _written(claimed)
             given = tuple(dict.fromkeys(a.text for a in at.given))
-            letters = declarations(letters_of(sorted(_names(claimed, at))), at.rank)
+            names = sorted(_names(claimed, at))
+            letters = declarations(letters_of(names), at.rank, screws_of(names))
             return replace(of_points, relation=written, dual=Dual(letters, given, (written,)))
     return found
 
@@ -72,7 +74,7 @@ def _of_points(claimed: Claimed, at: Space) -> tuple[Claimed, Space] | None:
     """
     names = _names(claimed, at)
     steps = letters_of(names)
-    alone = all(letter_of(n) is not None for n in names) and set(steps.values()) == {at.rank - 1}
+    alone = all(letter_of(n) or screw_of(n) for n in names) and set(steps.values()) == {at.rank - 1}
     made = (*claimed.nonzero, *(e for a in at.given for e in a.exists))  # a letter is never zero, as a point is not
     special = at.ideal or claimed.required or claimed.dual or any(a.also for a in at.given)
     if not alone or special or any(named_letter(e) is None for e in made):
@@ -81,8 +83,8 @@ def _of_points(claimed: Claimed, at: Space) -> tuple[Claimed, Space] | None:
         relation = Assumption(claimed.kind, claimed.args, claimed.relation) if claimed.kind else None
         other = dual_of(claimed.equations, relation, at.given, at.rank)
         space = Context(at.rank)
-        for given in other.given:
-            space = parse_assumption(given, space)
+        for said in (*other.letters, *other.given):
+            space = parse_assumption(said, space)
         claims = [parse_claim(one, space) for one in other.claims]
     except GcrulesError:
         return None

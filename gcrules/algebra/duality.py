@@ -2,7 +2,8 @@ r"""Duality: points and hyperplanes change places, and with them joins and meets
 
 A linear map from points to hyperplanes that takes a basis of unit volume to hyperplanes whose meet is 1 takes joins to
 meets, meets to joins and brackets to meets, without signs. So a claim holds of all points exactly where its dual holds
-of all hyperplanes; a letter of step k, in rank d, becomes one of step d - k of the same name.
+of all hyperplanes; a letter of step k, in rank d, becomes one of step d - k of the same name, and a screw
+of space, whose Plücker coordinates change places, a screw.
 
 >>> from gcrules.algebra.language.syntax import parse
 >>> print(dual(parse("ab /\\ cd", rank=3), 3))
@@ -20,6 +21,7 @@ from gcrules.algebra.expr import Expr
 from gcrules.algebra.language.text import text
 from gcrules.algebra.letters import declarations, letter, letter_of, letters_of, named_letter, wholes
 from gcrules.algebra.names import point_key
+from gcrules.algebra.screw_letters import Screw, screw_of, screws_of
 from gcrules.algebra.space import Assumption
 from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import InputError
@@ -50,6 +52,8 @@ def dual(e: Expr, rank: int) -> Expr:
         case ex.Meet(args=args):
             parts = [dual(a, rank) for a in args]
             return ex.join(*parts, rank=rank) if e.step else scalars.bracket(*parts, rank=rank)
+        case Screw():
+            return e
         case ex.Sum(terms=terms):
             return ex.add(*(dual(t, rank) for t in terms), rank=rank)
         case ex.Product(factors=factors):
@@ -79,7 +83,7 @@ def _duals(args: Sequence[Expr], rank: int) -> Iterator[Expr]:
     """The duals of what is joined, of letters as a whole."""
     for part in wholes(args):
         name = named_letter(part)
-        if name is not None:
+        if name is not None and not isinstance(part, Screw):
             yield _named(name, rank - part.step)
         else:
             assert not isinstance(part, ex.Point) or letter_of(part.name) is None, "a point of a letter stands alone"
@@ -98,11 +102,12 @@ def dual_of(
     Raises InputError for what has no dual in the language.
     """
     written = (*(e for pair in sides for e in pair), *(e for a in given for e in a.args))
-    names = {n: rank - 1 for n in ex.points_of(*written) if letter_of(n) is None}
-    names |= {n: rank - step for n, step in letters_of(ex.points_of(*written)).items()}
+    points = ex.points_of(*written)
+    names = {n: rank - 1 for n in points if letter_of(n) is None and screw_of(n) is None}
+    names |= {n: rank - step for n, step in letters_of(points).items()} | dict.fromkeys(screws := screws_of(points), 2)
     claims = _said(relation, rank) if relation else [_equation(*pair, rank) for pair in sides]
     return Dual(
-        declarations({n: k for n, k in sorted(names.items(), key=_by_name) if k > 1}, rank),
+        declarations({n: k for n, k in sorted(names.items(), key=_by_name) if k > 1}, rank, screws),
         tuple(dict.fromkeys(one for a in given for one in _said(a, rank))),
         tuple(claims),
     )

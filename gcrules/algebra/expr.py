@@ -293,7 +293,7 @@ def meet(*args: Expr, rank: int = 4) -> Expr:
 
 def add(*terms: Expr, rank: int = 4) -> Expr:
     """The sum of expressions of equal step. Raises StepError for unlike steps."""
-    flat = list(chain.from_iterable(t.terms if isinstance(t, Sum) else (t,) for t in terms))
+    flat = list(chain.from_iterable(t.terms if type(t) is Sum else (t,) for t in terms))
     rest = [t for t in flat if not isinstance(t, Number)]
     constant = Number(sum((t.value for t in flat if isinstance(t, Number)), 0))
     if constant != ZERO:
@@ -313,7 +313,7 @@ def neg(e: Expr) -> Expr:
 
 def signed(sign: int, e: Expr) -> Expr:
     """sign · e, a minus sign written into the terms of a sum."""
-    return add(*map(neg, e.terms)) if sign == -1 and isinstance(e, Sum) else mul(Number(sign), e)
+    return add(*map(neg, e.terms)) if sign == -1 and type(e) is Sum else mul(Number(sign), e)
 
 
 def sub(a: Expr, b: Expr, rank: int = 4) -> Expr:

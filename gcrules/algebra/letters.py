@@ -3,8 +3,9 @@ r"""Letters that stand for lines, planes and hyperplanes: each is the join of po
 A line L is L₁ ∨ L₂, a plane P of space P₁₃ ∨ P₂₃ ∨ P₃₃: of a letter of step k the i-th point is marked by i, and by k
 behind it where k is not 2. So every line is reached, and only lines are: the Plücker coordinates of a join satisfy the
 quadratic relation. Nobody can write the names of these points, and where all of them stand side by side the letter is
-printed. A conic K of the plane is the one through five points K¹, …, K⁵ without names, and of a quadric Q of space a
-tetrahedron with the corners Q¹, …, Q⁴ is on it (see `quadric_forms`).
+printed. A conic K of the plane is the one through five points K¹, …, K⁵ without names, of a quadric Q of space a
+tetrahedron with the corners Q¹, …, Q⁴ is on it (`quadric_forms`), and a screw of space is a sum of two lines
+(`screw_letters`).
 
 >>> str(letter("L", 2)), grouped(("a", *names_of("L", 2), "b"))
 ('L', ('a', 'L', 'b'))
@@ -14,10 +15,11 @@ tetrahedron with the corners Q¹, …, Q⁴ is on it (see `quadric_forms`).
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 
 from gcrules.algebra.expr import Expr, Join, Point
 from gcrules.algebra.names import NAME, step_name
+from gcrules.algebra.screw_letters import SCREW_MARKS, Screw, screw, screw_of
 from gcrules.core.english import with_article
 from gcrules.core.errors import InputError
 
@@ -25,12 +27,14 @@ __all__ = [
     "CONIC",
     "LETTERS",
     "QUADRIC",
+    "SCREW",
     "conic_of",
     "conic_points",
     "conics_of",
     "declarations",
     "grouped",
     "letter",
+    "letter_name",
     "letter_of",
     "letter_step",
     "letters_of",
@@ -43,32 +47,38 @@ __all__ = [
     "wholes",
 ]
 
-CONIC = "conic"
-QUADRIC = "quadric"
-LETTERS = ("line", "plane", "hyperplane", CONIC, QUADRIC)
+CONIC, QUADRIC, SCREW = "conic", "quadric", "screw"
+LETTERS = ("line", "plane", "hyperplane", CONIC, QUADRIC, SCREW)
 """The words that declare letters of other steps than that of a point, of conics and of quadrics."""
 
 _WORDS = {2: "line", 3: "plane"}
 _PLANE, _SPACE = 3, 4
 _OWN_POINTS = {_PLANE: 5, _SPACE: 4}
-_CURVED = {CONIC: (_PLANE, "a curve of the plane"), QUADRIC: (_SPACE, "a surface of space")}
+_OF_RANK = {
+    CONIC: (_PLANE, 0, "a conic is a curve of the plane"),
+    QUADRIC: (_SPACE, 0, "a quadric is a surface of space"),
+    SCREW: (_SPACE, 2, "a screw is a wrench or a twist of space"),
+}
+"""Letters of one rank: this rank, their step, and what they are."""
 
 _TO_MARKS = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
 _RAISED = "¹²³⁴⁵"
-_FROM_MARKS = {ord(mark): str(i) for i, mark in (*enumerate("₀₁₂₃₄₅₆₇₈₉"), *enumerate(_RAISED, 1))}
+_FROM_MARKS = {
+    ord(mark): str(i) for i, mark in (*enumerate("₀₁₂₃₄₅₆₇₈₉"), *enumerate(_RAISED, 1), *enumerate(SCREW_MARKS, 1))
+}
 _MARKS = "₁₂₃₄₅₆₇₈₉"
 
 
 def letter_step(kind: str, rank: int) -> int:
-    """The step of a line, a plane or a hyperplane, 0 for a conic or a quadric. Raises InputError where a rank has no
-    room for it.
+    """The step of a line, a plane, a hyperplane or a screw, 0 for a conic or a quadric. Raises InputError where a rank
+    has no room for it.
     """
-    if kind in _CURVED:
-        own, what = _CURVED[kind]
+    if kind in _OF_RANK:
+        own, step, what = _OF_RANK[kind]
         if rank != own:
             hint = f"`rank {own}` in a file, --rank {own} in the shell"
-            raise InputError(f"a {kind} is {what} (rank {own}); this is rank {rank}", hint=hint)
-        return 0
+            raise InputError(f"{what} (rank {own}); this is rank {rank}", hint=hint)
+        return step
     step = rank - 1 if kind == "hyperplane" else LETTERS.index(kind) + 2
     if not 2 <= step < rank:
         what = {rank: "the whole space", 1: "a point"}.get(step, "more than the whole space")
@@ -87,9 +97,14 @@ def names_of(name: str, step: int) -> tuple[str, ...]:
     return tuple(name + f"{i}{behind}".translate(_TO_MARKS) for i in range(1, step + 1))
 
 
-def letter(name: str, step: int) -> Expr:
-    """What a letter stands for."""
-    return Join(tuple(map(Point, names_of(name, step))))
+def letter(name: str, step: int, screws: Collection[str] = ()) -> Expr:
+    """What a letter stands for, which may be one of the `screws`."""
+    return screw(name) if name in screws else Join(tuple(map(Point, names_of(name, step))))
+
+
+def letter_name(name: str, step: int, screws: Collection[str], rank: int) -> str:
+    """What a letter is called: "a line (step 2)", "a screw (step 2)"."""
+    return "a screw (step 2)" if name in screws else step_name(step, rank)
 
 
 def letter_of(point: str) -> tuple[str, int, int] | None:
@@ -126,7 +141,7 @@ def marks_in(shown: str) -> bool:
 
 def marked(point: str) -> bool:
     """Whether a point belongs to a letter, so that nobody can write its name."""
-    return letter_of(point) is not None or conic_of(point) is not None
+    return letter_of(point) is not None or conic_of(point) is not None or screw_of(point) is not None
 
 
 def plain_name(point: str) -> str:
@@ -176,6 +191,8 @@ def letters_of(names: Iterable[str]) -> Mapping[str, int]:
 
 def named_letter(e: Expr) -> str | None:
     """The name of an expression that is a letter."""
+    if isinstance(e, Screw):
+        return e.name
     points = tuple(a.name for a in e.args if isinstance(a, Point)) if isinstance(e, Join) else ()
     if not isinstance(e, Join) or len(points) != len(e.args):
         return None
@@ -183,19 +200,20 @@ def named_letter(e: Expr) -> str | None:
     return found[0] if len(found) == 1 else None
 
 
-def declarations(steps: Mapping[str, int], rank: int) -> tuple[str, ...]:
-    """The texts that declare letters, each with its step. Raises InputError for steps that have no word.
+def declarations(steps: Mapping[str, int], rank: int, screws: Collection[str] = ()) -> tuple[str, ...]:
+    """The texts that declare letters, each with its step, and those of `screws` apart. Raises InputError for steps that
+    have no word.
 
-    >>> declarations({"L": 2, "P": 3, "M": 2}, 4)
-    ('line L M', 'plane P')
+    >>> declarations({"L": 2, "P": 3, "M": 2}, 4), declarations({"L": 2, "S": 2}, 4, ["S"])
+    (('line L M', 'plane P'), ('line L', 'screw S'))
     """
     found = []
-    for step in sorted(set(steps.values())):
-        names = " ".join(n for n, k in steps.items() if k == step)
+    for step in sorted({k for n, k in steps.items() if n not in screws}):
+        names = " ".join(n for n, k in steps.items() if k == step and n not in screws)
         if step > 3 and step != rank - 1:
             raise InputError(f"{names}: there are no letters that are {step_name(step, rank)} in rank {rank}")
         found.append(f"{_WORDS.get(step, 'hyperplane')} {names}")
-    return tuple(found)
+    return (*found, *([f"{SCREW} {' '.join(screws)}"] if screws else []))
 
 
 def split_letters(rows: Iterable[Sequence[str]]) -> Iterator[str]:

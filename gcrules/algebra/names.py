@@ -10,7 +10,7 @@ NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]*'*")
 """Of points, lines and planes."""
 NAMES_HINT = "names begin with a letter and go on with letters, digits or _, then primes: left, S1, A'"
 
-_IN_ORDER = str.maketrans("¹²³", "\u2071\u2072\u2073")  # before ⁴, as points of conics are marked
+_IN_ORDER = str.maketrans("¹²³ᶜᵈ", "\u2071\u2072\u2073ᵈᵉ")  # before ⁴, and behind ᵇ, as points of letters are marked
 _STEP_NAMES = {1: "a point", 2: "a line", 3: "a plane"}
 
 

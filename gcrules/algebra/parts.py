@@ -21,6 +21,7 @@ from gcrules.algebra.expr import (
     mul,
 )
 from gcrules.algebra.scalars import bracket, dotted, power, superbracket
+from gcrules.algebra.screw_letters import Screw
 from gcrules.core.budget import checkpoint
 from gcrules.core.errors import InputError
 
@@ -86,6 +87,8 @@ def substitute(e: Expr, names: Mapping[str, Expr], rank: int = 4) -> Expr:
             return dotted(*([(_name_of(names, n), d) for n, d in entries] for entries in brackets), rank=rank)
     children = tuple(substitute(c, names, rank) for c in e.children)
     match e:
+        case Screw() if children == e.children:
+            return e
         case Product():
             return mul(*children)
         case Meet(rank=own):

@@ -10,11 +10,12 @@ and the key `letters` says what each letter is: after `let K = K1 \/ K2` every t
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 from gcrules.algebra.expr import points_of
-from gcrules.algebra.letters import letter_of, letters_of, names_of, plain_name
+from gcrules.algebra.letters import letters_of, marked, names_of, plain_name
+from gcrules.algebra.screw_letters import screw_points, screws_of
 from gcrules.algebra.structure import Structure
 
 __all__ = ["in_plain_letters", "names_in"]
@@ -32,27 +33,34 @@ def in_plain_letters(data: dict[str, Any], names: Iterable[str]) -> dict[str, An
     are where there are none. A name that is taken already gets a prime.
     """
     names = tuple(names)
-    letters = letters_of(names)
+    screws = screws_of(names)
+    letters = {name: names_of(name, step) for name, step in letters_of(names).items()}
+    letters |= {name: screw_points(name) for name in screws}
     if not letters:
         return data
-    taken = {*letters, *(n for n in names if letter_of(n) is None)}
+    taken = {*letters, *(n for n in names if not marked(n))}
     plain: dict[str, str] = {}
-    for point in (n for name, step in letters.items() for n in names_of(name, step)):
+    for point in (n for points in letters.values() for n in points):
         chosen = plain_name(point)
         while chosen in taken:
             chosen += "'"
         taken.add(chosen)
         plain[point] = chosen
-    marked = re.compile("|".join(rf"(?<![\w']){re.escape(n)}(?![₀-₉])" for n in sorted(plain, key=len, reverse=True)))
-    said = {name: " \\/ ".join(plain[n] for n in names_of(name, step)) for name, step in letters.items()}
-    return {**_renamed(data, marked, plain), "letters": said}
+    some = re.compile("|".join(rf"(?<![\w']){re.escape(n)}(?![₀-₉])" for n in sorted(plain, key=len, reverse=True)))
+    said = {name: _joined([plain[n] for n in points], name in screws) for name, points in letters.items()}
+    return {**_renamed(data, some, plain), "letters": said}
 
 
-def _renamed(value: Any, marked: re.Pattern[str], plain: Mapping[str, str]) -> Any:
+def _joined(points: Sequence[str], screw: bool) -> str:
+    """The join of points, or for a screw the sum of two lines."""
+    return " + ".join(_joined(points[i : i + 2], False) for i in (0, 2)) if screw else " \\/ ".join(points)
+
+
+def _renamed(value: Any, some: re.Pattern[str], plain: Mapping[str, str]) -> Any:
     if isinstance(value, str):
-        return marked.sub(lambda found: plain[found[0]], value)
+        return some.sub(lambda found: plain[found[0]], value)
     if isinstance(value, Mapping):
-        return {_renamed(k, marked, plain): _renamed(v, marked, plain) for k, v in value.items()}
+        return {_renamed(k, some, plain): _renamed(v, some, plain) for k, v in value.items()}
     if isinstance(value, (list, tuple)):
-        return [_renamed(v, marked, plain) for v in value]
+        return [_renamed(v, some, plain) for v in value]
     return value

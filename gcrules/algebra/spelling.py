@@ -30,8 +30,10 @@ from gcrules.algebra.expr import (
     Product,
     Sum,
     Superbracket,
+    points_of,
 )
 from gcrules.algebra.scalars import bracket, power, superbracket
+from gcrules.algebra.screw_letters import Screw
 from gcrules.core.budget import checkpoint
 from gcrules.core.dataclass import dataclass
 from gcrules.core.linear_algebra import content
@@ -84,6 +86,8 @@ def normal(e: Expr, place: Mapping[str, int], rank: int) -> Normal:
                 return multiplied(map(of, factors))
             case Power(base=base, exponent=n):
                 return multiplied([of(base)] * n)
+            case Screw():
+                return Normal(Fraction(1), x, (10, *(place[n] for n in points_of(x))))
             case Sum(terms=terms):
                 return added(map(of, terms))
             case Dotted(brackets=brackets):
@@ -132,7 +136,7 @@ def normal(e: Expr, place: Mapping[str, int], rank: int) -> Normal:
         for part in parts:
             checkpoint()
             inner = [(Fraction(1), part.expr, part.key)]
-            if isinstance(part.expr, Sum):
+            if isinstance(part.expr, Sum) and not isinstance(part.expr, Screw):
                 inner = [(c, t, of(t).key) for c, t in map(split, part.expr.terms)]
             for c, t, key in inner:
                 row[key] = t, part.factor * c + row.get(key, (t, Fraction(0)))[1]

@@ -20,10 +20,13 @@ from math import factorial, prod
 
 from gcrules.algebra import expr as ex
 from gcrules.algebra import scalars
-from gcrules.algebra.bracket import BracketPolynomial, ExtensorPolynomial
+from gcrules.algebra.bracket import BracketPolynomial, ExtensorPolynomial, Row, Terms, sorted_row, tableau_order
 from gcrules.algebra.evaluate import vanishes
 from gcrules.algebra.expr import Expr
+from gcrules.algebra.for_two_points import written_back
 from gcrules.algebra.letters import grouped, letter, letter_of, letters_of, split_letters
+from gcrules.algebra.linear_in_lines import gathered, linear_in_lines
+from gcrules.algebra.screw_letters import screws_of
 from gcrules.core.budget import watched
 from gcrules.core.dataclass import dataclass
 from gcrules.core.linear_algebra import permutation_sign
@@ -38,10 +41,49 @@ _MOST = 500  # terms of polynomials that are written anew
 def in_letters(p: Polynomial, *, short: bool = False) -> Expr:
     """The polynomial as an expression, in whole letters where it can be written so."""
     written = p.to_expr(short=short)
-    if not letters_of(p.points) or not _split(p):
+    if screws_of(p.points):
+        found = whole_screws(p, written)
+    elif not letters_of(p.points) or not _split(p):
         return written
-    found = whole_letters(p) if len(p) <= _MOST else None
+    else:
+        found = whole_letters(p) if len(p) <= _MOST else None
     return written if found is None else found
+
+
+def whole_screws(p: Polynomial, written: Expr) -> Expr | None:
+    """The polynomial, as an expression `written` in points, in whole screws and other letters; None where a term has a
+    screw more than twice, and where it cannot be written so.
+    """
+    found = []
+    for terms, lines in linear_in_lines(_terms(p), screws_of(p.points)):
+        q = _collected(p, terms)
+        if len(q) > _MOST:
+            return None
+        whole = whole_letters(q) if _split(q) else q.to_expr()
+        part = None if whole is None else written_back(whole, lines, p.rank)
+        if part is None:
+            return None
+        found.append(part)
+    total = gathered(ex.add(*found, rank=p.rank))
+    difference = ex.sub(written, total, rank=p.rank) if total != ex.ZERO else written
+    return total if vanishes(difference, rank=p.rank, ideal=p.points[: p.ideal]) else None
+
+
+def _collected(p: Polynomial, terms: Iterable[tuple[Fraction, Sequence[Sequence[str]]]]) -> Polynomial:
+    """A polynomial of the kind of another one: Σ coefficient · extensor · brackets, the first row the extensor's."""
+    found = list(terms)
+    names = tableau_order((n for _, rows in found for row in rows for n in row), p.points, p.points[: p.ideal])
+    index, ideal = {n: i for i, n in enumerate(names)}, sum(n in p.points[: p.ideal] for n in names)
+    parts: dict[Row, Terms] = {}
+    for c, rows in found:
+        signed = [sorted_row(index[n] for n in row) for row in rows]
+        extensor, *brackets = (row for _, row in signed)
+        into, key = parts.setdefault(extensor, {}), tuple(sorted(brackets))
+        into[key] = into.get(key, 0) + c * prod(sign for sign, _ in signed)
+    whole = {row: BracketPolynomial(p.rank, names, some, ideal) for row, some in parts.items()}
+    if isinstance(p, ExtensorPolynomial):
+        return ExtensorPolynomial(p.rank, names, p.step, whole, ideal)
+    return whole.get((), BracketPolynomial(p.rank, names, {}, ideal))
 
 
 def whole_letters(p: Polynomial) -> Expr | None:

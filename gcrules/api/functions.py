@@ -30,6 +30,7 @@ from gcrules.algebra.superbrackets.shortest import SuperbracketForm, shortest_fo
 from gcrules.api.reading import expression_of, where
 from gcrules.api.signatures import public
 from gcrules.conditions.analysis import Analysis
+from gcrules.conditions.superbracket_forms import built
 from gcrules.conditions.transversals import Transversals
 from gcrules.conditions.transversals import transversals as _transversals
 from gcrules.core import budget
@@ -355,7 +356,8 @@ def superbracket(
     """The superbracket of six legs as a bracket polynomial, in the 24-term or 16-term form."""
     structure = read_legs(legs, points=points, ideal=ideal, letters=letters)
     chosen = range(6) if order is None else read_order(order, structure)
-    return superbracket_form(structure.legs, chosen, form, points=structure.points, ideal=structure.ideal)
+    lines = structure.lifted
+    return built(superbracket_form(lines.legs, chosen, form, points=lines.points, ideal=lines.ideal), structure)
 
 
 @public
@@ -364,7 +366,8 @@ def shortest(
 ) -> SuperbracketForm:
     """The shortest superbracket over all 720 orders and both forms."""
     structure = read_legs(legs, points=points, ideal=ideal, letters=letters)
-    return shortest_forms(structure.legs, points=structure.points, ideal=structure.ideal)[0]
+    lines = structure.lifted
+    return built(shortest_forms(lines.legs, points=lines.points, ideal=lines.ideal)[0], structure)
 
 
 @public

@@ -2,14 +2,17 @@ r"""What the superbracket of a structure equals: by rules of entities, by the ca
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from itertools import combinations, permutations
+from math import prod
 
 from gcrules.algebra import expr as ex
 from gcrules.algebra.certificate import Certificate
 from gcrules.algebra.expr import ONE, Expr, Number, Point, points_of
+from gcrules.algebra.for_two_points import sign_apart, written_back
 from gcrules.algebra.language.legs_text import Structure
+from gcrules.algebra.screw_letters import Screw
 from gcrules.algebra.straightening.straighten import straighten
 from gcrules.algebra.superbrackets.shortest import SuperbracketForm
 from gcrules.conditions import superbracket_forms as forms
@@ -23,11 +26,13 @@ from gcrules.rules.condition import Condition
 from gcrules.rules.condition_rule import ConditionClaim
 from gcrules.rules.couples import COUPLES
 from gcrules.rules.factorization import factored
-from gcrules.rules.generic_lines import alive, statement_of_lines, written_back
+from gcrules.rules.generic_lines import alive, statement_of_lines
 from gcrules.rules.random_witness import RandomWitness
 from gcrules.rules.rule import StructureRule
+from gcrules.rules.screw_readings import of_screws
+from gcrules.rules.screw_words import has_screw
 from gcrules.rules.sentences import sentence
-from gcrules.rules.statement import Quantity, Statement, say
+from gcrules.rules.statement import NOTHING, Quantity, Statement, say
 from gcrules.rules.strategy import CATALOG, FACTORIZATION, MAX_TERMS, SHORTEST, Strategy, of_plugins, recognise
 
 __all__ = ["Readings", "always_zero", "linear_complex", "read"]
@@ -203,9 +208,19 @@ def _of_any_lines(
     if FACTORIZATION in strategy.ids:
         general = _with_factorization(general, lifted, matches, min(search, _LIFTED_SECONDS))
     found = [c for r in general.conditions if (c := _written_back(r, structure, oracle)) is not None]
-    built = ", ".join(str(line) for _, line in structure.stand_ins)
-    note = f"{built}: taken as any line through two points of its own; what is found for it holds for this one"
-    return Readings(tuple(found), some[0], some, oracle, None, (note, *general.notes))
+    return Readings(tuple(found), some[0], some, oracle, None, (*_notes(structure), *general.notes))
+
+
+def _notes(structure: Structure) -> Iterator[str]:
+    """What is said of legs that are no joins of joints."""
+    screws = [str(line) for _, line in structure.stand_ins if isinstance(line, Screw)]
+    built = [str(line) for _, line in structure.stand_ins if not isinstance(line, Screw)]
+    if built:
+        said = "taken as any line through two points of its own; what is found for it holds for this one"
+        yield f"{', '.join(built)}: {said}"
+    if screws:
+        said = "taken as any line first; what is linear in that line holds for screws, and the rest is proved of them"
+        yield f"{', '.join(screws)}: {said}"
 
 
 _LIFTED_SECONDS = 2.0
@@ -220,13 +235,15 @@ def _written_back(condition: Condition, structure: Structure, oracle: RandomWitn
         return None
     if oracle.zero(cofactor) or oracle.zero(expression):
         return None
+    signs, (expression, cofactor) = zip(*map(sign_apart, (expression, cofactor)), strict=True)
     whole, expression = expression, alive(expression, structure)
     meaning = statement_of_lines(condition.meaning, structure.stand_ins) if expression == whole else None
     c = condition.certificate
-    return replace(
+    found = replace(
         condition,
         expression=expression,
         cofactor=cofactor,
+        coefficient=condition.coefficient * prod(signs),
         meaning=meaning or sentence(expression, structure, oracle, cofactor),
         statement_source=condition.statement_source if meaning else "",
         certificate=Certificate(c.method, f"{c.detail}, for any lines in the place of those built from points", c.data),
@@ -235,6 +252,7 @@ def _written_back(condition: Condition, structure: Structure, oracle: RandomWitn
             (n, e) for n, line in condition.lines if (e := written_back(line, structure.stand_ins)) is not None
         ),
     )
+    return of_screws(found, structure, oracle) if has_screw(expression, cofactor) else found
 
 
 def _with_factorization(found: Readings, structure: Structure, matches: Sequence[Match], seconds: float) -> Readings:
@@ -288,8 +306,10 @@ def linear_complex(structure: Structure, catalog: Catalog, *, alone: bool = Fals
     against the screw that is reciprocal to the other five (half their mutual moment is Ball's virtual coefficient).
     """
     meaning, source = say(catalog.statements["linear-complex"]), catalog.statement_sources.get("linear-complex", "")
+    if has_screw(*structure.lines):
+        meaning, source = say(_DEPENDENT), ""
     if alone and structure.rank == 4 and not structure.ideal and not source:
-        meaning = say("{} {}", meaning, _of_one_leg(structure))
+        meaning = say("{} {}", meaning, more) if (more := _of_one_leg(structure)) else meaning
     if structure.rank != 4:
         number = {3: "three"}.get(len(structure.legs), str(len(structure.legs)))
         meaning, source = say("The robot is singular exactly when its {} lines are linearly dependent.", number), ""
@@ -302,11 +322,19 @@ def linear_complex(structure: Structure, catalog: Catalog, *, alone: bool = Fals
     )
 
 
+_DEPENDENT = (
+    "The robot is singular exactly when its six legs are linearly dependent screws, so that the platform can make an "
+    "instantaneous screw motion that is reciprocal to all of them."
+)
+
+
 def _of_one_leg(structure: Structure) -> Statement:
     """The last leg, and the screws of the platform without it: the mutual moment of a screw of pitch h and a line is
     proportional to h cos w − r sin w.
     """
-    *_, last = structure.lines
+    last = next((line for line in reversed(structure.lines) if not isinstance(line, Screw)), None)
+    if last is None:
+        return NOTHING
     return say(
         "Without {last} the platform can make the instantaneous screw motions that are reciprocal to the other five "
         "legs, as a rule only one; the robot is singular exactly when one of them is reciprocal to {last} too: when "

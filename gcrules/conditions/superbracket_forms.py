@@ -13,7 +13,7 @@ from gcrules.core.errors import LimitReached
 from gcrules.rules.generic_lines import written_out
 from gcrules.rules.strategy import Strategy
 
-__all__ = ["in_order", "shortest", "typed_form"]
+__all__ = ["built", "in_order", "shortest", "typed_form"]
 
 _WORK = 4_000  # terms of the shortest forms in general lines that are written out in the points of built lines
 
@@ -56,13 +56,16 @@ def _of_built_lines(forms: tuple[SuperbracketForm, ...], structure: Structure) -
     if not structure.stand_ins:
         return forms
     size = len(forms[0].polynomial) * prod(len(points_of(line)) // 2 for _, line in structure.stand_ins)
-    found = [
-        SuperbracketForm(
-            f.form, f.order, _alive(written_out(f.polynomial, structure.stand_ins, structure.names), structure)
-        )
-        for f in forms[: max(1, _WORK // max(1, size))]
-    ]
+    found = [built(f, structure) for f in forms[: max(1, _WORK // max(1, size))]]
     return tuple(sorted(found, key=lambda f: len(f.polynomial)))
+
+
+def built(form: SuperbracketForm, structure: Structure) -> SuperbracketForm:
+    """A form of general lines with the lines of the structure in their place."""
+    if not structure.stand_ins:
+        return form
+    polynomial = written_out(form.polynomial, structure.stand_ins, structure.names)
+    return SuperbracketForm(form.form, form.order, _alive(polynomial, structure))
 
 
 def _alive(poly: BracketPolynomial, structure: Structure) -> BracketPolynomial:

@@ -9,12 +9,14 @@ from itertools import combinations
 from gcrules.algebra.evaluate import PRIME, Evaluator
 from gcrules.algebra.expr import Expr, Point, join, meet
 from gcrules.algebra.language.legs_text import Leg, Structure, leg_text
+from gcrules.algebra.screw_letters import Screw
 from gcrules.core.budget import checkpoint
 from gcrules.core.dataclass import dataclass
 from gcrules.core.linear_algebra import rank
 from gcrules.rules.common_lines import line_of_joints
 from gcrules.rules.random_witness import RandomWitness
 from gcrules.rules.recognition_state import extensor
+from gcrules.rules.screw_words import has_screw
 from gcrules.rules.statement import Part, Statement, listing, say
 
 __all__ = ["Degeneracy", "explain"]
@@ -49,7 +51,8 @@ def _equal_legs(s: Structure) -> Degeneracy | None:
 
 def _one_line(s: Structure, i: int, j: int) -> Degeneracy:
     some = [_WORDS.get(n, str(n)) for n in (len(s.legs) - 1, len(s.legs))]
-    same = say("legs {} and {} lie on one line {}", str(i + 1), str(j + 1), s.words[i])
+    what = "are one screw" if isinstance(s.lines[i], Screw) else "lie on one line"
+    same = say("legs {} and {} {} {}", str(i + 1), str(j + 1), what, s.words[i])
     return Degeneracy(say("{}, so at most {} of the {} are independent", same, *some), (s.legs[i], s.legs[j]))
 
 
@@ -96,7 +99,8 @@ def _common_line(s: Structure) -> Degeneracy | None:
             motion = "turn, to first order, about this line"
             if s.ideal and RandomWitness(s).at_infinity(line):
                 motion = "shift, to first order, at right angles to the directions in this line at infinity"
-            reason = say("{}all six legs meet {}, so the platform can always {}", why, words, motion)
+            do = "are reciprocal to" if has_screw(*s.lines) else "meet"
+            reason = say("{}all six legs {} {}, so the platform can always {}", why, do, words, motion)
             return Degeneracy(reason, s.legs, line)
     return None
 
@@ -120,7 +124,7 @@ def _candidates(s: Structure) -> Iterator[tuple[Expr, Statement, Part]]:
         why = say(words, _WORDS[number[a]], point)
         for g, h in combinations([leg for leg in s.oriented if a not in leg], 2):
             line = meet(join(point, lines[g]), join(point, lines[h]))
-            yield line, say("the line through {} that crosses {} and {}", point, lines[g], lines[h]), why
+            yield line, say("the line through {} {} {} and {}", point, _crossing(s), lines[g], lines[h]), why
     planes = sorted({tuple(sorted({*g, *h})) for g, h in combinations(s.legs, 2) if len({*g, *h}) == 3})
     for two in combinations(planes, 2):
         x, y = map(extensor, two)
@@ -130,7 +134,12 @@ def _candidates(s: Structure) -> Iterator[tuple[Expr, Statement, Part]]:
         for a in plane:
             for g in s.oriented:
                 line = join(Point(a), meet(lines[g], x))
-                yield line, say("the line through {} in the plane {} that crosses {}", Point(a), x, lines[g]), ""
+                yield line, say("the line through {} in the plane {} {} {}", Point(a), x, _crossing(s), lines[g]), ""
+
+
+def _crossing(s: Structure) -> str:
+    """A line that crosses others is reciprocal to them, and to screws it is nothing more."""
+    return "that is reciprocal to" if has_screw(*s.lines) else "that crosses"
 
 
 _WORDS = {2: "two", 3: "three", 4: "four", 5: "five", 6: "six"}

@@ -14,7 +14,7 @@ from gcrules.algebra.certificate import Certificate
 from gcrules.algebra.expr import ONE, Expr
 from gcrules.algebra.factoring.result import Factorization
 from gcrules.algebra.language.legs_text import Structure
-from gcrules.algebra.letters import letters_of
+from gcrules.algebra.letters import marked
 from gcrules.core.budget import checkpoint
 from gcrules.core.dataclass import dataclass
 from gcrules.core.deferred import deferred
@@ -62,7 +62,7 @@ def factored(
     """
     end = monotonic() + seconds
     polynomials = tuple(polynomials)
-    if letters_of(n for p in polynomials for n in p.points):
+    if any(marked(n) for p in polynomials for n in p.points):
         return FactorizationOutcome(note="no factorization was sought: only expressions of points are factored")
     candidates = [p for p in _in_order(polynomials) if len(p) <= _MANY_TERMS or seconds > SECONDS]
     if not candidates:

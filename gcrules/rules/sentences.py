@@ -14,14 +14,16 @@ from dataclasses import field
 from itertools import groupby
 
 from gcrules.algebra import expr as ex
-from gcrules.algebra.expr import ONE, Bracket, Expr, Join, Meet, Number, Point, Power, Product
+from gcrules.algebra.expr import ONE, Bracket, Expr, Join, Meet, Number, Point, Power, Product, Sum
 from gcrules.algebra.language.legs_text import Structure
-from gcrules.algebra.letters import letter_of, wholes
+from gcrules.algebra.letters import letter_of, letters_of, wholes
+from gcrules.algebra.screw_letters import Screw, screws_of
 from gcrules.core.dataclass import dataclass
 from gcrules.rules.random_witness import RandomWitness
+from gcrules.rules.screw_words import built_of_screws, reciprocity
 from gcrules.rules.statement import Flat, Part, Statement, listing, say, together
 
-__all__ = ["factors_of", "sentence"]
+__all__ = ["comparison", "described", "factors_of", "sentence"]
 
 
 def factors_of(e: Expr) -> Iterator[Expr]:
@@ -45,11 +47,38 @@ def sentence(
     """When the robot is singular, for an expression that equals the superbracket, or `cofactor` times it; `besides`
     says when it is singular too.
     """
+    return _said(_Words(structure, oracle), e, cofactor, besides)
+
+
+def comparison(
+    e: Expr, lines: Sequence[Expr], single: Sequence[Expr], structure: Structure, oracle: RandomWitness, cofactor: Expr
+) -> Statement:
+    """The same of an expression with a factor that compares the turns about two lines p and q which two legs allow."""
     words = _Words(structure, oracle)
+    about = [words.noun(line) for line in lines]
+    lets = words.told()
+    words.names |= dict(zip(lines, "pq", strict=True))
+    rest = ex.mul(*(f for f in factors_of(e) if not isinstance(f, Sum)))
+    turns = say(
+        "Without the legs {} and {} the platform can turn, to first order, about p, {}, and about q, {}. "
+        "Each of {} and {} allows these two turns in one ratio only. ",
+        *(*single, *about, *single),
+    )
+    return say("{}{}{}", lets, turns, _said(words, rest, cofactor, ("the two ratios agree",)))
+
+
+def described(e: Expr, structure: Structure, oracle: RandomWitness) -> Statement:
+    """What an extensor is called."""
+    words = _Words(structure, oracle)
+    noun = words.noun(e)
+    return say("{} ({})", noun, _each(words.lets, ", and ")) if words.lets else say("{}", noun)
+
+
+def _said(words: _Words, e: Expr, cofactor: Expr, besides: tuple[Part, ...]) -> Statement:
     outside = words.clauses(cofactor)
     words.constructed = False  # what the cofactor leaves undetermined is outside
     clauses = [c for c in words.clauses(e) if c not in outside]
-    lets = say("Let {}. ", _each(words.lets, ", and ")) if words.lets else ""
+    lets = words.told()
     where = say("Outside the poses where {}, the", _each(outside)) if outside else "The"
     undetermined = " Where one of these is not determined, the robot is also singular." if words.constructed else ""
     whole = _each([*clauses, *besides])
@@ -75,6 +104,12 @@ class _Words:
     @property
     def rank(self) -> int:
         return self.structure.rank
+
+    def told(self) -> Part:
+        """The names given so far, which are told once."""
+        lets = say("Let {}. ", _each(self.lets, ", and ")) if self.lets else ""
+        self.lets = []
+        return lets
 
     def clauses(self, e: Expr) -> list[Statement]:
         """What makes the factors vanish, each once; flat tetrahedra together."""
@@ -105,6 +140,9 @@ class _Words:
         return _each(say("the points {} {}", listing(map(self.plain, b.args)), where) for b in brackets)
 
     def _clause(self, e: Expr) -> Statement:
+        reciprocal = reciprocity(e, self.noun)
+        if reciprocal is not None:
+            return reciprocal
         match e:
             case Bracket(args=args):
                 return self._dependent(wholes(args))
@@ -236,6 +274,8 @@ class _Words:
         """What an extensor is called; inside the description of another one a constructed one gets a name."""
         if isinstance(e, Point):
             return self.plain(e)
+        if isinstance(e, Screw):
+            return say("the screw {}", self.plain(e))
         if _is_plain(e):
             return self._of_points(e)
         self.constructed = True
@@ -255,6 +295,8 @@ class _Words:
         return say("the {}{} {}", self._kind(e.step), " at infinity" * far, self.plain(e))
 
     def _built(self, e: Expr) -> Statement:
+        if (found := built_of_screws(e, lambda part: self.noun(part, inside=True))) is not None:
+            return found
         if isinstance(e, Meet):
             return self._common(e)
         parts = e.children if all(c.step == 1 for c in e.children) else _grouped(e.children)
@@ -287,7 +329,8 @@ class _Words:
         return listing(self.noun(a, inside=True) for a in args)
 
     def _free_name(self, step: int) -> str:
-        taken = {*self.structure.names, *self.names.values()}
+        names = self.structure.names
+        taken = {*names, *letters_of(names), *screws_of(names), *self.names.values()}
         letters = {1: "PQRSTU", 2: "pqrstu"}.get(step, "XYZWVU")
         return next(n for primes in range(len(taken) + 1) for c in letters if (n := c + "'" * primes) not in taken)
 

@@ -13,16 +13,19 @@ from itertools import combinations
 from gcrules.algebra import expr as ex
 from gcrules.algebra.certificate import Certificate
 from gcrules.algebra.expr import Bracket, Expr, Meet, meet
+from gcrules.algebra.for_two_points import written_back
 from gcrules.algebra.language.legs_text import Leg, Structure
 from gcrules.algebra.letters import wholes
 from gcrules.core.dataclass import dataclass
 from gcrules.rules.common_lines import CommonLine
 from gcrules.rules.condition import Condition
-from gcrules.rules.generic_lines import alive, statement_of_lines, written_back
+from gcrules.rules.generic_lines import alive, statement_of_lines
 from gcrules.rules.line_cofactors import Balance, compared, quotient
 from gcrules.rules.random_witness import RandomWitness
 from gcrules.rules.recognition_state import extensor
-from gcrules.rules.sentences import sentence
+from gcrules.rules.screw_readings import meaning_with_screws
+from gcrules.rules.screw_words import has_screw
+from gcrules.rules.sentences import described, sentence
 from gcrules.rules.statement import Part, Statement, listing, say
 
 __all__ = ["KIND", "TransversalCondition", "reading_of", "written_into"]
@@ -78,11 +81,15 @@ def written_into(
     def write(e: Expr) -> Expr | None:
         return written_back(e, structure.stand_ins)
 
+    def words(e: Expr, meaning: Statement) -> Statement | None:
+        if has_screw(e):
+            return described(e, structure, oracle)
+        return statement_of_lines(meaning, structure.stand_ins)
+
     lines = [
         CommonLine(e, meaning)
         for line in reading.lines
-        if (e := write(line.expression)) is not None
-        and (meaning := statement_of_lines(line.meaning, structure.stand_ins)) is not None
+        if (e := write(line.expression)) is not None and (meaning := words(e, line.meaning)) is not None
     ]
     old = reading.condition
     expression, cofactor = map(write, (old.expression, old.cofactor))
@@ -102,6 +109,8 @@ def written_into(
         meaning=meaning or sentence(expression, structure, oracle, cofactor),
         lines=(("p", p.expression), ("q", q.expression)),
     )
+    if has_screw(expression, cofactor):
+        condition = replace(condition, meaning=meaning_with_screws(condition, structure, oracle))
     return TransversalCondition(condition, reading.single, (p, q))
 
 

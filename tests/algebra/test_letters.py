@@ -262,10 +262,10 @@ def test_letters_that_are_no_lines_are_no_legs(letters: str, legs: str, message:
 @pytest.mark.parametrize(("read", "text"), [(parse_assumption, "sphere K"), (parse_script, "rank 3\ncircle Q\n")])
 def test_circles_and_spheres_have_no_letters(read: Callable[[str], object], text: str) -> None:
     with pytest.raises(
-        SyntaxFault, match=r"expected (==|claim, .*line, plane, hyperplane, conic or quadric)"
+        SyntaxFault, match=r"expected (==|claim, .*line, plane, hyperplane, conic, quadric or screw)"
     ) as caught:
         read(text)
-    assert (caught.value.hint or "").startswith("letters stand for lines, planes, conics and quadrics")
+    assert (caught.value.hint or "").startswith("letters stand for lines, planes, screws, conics and quadrics")
 
 
 def test_a_letter_is_no_corner_of_a_tetrahedron() -> None:

@@ -76,10 +76,10 @@ def _chosen(e: Expr, rank: int) -> Expr | None:
     if isinstance(e, Join | Bracket) and conics and all(isinstance(a, Point) for a in e.args):
         others = [a for a in e.args if isinstance(a, Point) and conic_of(a.name) is None]
         return _chosen(ex.join(*others, rank=_PLANE), rank) if len(others) > 1 else None
-    if not isinstance(e, Join):
-        return e
     if named_letter(e) is not None:
         return None
+    if not isinstance(e, Join):
+        return e
     names = [a.name for a in e.args if isinstance(a, Point)]
     alone = grouped(names)
     for letter, step in letters_of(alone).items():

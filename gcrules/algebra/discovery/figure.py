@@ -75,7 +75,7 @@ def figure_of(at: Context) -> Figure:
     """The figure that a script draws."""
     used = [*at.points, *at.ideal]
     used += (n for a in at.given for e in a.args for n in points_of(e))
-    letters = {n: letter(n, step) for n, step in at.letters.items()}
+    letters = {n: letter(n, step, at.screws) for n, step in at.letters.items()}
     bound = letters | {n: e for n, e in at.bound.items() if not isinstance(e, Point)}
     used += (n for e in bound.values() for n in points_of(e))
     own = tableau_order(used, at.points, at.ideal)

@@ -16,6 +16,7 @@ from gcrules.algebra.factoring.powers import number_power, powers
 from gcrules.algebra.letter_forms import FORMS
 from gcrules.algebra.letters import conics_of, letters_of
 from gcrules.algebra.names import step_name
+from gcrules.algebra.screw_letters import screws_of
 from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import InputError
 
@@ -68,6 +69,9 @@ def factor_pieces(
     for conic in conics_of(names):
         word = FORMS[ex.common_rank(rank, e) if isinstance(e, Expr) else e.rank].word
         raise InputError(f"only expressions of points are {what}, and {conic} is a {word}")
+    for name in screws_of(names):
+        hint = "write it as a sum of two lines, ab + cd" if isinstance(e, Expr) else None
+        raise InputError(f"only expressions of points are {what}, and {name} is a screw", hint=hint)
     if lettered:
         name, step = next(iter(lettered.items()))
         hint = f"write {name} as a join of points" if isinstance(e, Expr) else None

@@ -8,7 +8,8 @@ r"""Reading legs: from text or pairs of names to a structure.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import replace
 from typing import Any
 
 from gcrules.algebra.expr import Expr, points_of
@@ -19,6 +20,7 @@ from gcrules.algebra.language.text import Names, split_names
 from gcrules.algebra.language.text import text as as_text
 from gcrules.algebra.letter_forms import FORMS
 from gcrules.algebra.letters import letters_of
+from gcrules.algebra.screw_letters import screws_of
 from gcrules.algebra.structure import NoLine, Structure, leg_text, legs_text
 from gcrules.core.errors import GcrulesError, InputError, Span
 
@@ -52,7 +54,7 @@ def read_legs(
     if at.conics:
         what = f"{at.conics[0]} is a {FORMS[at.rank].word}, and what is assumed of legs is said of their points"
         raise InputError(what, hint="on_conic(a, b, c, d, e, f)" if at.rank == 3 else None)
-    reading = Context(rank, points, letters=at.letters)
+    reading = Context(rank, points, letters=at.letters, screws=at.screws)
     if isinstance(legs, str):
         found = tuple(_read_text(legs, reading, built))
         source: str | None = legs
@@ -93,7 +95,7 @@ def _with_stand_ins(found: Sequence[Leg | Expr], at: Context) -> Structure:
 def _read_text(text: str, at: Context, built: bool = True) -> Iterator[Leg | Expr]:
     for word, span in split_lines(text):
         try:
-            yield read_line(re.sub(r"(?<=[\w'])\s*[-–]\s*(?=\w)", " ", word), at.points, at.rank, built, at.letters)
+            yield _line(re.sub(r"(?<=[\w'])\s*[-–]\s*(?=\w)", " ", word), at, built)
         except GcrulesError as fault:
             hint = _FILE if re.search(r"\.ya?ml\s*$", text, re.IGNORECASE) else fault.hint
             inner = InputError(f"{word!r} is not a leg: {fault.message}", hint=hint)
@@ -103,18 +105,24 @@ def _read_text(text: str, at: Context, built: bool = True) -> Iterator[Leg | Exp
 def _read_item(item: str | Sequence[str] | Expr, at: Context, built: bool) -> Leg | Expr:
     """A leg from a pair, a text or an expression."""
     if isinstance(item, Expr):
-        return read_line(as_text(item, names=at.points), at.points, at.rank, built, at.letters)
+        return _line(as_text(item, names=at.points), at, built)
     if isinstance(item, str):
-        return read_line(item, at.points, at.rank, built, at.letters)
+        return _line(item, at, built)
     pair: Any = item  # whatever a caller's list holds
     if not isinstance(pair, Sequence) or len(pair) != 2 or not all(isinstance(n, str) for n in pair):
         raise InputError(f"{item!r} is not a leg; expected two points")
-    return read_line(" ".join(pair), (*at.points, *pair), at.rank, letters=at.letters)
+    return _line(" ".join(pair), replace(at, points=(*at.points, *pair)))
 
 
-def _letters(structure: Structure) -> Mapping[str, int]:
-    """The letters among the legs."""
-    return letters_of(n for leg in structure.legs for n in leg)
+def _line(word: str, at: Context, built: bool = True) -> Leg | Expr:
+    return read_line(word, at.points, at.rank, built, at.letters, at.screws)
+
+
+def _reading(structure: Structure) -> Context:
+    """What the legs are read with: the points and the letters among them."""
+    letters = letters_of(n for leg in structure.legs for n in leg)
+    screws = screws_of(structure.names)
+    return Context(points=structure.points, letters={**letters, **dict.fromkeys(screws, 2)}, screws=screws)
 
 
 def read_order(text: str | Sequence[int | str], structure: Structure) -> tuple[int, ...]:
@@ -125,11 +133,7 @@ def read_order(text: str | Sequence[int | str], structure: Structure) -> tuple[i
     words: Iterable[int | str | Leg | Expr] = text
     if isinstance(text, str):
         numbers = re.fullmatch(r"[\d\s,]+", text)
-        words = (
-            re.findall(r"\d+", text)
-            if numbers
-            else _read_text(text, Context(points=structure.points, letters=_letters(structure)))
-        )
+        words = re.findall(r"\d+", text) if numbers else _read_text(text, _reading(structure))
     places: dict[Leg | Expr, int] = {line: i for i, line in enumerate(structure.lines)}
     places |= {end: i for i, (a, b) in enumerate(structure.legs) for end in ((a, b), (b, a))}
     order = []
@@ -139,7 +143,7 @@ def read_order(text: str | Sequence[int | str], structure: Structure) -> tuple[i
         elif isinstance(word, str) and word.isdigit():
             order.append(int(word) - 1)
         else:
-            leg = read_line(word, structure.points, letters=_letters(structure)) if isinstance(word, str) else word
+            leg = _line(word, _reading(structure)) if isinstance(word, str) else word
             if leg not in places:
                 raise InputError(f"{leg if isinstance(leg, Expr) else leg_text(leg)} is not one of the legs")
             order.append(places[leg])

@@ -9,13 +9,14 @@ r"""Reading lines as the user writes them: two joints (ab, S1A1, left top), or a
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 
 from gcrules.algebra.expr import Expr, Join, Meet, Point, points_of, subexpressions
 from gcrules.algebra.language.syntax import Context, parse
 from gcrules.algebra.language.text import SHORT_NAME
 from gcrules.algebra.letters import letters_of, names_of
 from gcrules.algebra.names import step_name
+from gcrules.algebra.screw_letters import Screw, screws_of
 from gcrules.core.errors import InputError, Span, StepError
 from gcrules.core.frozen import FrozenMap
 
@@ -44,18 +45,23 @@ def split_lines(text: str) -> Iterator[tuple[str, Span]]:
 
 
 def read_line(
-    text: str, points: Sequence[str] = (), rank: int = 4, built: bool = True, letters: Mapping[str, int] = _NONE
+    text: str,
+    points: Sequence[str] = (),
+    rank: int = 4,
+    built: bool = True,
+    letters: Mapping[str, int] = _NONE,
+    screws: Collection[str] = (),
 ) -> Leg | Expr:
     """The two ends of a leg, or (if `built` allows it) the expression of a line that is built from points.
 
-    A letter of step 2 is a leg whose ends are the points that it is the join of. Raises InputError and StepError for
-    anything else.
+    A letter for a line is a leg whose ends are the points that it is the join of, one of `screws` a leg as it is.
+    Raises InputError and StepError for anything else.
     """
-    if letters.get(text) == 2:
+    if letters.get(text) == 2 and text not in screws:
         first, second = names_of(text, 2)
         return first, second
     if letters:
-        return _with_letters(text, points, rank, built, letters)
+        return _with_letters(text, built, Context(rank, tuple(points), letters=letters, screws=tuple(screws)))
     short = _SHORT_LEG.fullmatch(text)
     if short and not any(len(n) > 1 and not SHORT_NAME.fullmatch(n) for n in points):
         return different(short[1], short[2])
@@ -74,16 +80,16 @@ def read_line(
     return found
 
 
-def _with_letters(text: str, points: Sequence[str], rank: int, built: bool, letters: Mapping[str, int]) -> Leg | Expr:
+def _with_letters(text: str, built: bool, at: Context) -> Leg | Expr:
     """A leg where letters are declared, which it may be built from."""
-    found = parse(text, context=Context(rank, tuple(points), letters=letters))
+    found = parse(text, context=at)
     if found.step != 2:
-        raise InputError(f"expected a line, found {step_name(found.step, rank)}", hint=_BUILT)
-    if not letters_of(points_of(found)):
-        return read_line(text, points, rank, built)
-    if not built:
+        raise InputError(f"expected a line, found {step_name(found.step, at.rank)}", hint=_BUILT)
+    if not letters_of(points_of(found)) and not screws_of(points_of(found)):
+        return read_line(text, at.points, at.rank, built)
+    if not built and not isinstance(found, Screw):
         raise InputError("expected two points, or a letter", hint="lines that are built are for `gcrules analyze`")
-    if not all(isinstance(e, (Point, Join, Meet)) for e in subexpressions(found)):
+    if not all(isinstance(e, (Point, Join, Meet, Screw)) for e in subexpressions(found)):
         raise InputError("a sum or a multiple of lines need not be a line", hint=_BUILT)
     return found
 

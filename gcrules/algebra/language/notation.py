@@ -24,6 +24,7 @@ from gcrules.algebra.expr import (
     neg,
 )
 from gcrules.algebra.letters import grouped, plain_name
+from gcrules.algebra.screw_letters import Screw
 from gcrules.core.budget import watched
 from gcrules.core.dataclass import dataclass
 
@@ -83,9 +84,9 @@ def signs(e: Expr) -> Term:
 
 def terms(e: Expr) -> list[Term]:
     """The terms of a sum, each with the sign that stands before it (none before a first term that is positive)."""
-    if not isinstance(e, Sum):
+    if not _is_sum(e):
         return [signs(e)]
-    return [signs(e.terms[0]), *(tuple(_later_term(t)) for t in watched(e.terms[1:]))]
+    return [signs(e.children[0]), *(tuple(_later_term(t)) for t in watched(e.children[1:]))]
 
 
 def parts(e: Expr) -> Iterator[tuple[Term, Expr]]:
@@ -93,7 +94,7 @@ def parts(e: Expr) -> Iterator[tuple[Term, Expr]]:
     meet, and in products what stands in parentheses, piece by piece; brackets side by side are one piece.
     """
     match e:
-        case Sum(terms=terms):
+        case Sum(terms=terms) if _is_sum(e):
             yield from parts(terms[0])
             for term in terms[1:]:
                 mark, shown = _signed(term)
@@ -117,7 +118,7 @@ def _whole(e: Expr) -> tuple[Term, Expr]:
 def _product_parts(factors: tuple[Expr, ...]) -> Iterator[tuple[Term, Expr]]:
     """Neighbouring factors other than sums and meets are one piece, but for −1, which is the sign of the next."""
     sign: Term = ()
-    for apart, run in groupby(factors, lambda f: isinstance(f, (Sum, Meet))):
+    for apart, run in groupby(factors, lambda f: isinstance(f, Meet) or _is_sum(f)):
         if not apart:
             together = tuple(run)
             shown = tuple(_product(together))
@@ -156,6 +157,8 @@ def _signs(e: Expr) -> Iterator[Sign]:
             yield Digits(abs(Fraction(value)))
         case Point(name=name):
             yield Row((name,))
+        case Screw():
+            yield Row((e.name,))
         case Join(args=args):
             if _side_by_side(e):
                 yield _points(args)
@@ -165,7 +168,7 @@ def _signs(e: Expr) -> Iterator[Sign]:
             yield from _listed(args, Mark("∧"), bare=(Point,))
         case Bracket(args=args):
             yield Mark("[")
-            yield from (_points(args),) if all(isinstance(a, Point) for a in args) else _comma_separated(args)
+            yield from (_points(args),) if all(map(_named, args)) else _comma_separated(args)
             yield Mark("]")
         case Dotted(brackets=brackets):
             for entries in brackets:
@@ -227,7 +230,7 @@ def _closed(e: Expr) -> bool:
 def _joined(args: tuple[Expr, ...]) -> Iterator[Sign]:
     """Neighbouring points side by side, everything else in parentheses."""
     first = True
-    for is_point, run in groupby(args, lambda a: isinstance(a, Point)):
+    for is_point, run in groupby(args, _named):
         for part in [(_points(tuple(run)),)] if is_point else [_wrapped(a, ()) for a in run]:
             if not first:
                 yield Mark("∨")
@@ -244,7 +247,7 @@ def _listed(args: tuple[Expr, ...], mark: Mark, bare: tuple[type[Expr], ...]) ->
 
 def _comma_separated(args: tuple[Expr, ...]) -> Iterator[Sign]:
     first = True
-    for is_point, run in groupby(args, lambda a: isinstance(a, Point)):
+    for is_point, run in groupby(args, _named):
         for part in [(Row((n,)),) for n in _points(tuple(run)).names] if is_point else map(_signs, run):
             if not first:
                 yield Mark(",")
@@ -253,11 +256,21 @@ def _comma_separated(args: tuple[Expr, ...]) -> Iterator[Sign]:
 
 
 def _points(args: tuple[Expr, ...]) -> Row:
-    return Row(grouped([a.name for a in args if isinstance(a, Point)]))
+    return Row(grouped([a.name for a in args if isinstance(a, Point | Screw)]))
 
 
 def _side_by_side(e: Expr) -> bool:
-    return isinstance(e, Join) and all(isinstance(a, Point) for a in e.args)
+    return isinstance(e, Screw) or (isinstance(e, Join) and all(map(_named, e.args)))
+
+
+def _named(e: Expr) -> bool:
+    """Whether it is a name, which stands beside others."""
+    return isinstance(e, Point | Screw)
+
+
+def _is_sum(e: Expr) -> bool:
+    """Whether it is written as a sum, as a letter for a screw is not."""
+    return isinstance(e, Sum) and not isinstance(e, Screw)
 
 
 def _wrapped(e: Expr, bare: tuple[type[Expr], ...]) -> Iterator[Sign]:

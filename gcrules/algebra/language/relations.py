@@ -27,6 +27,7 @@ from gcrules.algebra.letter_forms import FORMS
 from gcrules.algebra.letters import conics_of, named_letter
 from gcrules.algebra.metric import Infinity
 from gcrules.algebra.names import step_name
+from gcrules.algebra.screw_letters import refuse_screw
 from gcrules.algebra.space import Assumption, SourcePlace, Space
 from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import GcrulesError, InputError, StepError
@@ -226,6 +227,7 @@ def _steps_between(number: int) -> Callable[[tuple[Expr, ...], list[Node], int],
 
     def check(args: tuple[Expr, ...], trees: list[Node], rank: int) -> None:
         for arg, tree in zip(args, trees, strict=True):
+            refuse_screw(arg, span_of(tree))
             if not 1 <= arg.step < rank:
                 raise StepError(f"{step_name(arg.step, rank)} where an extensor is expected", span=span_of(tree))
         if len(args) < number:

@@ -17,8 +17,8 @@ from gcrules.algebra.language.rule_text import Case, RuleText, instances
 from gcrules.algebra.language.syntax import Builder, Context
 from gcrules.algebra.language.words import METRICS, with_infinity
 from gcrules.algebra.letter_forms import FORMS
-from gcrules.algebra.letters import LETTERS, letter_step
-from gcrules.algebra.names import NAME, NAMES_HINT, step_name
+from gcrules.algebra.letters import LETTERS, SCREW, letter_name, letter_step
+from gcrules.algebra.names import NAME, NAMES_HINT
 from gcrules.algebra.space import SourcePlace, shortened
 from gcrules.core.dataclass import dataclass
 from gcrules.core.english import listed
@@ -105,7 +105,8 @@ def parse_letters(text: str, context: Context) -> Context:
     except SyntaxFault as fault:
         fault.hint = fault.hint or hint
         raise
-    if replace(found, letters=context.letters, conics=context.conics) != context or found == context:
+    before = {key: getattr(context, key) for key in ("letters", "screws", "conics")}
+    if replace(found, **before) != context or found == context:
         raise InputError("this declares more than letters, or none", hint=hint, span=Span(0, len(text)), source=text)
     return found
 
@@ -169,7 +170,7 @@ class _Reader:
         self._lettered(kind, tokens[0].children if tokens[0:1] and hasattr(tokens[0], "children") else tokens)
 
     def _lettered(self, kind: Node, tokens: Iterable[Node]) -> None:
-        """Letters that stand for lines, planes or hyperplanes."""
+        """Letters that stand for lines, planes, hyperplanes, conics or screws."""
         at = self.context
         try:
             step = letter_step(str(kind), at.rank)
@@ -180,17 +181,24 @@ class _Reader:
         for token in tokens:
             name = str(token)
             self._declared((), (token,), str(kind))
-            if (name in at.letters and at.letters[name] == step) or (name in at.conics and not step):
+            alike = (kind == SCREW) == (name in at.screws) and at.letters.get(name) == step
+            if alike or (name in at.conics and not step):
                 continue
             if name in at.declared() or name in before:
                 known = "declared" if name in at.declared() else "a point in what stands before"
                 hint = f"choose another name, or declare the {kind} first"
                 raise InputError(f"{shortened(name)} is already {known}", span=span_of(token), hint=hint)
             if step:
-                at = replace(at, letters={**at.letters, name: step})
+                screws = (*at.screws, name) if kind == SCREW else at.screws
+                at = replace(at, letters={**at.letters, name: step}, screws=screws)
             else:
                 at = replace(at, conics=(*at.conics, name))
         self.context = at
+
+    def _letter(self, name: str) -> str:
+        """What a letter is called."""
+        at = self.context
+        return letter_name(name, at.letters[name], at.screws, at.rank)
 
     def _declared(self, known: tuple[str, ...], tokens: Iterable[Node], kind: str = "point") -> tuple[str, ...]:
         """The names declared so far and those of a new declaration."""
@@ -202,7 +210,7 @@ class _Reader:
             if not NAME.fullmatch(name):
                 raise InputError(f"{shortened(name)!r} cannot name a {kind}", span=span_of(token), hint=NAMES_HINT)
             if name in self.context.letters and kind not in LETTERS:
-                what = f"{shortened(name)} is already {step_name(self.context.letters[name], self.context.rank)}"
+                what = f"{shortened(name)} is already {self._letter(name)}"
                 raise InputError(what, span=span_of(token), hint="choose another name")
             if name in self.context.conics and kind not in LETTERS:
                 what = f"{shortened(name)} is already a {FORMS[self.context.rank].word}"
@@ -286,10 +294,11 @@ class _Reader:
         for word in words:
             used = next((n for n, _ in Builder(at).split(word) if n in at.letters or n in at.conics), None)
             if used is not None:
-                what = f"a {FORMS[at.rank].word}" if used in at.conics else step_name(at.letters[used], at.rank)
+                what = f"a {FORMS[at.rank].word}" if used in at.conics else self._letter(used)
                 instead = "the line or plane as a join of points"
                 if used in at.conics:
                     instead = FORMS[at.rank].instead
+                instead = "the screw as a sum of two lines, ab + cd" if used in at.screws else instead
                 hint = f"write {instead}"
                 raise InputError(f"{used} is {what}, and rules are about points", span=span_of(word), hint=hint)
 

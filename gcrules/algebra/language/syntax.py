@@ -20,6 +20,7 @@ from gcrules.algebra import expr as ex
 from gcrules.algebra import scalars
 from gcrules.algebra.expr import Expr
 from gcrules.algebra.language.conic_words import called, conic_behind, known_on, refuse_conic
+from gcrules.algebra.language.dotted_letters import beside_dots
 from gcrules.algebra.language.letter_words import CONSTRUCTIONS_OF_LETTERS
 from gcrules.algebra.language.parse_tree import Node, digits, read, run_name, span_of, whole
 from gcrules.algebra.language.text import SHORT_NAME
@@ -33,7 +34,7 @@ from gcrules.algebra.language.words import (
     ends,
 )
 from gcrules.algebra.letter_forms import FORMS
-from gcrules.algebra.letters import letter, names_of
+from gcrules.algebra.letters import letter
 from gcrules.algebra.names import step_name
 from gcrules.algebra.scalars import MAX_EXPONENT, superbracket
 from gcrules.algebra.space import Space, shortened
@@ -52,14 +53,16 @@ MAX_WORD = 1_000
 @dataclass(frozen=True, slots=True)
 class Context(Space):
     """What names mean: a space, and the names bound by `let`, each with what its words require not to vanish; which of
-    what these made is `finite` then. `letters` stand for lines, planes and hyperplanes, each with its step, `conics`
-    for conics, and in space for quadrics; the forms of these in `on_conics` are zero, as words made points of them.
+    what these made is `finite` then. `letters` stand for lines, planes and hyperplanes, each with its step, or are
+    among `screws`, `conics` for conics, and in space for quadrics; the forms of these in `on_conics` are zero, as words
+    made points of them.
     """
 
     bound: Mapping[str, Expr] = FrozenMap()
     required: Mapping[str, tuple[Requirement, ...]] = FrozenMap()
     finite: frozenset[Expr] = frozenset()
     letters: Mapping[str, int] = FrozenMap()
+    screws: tuple[str, ...] = ()
     conics: tuple[str, ...] = ()
     on_conics: frozenset[Expr] = frozenset()
 
@@ -286,13 +289,10 @@ class Builder:
         """Points of which some are dotted, with those of letters among them, which are not."""
         found: list[tuple[str, bool]] = []
         for name, dot in entries:
-            step = self.context.letters.get(name)
-            if step is not None and dot:
-                what = f"a dot marks a point, and {name} is {step_name(step, self.rank)}"
-                raise SyntaxFault(what, span=span_of(tree), hint="write the meet, or the sum that the dots stand for")
-            if step is not None or name in self.context.conics:
+            at = self.context
+            if name in at.letters or name in at.conics:
                 self._named(name)
-            found += [(name, dot)] if step is None else [(n, False) for n in names_of(name, step)]
+            found += beside_dots(name, dot, at.letters, at.screws, span_of(tree))
         return _DottedRun(tuple(found))
 
     def run(self, tree: Node) -> _Value:
@@ -344,7 +344,7 @@ class Builder:
         bound = self.context.bound.get(name)
         refuse_conic(name, self.context.conics, self.rank)
         if name in self.context.letters:
-            self.lettered[name] = letter(name, self.context.letters[name])
+            self.lettered[name] = letter(name, self.context.letters[name], self.context.screws)
             return self.lettered[name]
         if bound is None:
             return ex.Point(name)

@@ -33,7 +33,7 @@ _TERMINALS = {
     "RUN": "a run of points (R...)",
     "RELATION": "a relation such as collinear(a, b, c)",
     "CONSTRUCTION": "a word such as midpoint(a, b)",
-    "LETTERS": "line, plane, hyperplane, conic or quadric",
+    "LETTERS": "line, plane, hyperplane, conic, quadric or screw",
     "$END": "the end",
 }
 _STARTERS = {"WORD", "NUMBER", "LPAR", "LSQB", "DOT", "RUN"}
@@ -41,7 +41,7 @@ _HINTS: tuple[tuple[re.Pattern[str], str], ...] = (
     (re.compile(r"=(?!=)"), "equality is written =="),
     (re.compile(r"\\(?!/)"), "join is \\/ (or ∨, \\vee), meet is /\\ (or ∧, ^, \\wedge)"),
     (re.compile(r"/(?!\\)"), "meet is /\\ ; fractions are written 1/2 without spaces"),
-    (re.compile("[₀-₉¹²³⁴⁵]"), "the points of letters have no names that can be written"),
+    (re.compile("[₀-₉¹²³⁴⁵ᵃᵇᶜᵈ]"), "the points of letters have no names that can be written"),
     (re.compile(r"[|&]"), "join is \\/ , meet is /\\"),
     (re.compile(r"[{}]"), "group with ( ) ; brackets of points are [ ]"),
     (re.compile(r"(?<=[0-9]\.)[0-9]"), "fractions are written 3/2"),
@@ -101,7 +101,8 @@ def _no_letter(text: str, at: int) -> str | None:
     """What takes the place of letters that there are not, where the line up to a place declares one."""
     if not _NO_LETTER.match(text, text.rfind("\n", 0, at) + 1):
         return None
-    return "letters stand for lines, planes, conics and quadrics; a circle is a conic through the isotropic points"
+    of = "letters stand for lines, planes, screws, conics and quadrics"
+    return f"{of}; a circle is a conic through the isotropic points"
 
 
 def words_of(pattern: str) -> list[str]:

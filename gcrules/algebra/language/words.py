@@ -15,6 +15,7 @@ from gcrules.algebra.expr import Expr, Join, Point
 from gcrules.algebra.letters import named_letter
 from gcrules.algebra.metric import Infinity
 from gcrules.algebra.names import step_name
+from gcrules.algebra.screw_letters import refuse_screw
 from gcrules.algebra.space import Space
 from gcrules.core.dataclass import dataclass
 from gcrules.core.english import counted
@@ -93,6 +94,7 @@ class Word:
             found = f"{self.usage} takes {number}, found {len(args) + self.of_conic}"
             raise InputError(found, hint=self._advice(args))
         for arg, span, kind in zip(args, spans, self.kinds(len(args)), strict=True):
+            refuse_screw(arg, span)
             if not _FITS[kind](arg, at.rank):
                 joined = isinstance(arg, Join) and named_letter(arg) is None
                 hint = "separate the points with commas" if kind == POINT and joined else None

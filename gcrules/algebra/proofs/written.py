@@ -7,7 +7,7 @@ from fractions import Fraction
 from typing import Any
 
 from gcrules.algebra.bracket import Coefficient
-from gcrules.algebra.expr import Dotted, Expr, Number, Point, Power
+from gcrules.algebra.expr import Dotted, Expr, Number, Point, Power, Sum
 from gcrules.algebra.scalars import written_out
 
 __all__ = ["Written", "number"]
@@ -52,7 +52,8 @@ class Written:
 
     def _parts(self, e: Expr) -> list[Any]:
         last = [e.exponent] if isinstance(e, Power) else []
-        return [type(e).__name__.lower(), *map(self.of, e.children), *last]
+        kind = "sum" if isinstance(e, Sum) else type(e).__name__.lower()  # a screw is one, too
+        return [kind, *map(self.of, e.children), *last]
 
 
 def number(value: Coefficient) -> int | str:

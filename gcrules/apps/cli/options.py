@@ -88,7 +88,7 @@ def space_options(*, rank: bool = True, metric: bool = False) -> Callable[[_Comm
                 "--letters",
                 default="",
                 metavar="LETTERS",
-                help='What letters stand for lines, planes, conics and quadrics: "line L M, plane P".',
+                help='What letters stand for lines, planes, screws, conics and quadrics: "line L M, plane P".',
             ),
         ]
         return decorated(with_space, decorators)

@@ -10,7 +10,7 @@ from gcrules.algebra.expr import Expr, common_rank
 from gcrules.algebra.language.syntax import Context
 from gcrules.algebra.language.text import text
 from gcrules.algebra.letter_forms import FORMS
-from gcrules.algebra.letters import marked
+from gcrules.algebra.letters import letter_name, marked
 from gcrules.algebra.names import step_name
 from gcrules.algebra.whole_letters import in_letters
 from gcrules.apps.repl.reading import as_typed
@@ -164,7 +164,7 @@ def context_text(state: PromptState, settings: Settings) -> str:
         "points": [" ".join(at.points)] if at.points else [],
         "ideal": [" ".join(at.ideal)] if at.ideal else [],
         "metric": [str(at.infinity)] if at.infinity else [],
-        "letters": [f"{name}, {step_name(step, at.rank)}" for name, step in at.letters.items()]
+        "letters": [f"{n}, {letter_name(n, step, at.screws, at.rank)}" for n, step in at.letters.items()]
         + [f"{name}, a {FORMS[at.rank].word}" for name in at.conics],
         "given": list(dict.fromkeys(map(str, at.given))),
         "let": [bound_text(n, at, settings) for n in at.bound],

@@ -198,7 +198,7 @@ def _legs(repl: PromptSession, request: Request, reading: Callable[..., Loaded])
     place = request.span
     try:
         if at.letters.keys() & set(word.replace(",", " ").split()):
-            reading = partial(read_legs, letters=", ".join(declarations(at.letters, at.rank)))
+            reading = partial(read_legs, letters=", ".join(declarations(at.letters, at.rank, at.screws)))
         legs = reading(word, points=(*at.points, *at.ideal))
         if not isinstance(legs, Structure):
             return legs

@@ -13,7 +13,7 @@ from collections.abc import Iterable, Iterator, Mapping
 
 from gcrules.algebra.language.letter_words import CONSTRUCTION_NAMES
 from gcrules.algebra.letter_forms import FORMS
-from gcrules.algebra.names import step_name
+from gcrules.algebra.letters import letter_name
 from gcrules.apps.repl.help import TOPICS
 from gcrules.apps.repl.reading import first_word, split_command
 from gcrules.apps.repl.state import PromptState
@@ -98,7 +98,7 @@ def _names(before: str, state: PromptState) -> Iterator[Completion]:
     known = (
         dict.fromkeys(at.points, "a point")
         | dict.fromkeys(at.ideal, "at infinity")
-        | {n: step_name(step, at.rank) for n, step in at.letters.items()}
+        | {n: letter_name(n, step, at.screws, at.rank) for n, step in at.letters.items()}
         | dict.fromkeys(at.conics, f"a {FORMS[at.rank].word}")
         | {n: f"= {e}" for n, e in _bound(state)}
     )

@@ -32,6 +32,10 @@ _MORE: Mapping[str, str] = {
         "given incident(a, Q), then tangent(a, Q) and second_on_quadric(p, a, Q)\n"
         "Q is any quadric of space, real or not, that is not a cone."
     ),
+    "screw": (
+        "screw S T\nIn brackets, meets and superbrackets, as lines:  S \\/ ab,  S /\\ T,  [[S, T, ab, cd, ef, gh]]\n"
+        "S is a sum of two lines without names. S \\/ ab == 0 says that it is reciprocal to the line ab."
+    ),
     "let": "let p = ab /\\ cde",
     "claim": (
         'claim "two forms": ab /\\ cd == [abcd]\nAn equation without `claim` is decided too, but not saved.\n'

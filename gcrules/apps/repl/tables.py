@@ -49,6 +49,7 @@ STATEMENTS: Mapping[str, tuple[str, str]] = {
     "hyperplane": ("hyperplane NAMES", "letters that stand for hyperplanes, of one step less than the rank"),
     "conic": ("conic NAMES", "in the plane: letters that stand for conics, of which words speak: polar(p, K)"),
     "quadric": ("quadric NAMES", "in space: letters that stand for quadrics, of which words speak: polar(p, Q)"),
+    "screw": ("screw NAMES", "in space: letters that stand for screws, wrenches and twists of any pitch"),
     "given": ("given collinear(a, b, c), …", "what is assumed: relations of points, lines and planes, LHS == RHS too"),
     "let": ("let NAME = EXPR", "a name for an expression"),
     "claim": ('claim ["label":] LHS == RHS', "an equation, or a relation, to prove and to save"),

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from gcrules.algebra import expr as ex
-from gcrules.algebra.expr import ONE, Expr
+from gcrules.algebra.expr import ONE, Expr, points_of
 from gcrules.algebra.language.legs_text import Structure, leg_text
 from gcrules.algebra.language.text import text
 from gcrules.algebra.scalars import bracket
@@ -157,7 +157,7 @@ def structure_items(a: Analysis) -> list[Item]:
     """The legs, the two bodies, the class, and what is in special position."""
     s = a.structure
     items: list[Item] = [KeyValue("legs", s.text())]
-    lettered = points_shown(" ".join(n for leg in s.legs for n in leg))
+    lettered = points_shown(" ".join((*(n for leg in s.legs for n in leg), *points_of(*s.lines))))
     items += [KeyValue("letters", lettered)] if lettered else []
     if s.base:
         items += [KeyValue("base", " ".join(s.base)), KeyValue("platform", " ".join(s.platform))]

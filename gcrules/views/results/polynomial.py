@@ -10,6 +10,7 @@ from gcrules.algebra.bracket import BracketPolynomial, ExtensorPolynomial, repea
 from gcrules.algebra.language.text import SHORT_NAME
 from gcrules.algebra.language.text import text as expression_text
 from gcrules.algebra.letters import conic_points, conics_of, letters_of, marked, names_of
+from gcrules.algebra.screw_letters import screw_points, screws_of
 from gcrules.algebra.superbrackets.shortest import SuperbracketForm
 from gcrules.algebra.whole_letters import in_letters
 from gcrules.core.budget import watched
@@ -60,7 +61,9 @@ def points_shown(shown: str, rank: int = 4) -> str:
     names = _MARKED.findall(shown)
     told = [f"{name} = {' ∨ '.join(names_of(name, step))}" for name, step in letters_of(names).items()]
     told += [_through(name, rank) for name in conics_of(names)]
-    return f"{', '.join(told)}, whichever points of {'it' if len(told) == 1 else 'them'} these are" if told else ""
+    screws = [_two_lines(name, *screw_points(name)) for name in screws_of(names)]
+    of = "" if screws else " of it" if len(told) == 1 else " of them"
+    return f"{', '.join((*told, *screws))}, whichever points{of} these are" if (*told, *screws) else ""
 
 
 def _through(name: str, rank: int) -> str:
@@ -68,7 +71,11 @@ def _through(name: str, rank: int) -> str:
     return f"{name} is the conic through {points}" if rank == 3 else f"a tetrahedron on {name} has the corners {points}"
 
 
-_MARKED = re.compile(r"[A-Za-z][A-Za-z0-9_]*'*(?:[₁-₉]+|[¹²³⁴⁵])")
+def _two_lines(name: str, a: str, b: str, c: str, d: str) -> str:
+    return f"{name} = {a} ∨ {b} + {c} ∨ {d}"
+
+
+_MARKED = re.compile(r"[A-Za-z][A-Za-z0-9_]*'*(?:[₁-₉]+|[¹²³⁴⁵ᵃᵇᶜᵈ])")
 
 
 def as_latex(p: BracketPolynomial | ExtensorPolynomial) -> str:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 from math import gcd, lcm
+from operator import mul
 from typing import Any
 
 from gcrules.algebra.evaluate import evaluate, plucker
@@ -13,6 +14,7 @@ from gcrules.algebra.language.text import text as expression_text
 from gcrules.algebra.letter_forms import FORMS, coefficients
 from gcrules.algebra.letters import conics_of, letter, letters_of, marked
 from gcrules.algebra.prove import Proof, number_text
+from gcrules.algebra.screw_letters import screw, screws_of
 from gcrules.views.formulas import latex as formulas
 from gcrules.views.results.polynomial import points_shown
 
@@ -59,9 +61,21 @@ def _coordinates(points: Mapping[str, Sequence[Any]], rank: int) -> Iterator[tup
             value = tuple((-1) ** (step - i) * c for i, c in enumerate(reversed(value)))
         kind = "coordinates of the hyperplane" if step == rank - 1 else "Plücker coordinates"
         yield name, f"{number_text(value)}, {_KINDS.get((step, rank), kind)}"
+    for name in screws_of(points):
+        yield name, _screw(plucker(screw(name), points))
     for name in conics_of(points):
         yield name, f"{number_text(_form(name, points, rank))}, coefficients of {_SQUARES[rank]}"
     yield from ((name, number_text(tuple(c))) for name, c in points.items() if not marked(name))
+
+
+def _screw(value: tuple[Any, ...]) -> str:
+    """Plücker coordinates of a screw, which are (m_z, -m_y, -f_x, m_x, -f_y, -f_z), with its pitch f·m / f·f."""
+    z, y, fx, x, fy, fz = value
+    force, moment = (-fx, -fy, -fz), (x, -y, z)
+    square = sum(c * c for c in force)
+    pitch = Fraction(sum(map(mul, force, moment)), square) if square else None
+    kind = "a couple" if pitch is None else f"of pitch {pitch}" if pitch else "a line"
+    return f"{number_text(value)}, Plücker coordinates, {kind}"
 
 
 def _form(name: str, points: Mapping[str, Sequence[Any]], rank: int) -> tuple[Any, ...]:
