@@ -46,7 +46,7 @@ TERMS = (
     "-abdf cghi ejkl|-abde cghj fikl|-abcf dghj eikl|+abdf cghj eikl|+abcg defi hjkl|-abdg cefi hjkl|"
     "-abch defi gjkl|-abcg defj hikl|+abdh cefi gjkl|+abdg cefj hikl|+abch defj gikl|-abdh cefj gikl"
 )
-NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]*'*([₁-₉]{0,2}|[¹²³⁴⁵])(:[0-9]+)?|#[0-9]+")
+NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]*'*([₁-₉]{0,2}|[¹²³⁴⁵ᵃᵇᶜᵈ])(:[0-9]+)?|#[0-9]+")
 OPERATIONS = ["join", "meet", "sum", "product", "power", "bracket", "superbracket"]
 SIGN = dict(zip(OPERATIONS, [" \\/ ", " /\\ ", " + ", " * ", "**", " ", " "]))
 

@@ -26,6 +26,7 @@ from gcrules.algebra.language.text import text
 from gcrules.algebra.letter_forms import FORMS
 from gcrules.algebra.letters import conics_of, declarations, letter_of, letters_of, marks_in, named_letter
 from gcrules.algebra.prove import Proof, difference_of, prove
+from gcrules.algebra.reciprocal import Reciprocal, reciprocal
 from gcrules.algebra.screw_letters import screw_of, screws_of
 from gcrules.algebra.seated import Seated, seated
 from gcrules.algebra.space import Assumption, Space
@@ -48,7 +49,10 @@ def decide(claimed: Claimed, at: Space, *, limit: int = MAX_TERMS) -> Proof:
     """
     if conics_of(_names(claimed, at)):
         return _about_conics(claimed, at, limit)
-    found = _decided(claimed, at, limit)
+    written = reciprocal(claimed, at)
+    found = (
+        _decided(claimed, at, limit) if written is None else _decided(written.claimed, written.space, limit, written)
+    )
     if found.verdict == "undecided" and (other := _of_points(claimed, at)) is not None:
         of_points = _decided(*other, limit)
         if of_points.proved:
@@ -135,15 +139,18 @@ def _said(proof: Proof, placed: Seated) -> Proof:
     return replace(proof, assumed=tuple(told), meanings=tuple(told.values()))
 
 
-def _decided(claimed: Claimed, at: Space, limit: int, placed: Seated | None = None) -> Proof:
-    """The verdict on the claim as it is; with conditions in words where it is a claim about conics that is `placed`."""
+def _decided(claimed: Claimed, at: Space, limit: int, placed: Seated | Reciprocal | None = None) -> Proof:
+    """The verdict on the claim as it is; of one that is `placed`, with conditions in words where it is about conics, as
+    that of the claim that was made where it is about screws.
+    """
     for r in claimed.required:
         if vanishes(r.expr, rank=at.rank, ideal=at.ideal, samples=2):
             raise InputError(f"{r.text} vanishes at all positions")
     nonzero = (*claimed.nonzero, *(r.expr for r in claimed.required))
+    generic = isinstance(placed, Seated) and placed.generic
     parts: list[Proof] = []
-    for left, right in claimed.equations:
-        summed = _summed(left, right, at, limit) if placed is not None and placed.generic else None
+    for number, (left, right) in enumerate(claimed.equations):
+        summed = _summed(left, right, at, limit) if generic else None
         parts.append(
             summed
             or prove(
@@ -157,7 +164,9 @@ def _decided(claimed: Claimed, at: Space, limit: int, placed: Seated | None = No
                 limit=limit,
             )
         )
-        if placed is not None:
+        if isinstance(placed, Reciprocal):
+            parts[-1] = placed.told(parts[-1], number)
+        elif placed is not None:
             parts[-1] = _said(parts[-1], placed)
         if parts[-1].verdict == "refuted":
             break

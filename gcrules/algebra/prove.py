@@ -40,7 +40,7 @@ from gcrules.core.errors import InputError, LimitReached, StepError
 from gcrules.core.frozen import FrozenMap
 from gcrules.core.shown import Shown
 
-__all__ = ["KindVerdict", "Proof", "difference_of", "prove"]
+__all__ = ["KindVerdict", "Proof", "assuming", "difference_of", "prove"]
 
 _SAMPLES = 3
 _TRIES = 400  # small positions that are tried
@@ -48,8 +48,7 @@ _BETTER = 60  # among these a counterexample is sought whose points all differ
 _EQUAL = f"; equal at {_SAMPLES} exact random points"
 _SATISFYING = ", which satisfy the assumptions"
 _ANY_WEIGHT = ", of any weight); they are equal wherever every finite point has last coordinate 1"
-_VERDICTS = ("refuted", "undecided", "proved")
-_DO = ("does", "do")
+_VERDICTS, _DO = ("refuted", "undecided", "proved"), ("does", "do")
 
 
 @dataclass(frozen=True)
@@ -272,10 +271,11 @@ def _under_assumptions(left: Expr, right: Expr, difference: Expr, space: Space, 
         return replace(worst, assumed=(), meanings=(), together=(), kinds=told)
     # Each kind says what it leaves out; what an image leaves out is of that kind, and not left out by all.
     assumed = fewest(e for kind in found if not kind.image for e in kind.construction.nonzero)
-    return replace(_assuming(proofs[0], assumed, space), together=(), kinds=told)
+    return replace(assuming(proofs[0], assumed, space), together=(), kinds=told)
 
 
-def _assuming(proof: Proof, nonzero: Iterable[Expr], space: Space) -> Proof:
+def assuming(proof: Proof, nonzero: Iterable[Expr], space: Space) -> Proof:
+    """The proof with what it assumes not to vanish."""
     found, names = chosen(nonzero, space.rank), space.declared()
     assumed, told = tuple(text(e, names=names) for e in found), tuple(words(e, names) for e in found)
     return replace(proof, assumed=assumed, meanings=told, conditions=found)
@@ -307,7 +307,7 @@ def _at_one_kind(
             reason = f"{_in_frame(zero)}, at all points that satisfy the assumptions"
         method = "frame" if isinstance(zero, Frame) else "normal-form"
         found = Proof(left, right, "proved", method, reason)
-    found = _assuming(found, construction.nonzero, space)
+    found = assuming(found, construction.nonzero, space)
     return replace(found, together=coinciding(construction, space.given))
 
 

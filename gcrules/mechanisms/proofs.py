@@ -15,7 +15,7 @@ from typing import Any
 
 from gcrules.algebra.combinations import given_part
 from gcrules.algebra.evaluate import vanishes
-from gcrules.algebra.expr import Expr, Number, add, mul
+from gcrules.algebra.expr import Expr, Number, add, mul, points_of
 from gcrules.algebra.factoring.forms import Factors
 from gcrules.algebra.factoring.result import Factorization
 from gcrules.algebra.proofs.absence import no_expression, no_shorter
@@ -23,6 +23,7 @@ from gcrules.algebra.proofs.multiples import cofactor
 from gcrules.algebra.proofs.proof_file import Absence, LeftOut, ProofFile
 from gcrules.algebra.proofs.theorem import Theorem, theorem
 from gcrules.algebra.prove import Proof, difference_of
+from gcrules.algebra.screw_letters import screws_of
 from gcrules.algebra.shortening.result import Shortening
 from gcrules.algebra.space import Assumption, Space
 from gcrules.algebra.structure import Structure
@@ -162,6 +163,10 @@ def _equations(name: str, proof: Proof) -> Iterator[_Claim | LeftOut]:
     """What is proved: of a relation that is several equations each of them."""
     if not proof.proved:
         yield LeftOut(name, f"it is {proof.verdict}")
+        return
+    of_screw = next((a for a in proof.given if screws_of(points_of(*a.args))), None)
+    if of_screw is not None:
+        yield LeftOut(name, f"{of_screw} is about a screw, which proof files cannot assume")
         return
     for i, p in enumerate(proof.parts or (proof,), 1):
         yield _Claim(f"{name}, {i}" if proof.parts else name, p.left, p.right, p.rank, p.ideal, p.given)

@@ -8,6 +8,7 @@ from random import Random
 
 import pytest
 from faults import refused
+from places import checker
 
 import gcrules as gc
 from gcrules.algebra.evaluate import PRIME, Evaluator
@@ -20,6 +21,7 @@ from gcrules.algebra.screw_letters import Screw, screw, screw_points
 from gcrules.apps.repl.interpreter import Interpreter
 from gcrules.core.errors import GcrulesError, InputError
 from gcrules.core.linear_algebra import determinant
+from gcrules.rules.script import run_script
 
 LETTERS = "screw S T, line L M, plane P Q"
 SPACE = parse_letters(LETTERS, Context(4))
@@ -225,3 +227,60 @@ def test_legs_that_are_no_screws_are_refused() -> None:
     for legs in ("ab cd ef gh ij S + T", "ab cd ef gh ij Sa"):
         with pytest.raises(GcrulesError):
             gc.analyze(legs, letters="screw S T")
+
+
+RECIPROCAL = [
+    (r"S \/ ab == 0", r"S \/ ab == 0", "proved", ("ab",)),
+    (r"[S a b] == 0", r"S \/ ac == 0", "refuted", ()),
+    (r"S \/ ac == 0", r"S \/ ab == 0, collinear(a, b, c)", "proved", ("ab",)),
+    (r"S \/ L == 0", r"S /\ L == 0", "proved", ()),
+    (r"T \/ S == 0", r"S /\ T == 0", "proved", ()),
+    (r"T \/ ab == 0", r"S /\ T == 0", "refuted", ()),
+    (r"collinear(a, b, S /\ abc)", r"[S a b] == 0", "proved", ("ab",)),
+    (r"collinear(a, c, S /\ abc)", r"[S a b] == 0", "refuted", ()),
+    (r"[S a b] == [S b a]", r"S /\ abc /\ abd == 0", "proved", None),
+    (r"S \/ T == 0", r"S \/ ab == 0, T \/ S == 0, [T c d] == 0", "refuted", None),
+    (r"[[S, ab, T, cd, ef, gh]] == 0", r"S \/ ab == 0, T \/ S == 0", "refuted", ()),
+    (r"S /\ S == 0", r"S /\ S == 0", "proved", None),
+]
+
+
+@pytest.mark.parametrize(("claim", "given", "verdict", "assumed"), RECIPROCAL)
+def test_screws_are_assumed_to_be_reciprocal(
+    claim: str, given: str, verdict: str, assumed: tuple[str, ...] | None
+) -> None:
+    if given.count("T") == 2:
+        with pytest.raises(InputError, match="T is assumed to be reciprocal to something else already"):
+            gc.prove(claim, letters="screw S T, line L", given=given)
+        return
+    found = gc.prove(claim, letters="screw S T, line L", given=given)
+    assert found.verdict == verdict, found
+    assert assumed is None or found.assumed == assumed
+    assert not set("₁₂ᵃᵇᶜᵈ") & set("".join(found.assumed))
+    if found.counterexample is not None:
+        at = dict(found.counterexample)
+        known = [a.args[0] for a in found.given if a.kind == "zero" and set(points_of(*a.args)) <= set(at)]
+        assert all(v == 0 for e in known for v in Evaluator(at, 4).value(e))
+        assert known or "S" not in claim
+        assert not {"S₁", "S₂"} & set(at)
+        sides = [tuple(Evaluator(at, 4).value(e)) for e in (found.left, found.right)]
+        assert sides[0] != sides[1]
+
+
+def test_scripts_assume_that_screws_are_reciprocal() -> None:
+    script = "screw S\ngiven S \\/ ab == 0, incident(c, ab)\nclaim S \\/ ac == 0\nclaim [S c d] == 0"
+    assert [r.verdict for r in run_script(parse_script(script)).results] == ["proved", "refuted"]
+
+
+def test_nothing_is_assumed_of_screws_that_are_legs() -> None:
+    with pytest.raises(InputError, match=r"S \\/ Aa == 0 is said of a screw, and what is assumed of legs"):
+        gc.analyze("Aa Ab Ac Bd Be S", letters="screw S", given=r"S \/ Aa == 0")
+
+
+def test_proof_files_are_of_screws_of_which_nothing_is_given() -> None:
+    proof = gc.prove(r"collinear(a, b, S /\ abc)", letters="screw S", given=r"S \/ ab == 0")
+    with pytest.raises(InputError, match=r"S \\/ ab == 0 is about a screw, which proof files cannot assume"):
+        gc.proof_file(proof)
+    (theorem,) = gc.proof_file(gc.prove(r"(S /\ abc) \/ S == 1/2 (S /\ S) abc", letters="screw S")).theorems
+    checker("check_proof").check(data := theorem.to_json())
+    assert {"Sᵃ", "Sᵇ", "Sᶜ", "Sᵈ"} < set(data["points"])

@@ -54,6 +54,10 @@ def read_legs(
     if at.conics:
         what = f"{at.conics[0]} is a {FORMS[at.rank].word}, and what is assumed of legs is said of their points"
         raise InputError(what, hint="on_conic(a, b, c, d, e, f)" if at.rank == 3 else None)
+    of_screw = next((a for a in at.given if screws_of(points_of(*a.args))), None)
+    if of_screw is not None:
+        what = f"{of_screw} is said of a screw, and what is assumed of legs is said of their points"
+        raise InputError(what, hint="`prove` takes it, with a claim about the screw")
     reading = Context(rank, points, letters=at.letters, screws=at.screws)
     if isinstance(legs, str):
         found = tuple(_read_text(legs, reading, built))

@@ -3,7 +3,7 @@ import { HighlightStyle, StreamLanguage, syntaxHighlighting, type StringStream }
 import { tags } from "@lezer/highlight";
 import { BENCH_CONSTRUCTIONS, BENCH_RELATIONS } from "../../../protocol";
 
-const STATEMENTS = new Set(["rank", "points", "ideal", "isotropic", "orthonormal", "line", "plane", "hyperplane", "conic", "quadric", "let", "claim", "show", "given", "rewrite", "rule"]);
+const STATEMENTS = new Set(["rank", "points", "ideal", "isotropic", "orthonormal", "line", "plane", "hyperplane", "conic", "quadric", "screw", "let", "claim", "show", "given", "rewrite", "rule"]);
 const CLAUSES = new Set<string>(["if", "source", "fires", "silent", ...BENCH_RELATIONS]);
 const CONSTRUCTIONS = new Set<string>(BENCH_CONSTRUCTIONS);
 const WORD = /^[A-Za-zȦȧḂḃĊċḊḋĖėḞḟĠġḢḣİṀṁṄṅȮȯṖṗṘṙṠṡṪṫẆẇẊẋẎẏŻż][\w'\u0307ȦȧḂḃĊċḊḋĖėḞḟĠġḢḣİṀṁṄṅȮȯṖṗṘṙṠṡṪṫẆẇẊẋẎẏŻż]*(\.\.\.|…)?/;
