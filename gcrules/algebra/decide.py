@@ -49,10 +49,8 @@ def decide(claimed: Claimed, at: Space, *, limit: int = MAX_TERMS) -> Proof:
     """
     if conics_of(_names(claimed, at)):
         return _about_conics(claimed, at, limit)
-    written = reciprocal(claimed, at)
-    found = (
-        _decided(claimed, at, limit) if written is None else _decided(written.claimed, written.space, limit, written)
-    )
+    placed = reciprocal(claimed, at)
+    found = _decided(placed.claimed, placed.space, limit, placed) if placed else _decided(claimed, at, limit)
     if found.verdict == "undecided" and (other := _of_points(claimed, at)) is not None:
         of_points = _decided(*other, limit)
         if of_points.proved:

@@ -53,9 +53,8 @@ MAX_WORD = 1_000
 @dataclass(frozen=True, slots=True)
 class Context(Space):
     """What names mean: a space, and the names bound by `let`, each with what its words require not to vanish; which of
-    what these made is `finite` then. `letters` stand for lines, planes and hyperplanes, each with its step, or are
-    among `screws`, `conics` for conics, and in space for quadrics; the forms of these in `on_conics` are zero, as words
-    made points of them.
+    what these made is `finite` then. `letters`, each with its step, stand for lines, planes and hyperplanes, or are
+    `screws`; `conics` for conics, in space quadrics, whose forms in `on_conics` are zero, as words made points of them.
     """
 
     bound: Mapping[str, Expr] = FrozenMap()
