@@ -25,6 +25,7 @@ from gcrules.mechanisms.conditions.overlaps import of_several_kinds, without_rep
 from gcrules.mechanisms.conditions.published import MEMBERS, published
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.mechanisms.conditions.robot_statement import robot_statement
+from gcrules.mechanisms.conditions.screw_wrenches import with_screws
 from gcrules.mechanisms.conditions.words import RobotWords
 from gcrules.mechanisms.description.relations import AXES
 from gcrules.mechanisms.lines.equivalent import Equivalent, equivalent
@@ -35,7 +36,7 @@ from gcrules.mechanisms.lines.wrenches import WrenchLine
 from gcrules.mechanisms.robot import Robot
 from gcrules.rules.condition import Condition
 from gcrules.rules.factorization import SECONDS
-from gcrules.rules.statement import say
+from gcrules.rules.statement import NOTHING, say
 
 __all__ = ["analyze_robot"]
 
@@ -148,6 +149,12 @@ def _without_lines(robot: Robot, structure: Equivalent) -> RobotAnalysis:
         why = f"no lines through its points, or through meets of its axes and planes, span the wrenches of {which}"
     else:
         why = f"its wrenches have rank {structure.rank} in every configuration"
+    meaning = say(
+        "No condition in points is given for this robot: {}. {}Margin, pose, path and map need none.",
+        why,
+        "If such lines have a point that the file can name, give it as `through`. " * bool(kinds),
+    )
+    of_screws = with_screws(robot, structure) if kinds else NOTHING
     return RobotAnalysis(
         robot,
         structure,
@@ -155,11 +162,7 @@ def _without_lines(robot: Robot, structure: Equivalent) -> RobotAnalysis:
         None,
         (),
         limb_singularities(robot.family, robot.limbs),
-        say(
-            "No condition in points is given for this robot: {}. {}Margin, pose, path and map need none.",
-            why,
-            "If such lines have a point that the file can name, give it as `through`. " * bool(kinds),
-        ),
+        say("{} {}", meaning, of_screws) if of_screws else meaning,
         f"the ranks hold at exact random members{remark()}",
         wrenches=home_wrenches(robot, structure),
     )
