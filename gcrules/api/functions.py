@@ -253,33 +253,48 @@ def evaluate(e: str | Expr, points: dict[str, Any], *, rank: int | None = None, 
 
 @public
 def load(
-    source: Source, *, plugins: Folders = (), points: Names = (), ideal: Names = (), mode: str | None = None
+    source: Source,
+    *,
+    plugins: Folders = (),
+    points: Names = (),
+    ideal: Names = (),
+    letters: str = "",
+    mode: str | None = None,
 ) -> Structure | Platform | Robot | Analysis | RobotAnalysis:
     """What a source says: a `Structure` of legs, a `Platform` with coordinates, or a `Robot` of joints.
 
-    A source is legs ("ab af cb cd ed ef", or a sequence of pairs of names, read with `points` and `ideal`), the name or
-    the text of a geometry file or robot file, the id of a robot (shipped, or of `plugins`, folders of your own), of a
-    class of the catalog or of an example, a mapping with the data of a file, or what was loaded or analysed before,
+    A source is legs ("ab af cb cd ed ef", or a sequence of pairs of names, read with `points`, `ideal`, `letters`), the
+    name or text of a geometry file or robot file, the id of a robot (shipped, or of `plugins`, folders of your own), of
+    a class of the catalog or of an example, a mapping with the data of a file, or what was loaded or analysed before,
     which is given back. `analyze`, `report`, `view`, `pose`, `singular`, `path`, `assembly_modes`, `working_modes`,
     `locus`, `compiled` and `singular_map` take the same. With a `mode` the home of a robot or platform is in that mode:
     "+-+", one of its `working_modes`, "assembly 3", one of its `assembly_modes` at home, or "operation 2", one of its
     `operation_modes`. Raises InputError for what is none of these, FileError with all faults of a file.
     """
-    found = _load(source, plugins=plugins, points=points, ideal=ideal)
+    found = _load(source, plugins=plugins, points=points, ideal=ideal, letters=letters)
+    if letters and not isinstance(found, Structure):
+        raise InputError("letters are for legs without coordinates")
     chosen: Structure | Platform | Robot | Analysis | RobotAnalysis = found if mode is None else _in_mode(found, mode)
     return chosen
 
 
 @public
 def paper(
-    source: Source, folder: str | PathLike[str], *, full: bool = False, force: bool = False, plugins: Folders = ()
+    source: Source,
+    folder: str | PathLike[str],
+    *,
+    full: bool = False,
+    force: bool = False,
+    letters: str = "",
+    plugins: Folders = (),
 ) -> tuple[str, ...]:
     """Write a source's analysis as a section of a paper in LaTeX, with figures and references, into a folder.
 
-    `full` adds every step. Returns the names of the files, of which all appear or none. Raises FileError where that is
-    not possible, or would replace a file that is not as gcrules wrote it; `force` replaces it.
+    `full` adds every step; `letters` is as for `analyze`. Returns the names of the files, of which all appear or none.
+    Raises FileError where that is not possible, or would replace a file that is not as gcrules wrote it; `force`
+    replaces it.
     """
-    return tuple(_paper(_analyze(source, plugins=plugins), folder, full=full, force=force))
+    return tuple(_paper(_analyze(source, letters=letters, plugins=plugins), folder, full=full, force=force))
 
 
 @public
@@ -303,12 +318,14 @@ def report(
     aspects: bool = False,
     plan: Sequence[Any] | None = None,
     free: str | None = None,
+    letters: str = "",
     plugins: Folders = (),
 ) -> str:
     """The HTML page of a source's analysis; of a platform with coordinates also the robot in its pose and the numbers
     there, of a robot with limbs these too.
 
-    `source` is what `load` takes. `interactive` adds the 3D viewer (about 700 kB), in which the platform can be moved.
+    `source` and `letters` are what `load` takes. `interactive` adds the 3D viewer (about 700 kB), in which the platform
+    can be moved.
     `path`, poses or the name of a table as `gcrules.path` takes them, adds the singular places on that path; `over`,
     coordinates with their ranges as `gcrules.singular_map` takes them with `at` and `limits`, adds the map over them;
     ranges without a number of nodes, as `gcrules.box_map` takes them with `margin` too, that of whole boxes.
@@ -339,7 +356,7 @@ def report(
         free=free,
     )
     asked.check()
-    found = _analyze(source, plugins=plugins)
+    found = _analyze(source, letters=letters, plugins=plugins)
     return str(_report(found, interactive=interactive, answers=asked.answers(found), about=about))
 
 

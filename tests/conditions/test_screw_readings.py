@@ -7,6 +7,7 @@ from dataclasses import replace
 from fractions import Fraction
 from functools import cache
 from itertools import combinations
+from pathlib import Path
 from random import Random
 from typing import Any
 
@@ -17,6 +18,7 @@ from gcrules.algebra.evaluate import PRIME, Evaluator
 from gcrules.algebra.expr import Expr
 from gcrules.algebra.language.statements import parse_script
 from gcrules.algebra.language.syntax import parse
+from gcrules.core.errors import GcrulesError
 from gcrules.core.linear_algebra import determinant
 from gcrules.rules.random_witness import RandomWitness
 from gcrules.rules.screw_readings import of_screws
@@ -164,3 +166,20 @@ def test_the_superbracket_and_the_shortest_form_take_screws() -> None:
         data = {"letters": {k: f"{k}1 \\/ {k}2 + {k}3 \\/ {k}4" for k in "ST"}}
         found = Evaluator(at, 4, PRIME).value(read(data, str(form.polynomial)))[0] % PRIME
         assert found == value if sign else found in (value, -value % PRIME)
+
+
+def test_reports_and_papers_say_which_legs_are_screws(tmp_path: Path) -> None:
+    page = gc.report("Aa Ab Bc Bd S T", letters="screw S T", interactive=False)
+    assert "Six legs: lines, each through two joints or built from points, and screws." in page
+    assert "two rigid bodies joined by six bars" not in page
+    gc.paper("Aa Ab Bc Bd S T", tmp_path / "paper", letters="screw S T")
+    section = (tmp_path / "paper" / "section.tex").read_text(encoding="utf-8")
+    assert "they are the lines $Aa$, $Ab$, $Bc$ and $Bd$ and the screws $S$ and $T$." in section
+    assert "S_{1}" not in section
+
+
+def test_what_is_loaded_has_letters() -> None:
+    found = gc.load("Aa Ab Ac Bd Be S", letters="screw S")
+    assert gc.analyze(found).condition == gc.analyze("Aa Ab Ac Bd Be S", letters="screw S").condition
+    with pytest.raises(GcrulesError, match="letters are for legs without coordinates"):
+        gc.load("octahedral-singular", letters="screw S")

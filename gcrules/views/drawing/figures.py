@@ -11,6 +11,7 @@ from fractions import Fraction
 from gcrules.algebra.evaluate import evaluate
 from gcrules.algebra.expr import Bracket, Expr, Join, Meet, Point, Superbracket, join
 from gcrules.algebra.language.text import text
+from gcrules.algebra.screw_letters import Screw
 from gcrules.conditions.analysis import Analysis
 from gcrules.conditions.gained_motion import common_point, factors, free_motions, vanishing
 from gcrules.conditions.pose_value import XYZ, line_points
@@ -101,7 +102,7 @@ _KINDS = {4: "tetrahedron", 3: "plane", 2: "line"}
 
 def _joins(e: Expr, hidden: Sequence[Expr]) -> Iterator[tuple[str, tuple[str, ...]]]:
     """Kind and points of the joins of points in an expression; what is hidden may be a part of a longer meet."""
-    if str(e) in map(str, hidden) or isinstance(e, Superbracket):
+    if str(e) in map(str, hidden) or isinstance(e, Superbracket | Screw):
         return
     names = tuple(str(c) for c in e.children if isinstance(c, Point))
     if isinstance(e, (Join, Bracket)) and len(names) == len(e.children) and len(names) in _KINDS:

@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterator, Sequence
 
 from gcrules.algebra.expr import ONE, Bracket, Expr, Meet, Point
+from gcrules.algebra.screw_letters import Screw
 from gcrules.conditions.analysis import Analysis
 from gcrules.conditions.gained_motion import factors
 from gcrules.core.digests import beginning
@@ -93,7 +94,7 @@ def _of_legs(a: Analysis, shown: str) -> str:
         words = f"We consider a parallel robot{shown} whose platform is joined to its base by {number} legs."
     shared = len({end for leg in s.legs for end in leg}) < 2 * len(s.legs)
     words += (
-        f"{' Legs that share a joint share its name: they' if shared else ' They'} are the lines {_listed(s.lines)}."
+        f"{' Legs that share a joint share its name: they' if shared else ' They'} are {_lines_and_screws(s.lines)}."
     )
     if s.base and s.platform:
         words += f" The joints of the base are {_points(s.base)}, those of the platform {_points(s.platform)}."
@@ -155,6 +156,17 @@ def _line(line: WrenchLine) -> str:
 def _works(s: Subject) -> str:
     found = cited_in(s.source)
     return f" See~\\cite{{{','.join(found)}}}." if found else ""
+
+
+def _lines_and_screws(legs: Sequence[Expr]) -> str:
+    """ "the lines Aa and Bb and the screws S and T"."""
+    lines, screws = ([e for e in legs if isinstance(e, Screw) == is_screw] for is_screw in (False, True))
+    parts = [
+        f"the {kind}{'s' * (len(some) > 1)} {_listed(some)}"
+        for kind, some in (("line", lines), ("screw", screws))
+        if some
+    ]
+    return " and ".join(parts)
 
 
 def _listed(lines: Sequence[Expr]) -> str:

@@ -15,6 +15,7 @@ from gcrules.core.dataclass import dataclass
 from gcrules.core.english import in_parts, listed
 from gcrules.core.floats import decimal
 from gcrules.rules.condition import Condition, Entity
+from gcrules.rules.screw_words import has_screw
 from gcrules.screws.verdict import CLOSE
 from gcrules.views.formulas.suppositions import supposed
 from gcrules.views.report.dimension_items import DIMENSIONS, condition_beside, dimension_items
@@ -93,10 +94,13 @@ def _stages(a: Analysis) -> Iterator[tuple[str, str, list[Item]]]:
         why = f"{number} legs, each a line between two joints."
     if s.stand_ins:
         why = f"{number} lines, each through two joints or built from points."
+    if has_screw(*s.lines):
+        why = f"{number} legs: lines, each through two joints or built from points, and screws."
     yield "structure", why, structure_items(a)
-    why = f"The determinant of the {number.lower()} lines' Plücker coordinates; "
+    of = "legs'" if has_screw(*s.lines) else "lines'"
+    why = f"The determinant of the {number.lower()} {of} Plücker coordinates; "
     why += "the robot is singular exactly when it is zero."
-    if a.match is None:
+    if a.match is None and not has_screw(*s.lines):
         bodies = f"two rigid bodies joined by {number.lower()} bars"
         why += f" In rigidity theory it is the pure condition of {bodies}."
     if s.dead:
