@@ -18,6 +18,7 @@ from gcrules.algebra.evaluate import PRIME, Evaluator
 from gcrules.algebra.expr import Expr
 from gcrules.algebra.language.statements import parse_script
 from gcrules.algebra.language.syntax import parse
+from gcrules.conditions.analysis import Analysis, analyze
 from gcrules.core.errors import GcrulesError
 from gcrules.core.linear_algebra import determinant
 from gcrules.rules.random_witness import RandomWitness
@@ -57,8 +58,8 @@ def position(seed: str, given: tuple[str, ...]) -> Numbers:
 
 
 @cache
-def answers(legs: str, letters: str, given: tuple[str, ...]) -> tuple[gc.Analysis, gc.Transversals]:
-    whole = gc.analyze(legs, letters=letters, given=given, search=0)
+def answers(legs: str, letters: str, given: tuple[str, ...]) -> tuple[Analysis, gc.Transversals]:
+    whole = analyze(legs, letters=letters, given=given, search=0)
     return whole, gc.transversals(legs, letters=letters, given=given, every=True)
 
 
@@ -148,7 +149,7 @@ def test_platforms_with_screws_that_are_singular_everywhere_say_why() -> None:
 
 def test_what_needs_the_quadratic_relation_of_lines_is_no_reading_of_screws() -> None:
     """With S ∧ S added to the cofactor the identity holds for lines only."""
-    found = gc.analyze("Aa Ab Bc Bd S T", letters="screw S T")
+    found = analyze("Aa Ab Bc Bd S T", letters="screw S T")
     c, s, factor = found.condition, found.structure.lines[4], gc.parse("[Aabc]")
     of_lines = replace(c, cofactor=factor + (s & s), expression=c.expression * factor)
     assert of_screws(of_lines, found.structure, RandomWitness(found.structure)) is None
