@@ -187,6 +187,20 @@ def norm(a):
     return math.sqrt(found) * (1 + 1e-9)
 
 
+def radius(a):
+    """No less than the largest eigenvalue in size of matrices with entries of these sizes: for all x > 0 this is at
+    most max (a x)_i / x_i. Where it is below 1 no 1 - E with |E| <= a is singular.
+    """
+    if not all(0 <= c < 1e100 for row in a for c in row):
+        return INF
+    x = [1.0] * len(a)
+    for _ in range(6):
+        x = [sum([p * q for p, q in zip(row, x)]) + 0.1 * q for row, q in zip(a, x)]
+        top = max(x)
+        x = [c / top + 1e-6 for c in x]
+    return max([sum([p * q for p, q in zip(row, x)]) / q for row, q in zip(a, x)]) * (1 + 1e-9)
+
+
 def holds(wrenches, forces, margin):
     """Whether the margin of rods is at least this one in a box, as in `holds_matrix`; what keeps from it; and M."""
 
@@ -226,7 +240,7 @@ def _holds(middle, rest, moves, margin):
         whole, far = plus(whole, part), plus(far, sizes(moved))
     alpha = norm(whole)
     if not alpha < 1 or not margin:
-        return alpha < 1, parts, middle
+        return alpha < 1 or (not margin and radius(whole) < 1), parts, middle
     most = max((1 - alpha) / margin, (1 - norm(start)) / (margin + norm(far))) * (1 - 1e-9)
     square = times(back, list(zip(*back)))
     slack = 1e-10 * sum([square[i][i] for i in range(len(square))])
@@ -313,7 +327,7 @@ def sign_of(rows):
 
 
 def leaves_of(tree, whole, share):
-    """The boxes of the tree that are to be proved, with the parts that all fill in `share`."""
+    """The boxes of the tree that are not cut, with their letters; `share` adds up what those of each letter fill."""
     waiting = [(whole, Fraction(1))]
     for place, letter in enumerate(tree):
         if not waiting:
@@ -326,8 +340,7 @@ def leaves_of(tree, whole, share):
         if letter not in share:
             raise Refused(f"{letter!r} in the tree")
         share[letter] += part
-        if letter in "fgo":
-            yield place, letter == "o", box.low, box.high
+        yield place, letter, box.low, box.high
     if waiting:
         raise Refused("the tree ends too soon: boxes are missing")
 

@@ -41,9 +41,9 @@ def robot_of(data):
     return Rods(data) if "rods" in geometry else Joints(data)
 
 
-def proved(robot, box, margin, only_outside, cuts, whole):
+def proved(robot, box, margin, only_outside, cuts, whole, most=math.inf):
     """How many boxes it takes to prove of a box that none of its poses is reached within the limits, or that all (not
-    `only_outside`) have the margin; 0 where it is not proved.
+    `only_outside`) have the margin; 0 where it is not proved, or takes many more than `most`.
     """
     outside, _, forces = robot.look(box)
     if outside:
@@ -58,8 +58,8 @@ def proved(robot, box, margin, only_outside, cuts, whole):
         return 0
     count = 1
     for part in box.cut(wide.index(max(wide))):
-        found = proved(robot, part, margin, only_outside, cuts - 1, whole)
-        if not found:
+        found = proved(robot, part, margin, only_outside, cuts - 1, whole, most)
+        if not found or count > most:
             return 0
         count += found
     return count
@@ -160,8 +160,8 @@ def _start(data, margin, whole):
 
 
 def _look(leaf):
-    _, outside, low, high = leaf
-    return leaf, proved(_FOR["robot"], Box(low, high), _FOR["margin"], outside, CUTS, _FOR["whole"])
+    _, letter, low, high = leaf
+    return leaf, proved(_FOR["robot"], Box(low, high), _FOR["margin"], letter == "o", CUTS, _FOR["whole"])
 
 
 def _tree(data, robot, whole, claim, jobs, say):
@@ -171,7 +171,7 @@ def _tree(data, robot, whole, claim, jobs, say):
         claim["verdict"] == "free" and margin < max(asked, 1e-300)
     ):
         raise Refused("the margin claimed is above that of a box, or below the one asked for")
-    leaves = list(leaves_of(data["tree"], whole, share))
+    leaves = [leaf for leaf in leaves_of(data["tree"], whole, share) if leaf[1] in "fgo"]
     if any(abs(float(share[k]) - claim["shares"][name]) > 1e-9 for k, name in SHARES.items()):
         raise Refused("the shares claimed are not those of the boxes")
     if claim["verdict"] != "undecided" and (share["x"] or share["u"]):

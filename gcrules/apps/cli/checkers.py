@@ -26,6 +26,7 @@ def checkers(folder: str) -> None:
     python checkers/recompute.py FILE.json            what does not exist, stated in a proof file
     python checkers/check_certificate.py FILE.json    a certificate of a range
     python checkers/check_map.py FILE.json            what the cells of a map are
+    python checkers/check_boxes.py FILE.json          a map of whole boxes
     python checkers/check_free.py FILE.json           a free region
     python checkers/check_plan.py FILE.json           that no way leads from one pose to another
     """

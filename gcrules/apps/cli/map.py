@@ -9,7 +9,7 @@ import click
 
 from gcrules.apps.cli.files import certificate_option, working
 from gcrules.apps.cli.limits import time_limit
-from gcrules.apps.cli.map_options import at_option, limits_option, show, telling_what_is_kept, tile_options
+from gcrules.apps.cli.map_options import at_option, check_whole, limits_option, show, telling_what_is_kept, tile_options
 from gcrules.apps.cli.map_tiles import MapCommand
 from gcrules.apps.cli.naming import mechanism_argument, offering
 from gcrules.apps.cli.options import about_option, digits_option
@@ -109,8 +109,7 @@ def map_(
     plan = planned(mechanism(warn(read_source(file, mode=mode)), about=about), over, at, limits, threshold, measure)
     if certificate is not None:
         check_cells(plan.task)
-        if how.part is not None:
-            raise InputError("--certificate is of a whole map", hint="leave --part out, when all parts are there")
+        check_whole(how)
     work = _work(plan, outputs, how)
     if work is not None:
         needed = bytes_of(plan.task) * (1 + any(o.lower().endswith(".nc") for o in outputs))

@@ -5,10 +5,11 @@ from __future__ import annotations
 import click
 
 from gcrules.apps.cli.base import ExpressionCommand
-from gcrules.apps.cli.files import OutputFile, working
+from gcrules.apps.cli.files import OutputFile, certificate_option, working
 from gcrules.apps.cli.limits import time_limit
 from gcrules.apps.cli.map_options import (
     at_option,
+    check_whole,
     limits_option,
     scheduler_option,
     show,
@@ -23,6 +24,7 @@ from gcrules.apps.cli.sources import mode_option, read_source, warn
 from gcrules.core.errors import InputError
 from gcrules.mechanisms.mechanism import mechanism
 from gcrules.poses.boxes.box_map import box_part, boxes_done
+from gcrules.poses.boxes.certificate import check_boxes
 from gcrules.poses.boxes.task import box_task
 from gcrules.poses.stored_maps.refining import refine_map
 from gcrules.poses.tiles.how import HERE, running
@@ -55,6 +57,7 @@ __all__ = ["boxes_", "refine"]
     help="Cut each range into this many tiles; by default 64, 16, 8, 5, 3 or 3, by the number of ranges.",
 )
 @click.option("--boxes", type=int, metavar="N", help="Cut each tile into at most this many boxes; 4095 by default.")
+@certificate_option("Write all boxes, which check_boxes.py of `gcrules checkers` proves again without gcrules.")
 @time_limit(None)
 @tile_options(BOX_FORMATS)
 def boxes_(
@@ -67,6 +70,7 @@ def boxes_(
     margin: float,
     tiles: int | None,
     boxes: int | None,
+    certificate: str | None,
     restart: bool,
     workers: int,
     part: str | None,
@@ -92,6 +96,10 @@ def boxes_(
         raise InputError("tiles are kept only where -o names a store", hint="-o range.zarr")
     robot = mechanism(warn(read_source(file, mode=mode)), about=about)
     task = box_task(robot, over, at, limits, margin, tiles, boxes)
+    if certificate is not None:
+        task.check()
+        check_boxes(task)
+        check_whole(how)
     with telling_what_is_kept(work), working("computing"):
         if how.part is not None:
             out.show(box_part(task, how, work=work, restart=restart))
@@ -99,6 +107,8 @@ def boxes_(
         found = boxes_done(task, how, work=work, restart=restart)
         for path in outputs:
             found.save(path)
+        if certificate is not None:
+            found.save_certificate(certificate)
     show(found, out)
 
 

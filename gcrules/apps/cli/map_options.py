@@ -11,10 +11,12 @@ import click
 
 from gcrules.apps.cli.files import files_option
 from gcrules.apps.cli.output import Output, decorated, output_options
-from gcrules.poses.tiles.how import MAX_WORKERS
+from gcrules.core.errors import InputError
+from gcrules.poses.tiles.how import MAX_WORKERS, Running
 
 __all__ = [
     "at_option",
+    "check_whole",
     "limits_option",
     "scheduler_option",
     "show",
@@ -60,6 +62,12 @@ def tile_options(formats: Iterable[str]) -> Callable[[_Command], _Command]:
         files_option(f"Write a file, once or more often; its suffix says which kind: {' '.join(formats)}."),
     )
     return lambda command: decorated(command, options)
+
+
+def check_whole(how: Running) -> None:
+    """Raises InputError where a certificate is asked for, and only a part is computed."""
+    if how.part is not None:
+        raise InputError("--certificate is of a whole map", hint="leave --part out, when all parts are there")
 
 
 @contextmanager

@@ -14,8 +14,10 @@ from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import InputError
 from gcrules.core.frozen import HoldsArrays
 from gcrules.core.shown import Shown
+from gcrules.poses.boxes.certificate import box_certificate
 from gcrules.poses.boxes.task import MODES, SHARES, BoxTask, decided_part
 from gcrules.poses.boxes.trees import Leaves
+from gcrules.poses.certificate_files import write_certificate
 from gcrules.poses.maps.axes import GridAxis
 from gcrules.poses.maps.cells import MEANINGS
 from gcrules.poses.tiles.keeping import Store
@@ -154,6 +156,22 @@ class BoxMap(HoldsArrays, Shown):
         """
         data: Dataset = self._show("xarray")
         return data
+
+    def certificate(self) -> dict[str, Any]:
+        """The boxes of all tiles with all that another program needs to prove them again, as JSON: see
+        `save_certificate`.
+
+        Raises LimitReached for robots of which no checker knows the geometry, and for too many boxes.
+        """
+        return box_certificate(self)
+
+    @checked("map.save_certificate", path=FILE)
+    def save_certificate(self, path: str) -> None:
+        """Write the boxes, .json or .json.gz, for the program check_boxes.py, which proves them again.
+
+        Raises as `certificate`, and FileError.
+        """
+        write_certificate(self, path)
 
     @checked("map.save", paths=each(FILE))
     def save(self, *paths: str) -> None:

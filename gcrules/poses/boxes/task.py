@@ -90,6 +90,19 @@ class BoxTask(HoldsArrays):
         }
 
     @property
+    def asked(self) -> dict[str, Any]:
+        """What is asked as certificates have it, without what limits joints."""
+        q = self.question
+        return {
+            "robot": self.recipe["robot"],
+            "about": self.recipe["about"],
+            "over": [{"coordinate": a.name, "low": str(a.start), "high": str(a.stop), "unit": a.unit} for a in q.axes],
+            "rest": q.others,
+            "limits": q.limits.to_json() if q.limits else None,
+            "margin": self.margin,
+        }
+
+    @property
     def arrays(self) -> tuple[TiledArray, ...]:
         dims, one, n = tuple(a.name for a in self.question.axes), (1,) * len(self.grid), len(self.grid)
 

@@ -61,19 +61,8 @@ class Asked(HoldsArrays):
 
     def to_json(self) -> dict[str, Any]:
         """The question as a certificate has it; angles of cones and of the tilt in rad."""
-        q, recipe = self.task.question, self.task.recipe
-        return {
-            "robot": recipe["robot"],
-            "about": recipe["about"],
-            "over": [
-                {"coordinate": a.name, "low": str(a.start), "high": str(a.stop), "unit": a.unit} for a in self.axes
-            ],
-            "rest": q.others,
-            "limits": q.limits.to_json() if q.limits else None,
-            "cones": [{"rod": list(c.rod), "end": c.end, "angle": c.angle} for c in self.kept[1]],
-            "tilt": self.tilt,
-            "margin": self.task.margin,
-        }
+        cones = [{"rod": list(c.rod), "end": c.end, "angle": c.angle} for c in self.kept[1]]
+        return {**self.task.asked, "cones": cones, "tilt": self.tilt}
 
     def pose_text(self, place: Sequence[float]) -> str:
         """A place of the free coordinates, in rad and the file's unit, as `gcrules pose --at` takes it."""

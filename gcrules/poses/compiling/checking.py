@@ -25,7 +25,7 @@ from gcrules.poses.compiling.tape import Program, lower
 from gcrules.poses.compiling.turns import turned_by
 from gcrules.poses.methods import Methods, method
 
-__all__ = ["checkable", "geometry", "program_lines"]
+__all__ = ["checkable", "geometry", "placing_program", "program_lines"]
 
 
 def geometry(m: Mechanism, names: tuple[str, ...]) -> dict[str, Any] | None:
@@ -54,7 +54,7 @@ def checkable(m: Limbs, names: tuple[str, ...], what: str, *, driven: bool = Fal
             f"a {what} of {m.robot.id} has no certificate: it has loops inside its limbs, which no checker closes",
             hint=hint,
         )
-    found, roots = geometry(m, names), _placing_program(m, names)
+    found, roots = geometry(m, names), placing_program(m, names)
     if found is None or roots is None:
         raise LimitReached(
             f"a {what} of {m.robot.id} has no certificate: no closed forms of all its limbs are known", hint=hint
@@ -62,7 +62,7 @@ def checkable(m: Limbs, names: tuple[str, ...], what: str, *, driven: bool = Fal
     return found if "rods" in found else {**found, "roots": program_lines(roots)}, roots
 
 
-def _placing_program(m: Limbs, names: tuple[str, ...]) -> Program | None:
+def placing_program(m: Limbs, names: tuple[str, ...]) -> Program | None:
     """The roots over the coordinates `names` that all exist at a pose just where home's solutions of all limbs do; None
     where the roots that are known do not show whether each limb reaches a pose.
     """
