@@ -13,7 +13,8 @@ left.
   leg has length 0 there either.
 * Of a robot of joints a box is proved where all roots in its closed forms exist and the matrix of its wrenches is
   regular, and the straight way from home to the middle of the region exists: then home's working mode reaches all poses
-  of the region, and holds the platform at each. `map_joints.py` says what closed forms are taken for.
+  of the region, and holds the platform at each. `map_joints.py` says what closed forms are taken for; the loops of the
+  joints are closed at places of the region, too.
 
 A ball is the set of poses whose distances from the middle of the ranges, in parts of half the ranges, have squares that
 add up to 1 at most. Lengths of legs, amounts of actuators and their limits do not matter.
@@ -25,12 +26,15 @@ small. All this is recomputed, not proved in Coq.
 
 from __future__ import annotations
 
+import random
 import sys
 from decimal import Decimal
 from fractions import Fraction
 from itertools import product
 
 from certificate_bounds import Refused
+from certificate_joints import PLACES
+from certificate_rods import Rods
 from map_files import answered, check_digest
 from map_joints import JointRanges, way_exists
 from map_slice import Axis, Platform, expect, rotation, vector
@@ -77,6 +81,9 @@ class Legs(Platform):
         if {1, -1} <= {self.turned.corner(0, place) for place in places}:
             raise Refused("a pose of the region is singular: the determinant has both signs in it")
 
+    def compare(self, ball):
+        """Nothing is left to see."""
+
     def words(self):
         at = f"around {' '.join(map(str, self.around))}, turned by the quaternion {' '.join(map(str, self.quaternion))}"
         return [*super().words(), at]
@@ -99,6 +106,17 @@ class Joints(JointRanges):
 
     def refuse(self, places):
         """Nothing is known."""
+
+    def compare(self, ball):
+        """Raises Refused where the loops of the joints do not close at places of the region, as far as ways lead."""
+        rng, n = random.Random(13), len(self.axes)
+        for _ in range(0 if isinstance(self.robot, Rods) else PLACES):
+            place = [Fraction(rng.randrange(2**20 + 1), 2**20) for _ in range(n)]
+            if ball and beyond(place, [0] * n):
+                continue
+            there = self.pose([self.at(k, c) for k, c in enumerate(place)])
+            if way_exists(self.robot, there) and not self.robot.reaches(there):
+                raise Refused("the loops do not close at a place of the region")
 
 
 def beyond(low, width):
@@ -166,6 +184,8 @@ def checked(data, say=None, most=MOST):
         ends = ((a, float(a.start + c * a.step)) for a, c in zip(region.axes, place))
         where = ", ".join(f"{a.name} {c:.6g} {a.unit}".strip() for a, c in ends)
         first = f"NOT decided here: {count:,} boxes do not prove it, one of them around {where}"
+    else:
+        region.compare(ball)
     lines = [
         "in floats, with bounds of all that they leave out; recomputed, not proved in Coq; limits are not considered",
         f"{data['shape']} over {ranges}",

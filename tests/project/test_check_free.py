@@ -185,6 +185,20 @@ def test_the_middle_is_on_the_branch_of_home(monkeypatch: pytest.MonkeyPatch) ->
     assert words.startswith("NOT decided here: no way from home to the middle is proved")
 
 
+def test_the_loops_close_in_the_region(monkeypatch: pytest.MonkeyPatch) -> None:
+    reaches = checker("certificate_joints").Joints.reaches
+    calls = []
+
+    def found(robot: Any, pose: dict[str, float]) -> bool:
+        calls.append(pose)
+        return bool(reaches(robot, pose)) and len(calls) < 20
+
+    monkeypatch.setattr(checker("certificate_joints").Joints, "reaches", found)
+    with pytest.raises(CHECK.Refused, match="the loops do not close at a place of the region"):
+        CHECK.checked(data("3-rpr"))
+    assert {*calls[0]} == {"x", "y", "yaw"}
+
+
 # --- there is no gap -----------------------------------------------------------------------------------------------
 
 
