@@ -14,6 +14,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
+from gcrules.algebra.assumptions.nondegeneracy import words
 from gcrules.algebra.combinations import given_part
 from gcrules.algebra.duality import Dual, dual_of
 from gcrules.algebra.evaluate import vanishes
@@ -103,9 +104,8 @@ def _about_conics(claimed: Claimed, at: Space, limit: int) -> Proof:
     try:
         found = _decided(placed.claimed, placed.space, limit, placed)
     except InputError as fault:
+        fault.message = _without_marks(fault.message, listed(conics_of(_names(claimed, at))))
         if placed.places:
-            if marks_in(fault.message):
-                fault.message = fault.message.partition(", or where")[0]
             fault.hint = fault.hint or f"points that are given on one {FORMS[at.rank].word} are taken to differ"
         raise
     if found.counterexample is not None:
@@ -116,6 +116,11 @@ def _about_conics(claimed: Claimed, at: Space, limit: int) -> Proof:
     if placed.irreducible:
         required = {r.text: r.meaning for r in claimed.required}
         return replace(found, assumed=tuple(required), meanings=tuple(required.values()), kinds=())
+    if placed.flats is not None:
+        spoken = dict(placed.differ) | {text(e): words(e) for e in placed.flats}
+        if not any(map(marks_in, spoken)):
+            spoken |= {r.text: r.meaning for r in claimed.required}
+            return replace(found, assumed=tuple(spoken), meanings=tuple(spoken.values()), kinds=())
     told = dict(placed.told)
     told |= dict(zip(found.assumed, found.meanings or [""] * len(found.assumed), strict=True))
     if placed.generic and any(map(marks_in, (*told, *map(str, found.kinds)))):
@@ -129,6 +134,15 @@ def _about_conics(claimed: Claimed, at: Space, limit: int) -> Proof:
             kinds=(),
         )
     return replace(found, assumed=tuple(told), meanings=tuple(told.values()))
+
+
+def _without_marks(message: str, letters: str) -> str:
+    """A message without the points of letters, which nobody can write."""
+    for part in ("", ", or where", "; in the one"):
+        shown = message.partition(part)[0] if part else message
+        if not marks_in(shown):
+            return shown
+    return f"the assumptions about {letters} cannot be resolved"
 
 
 def _said(proof: Proof, placed: Seated) -> Proof:

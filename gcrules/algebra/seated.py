@@ -33,6 +33,7 @@ from gcrules.algebra.letters import conic_of, conic_points, conics_of
 from gcrules.algebra.parts import substitute
 from gcrules.algebra.seats import SEATS
 from gcrules.algebra.space import Assumption, Space
+from gcrules.algebra.towers import polar_of_line, tower
 from gcrules.core.dataclass import dataclass
 from gcrules.core.frozen import FrozenMap
 
@@ -47,7 +48,8 @@ class Seated:
 
     What is assumed of these is `told`, texts with their meanings, unless the positions are `irreducible` without that:
     then those at which it holds, and nothing else vanishes that a proof asks for, are dense among all. Conditions on
-    points of one of the sets in `generic` are not told for this reason.
+    points of one of the sets in `generic` are not told for this reason. Where there are `flats`, nothing has to be told
+    but that these do not vanish, and what is in `differ` (see `towers`).
     """
 
     claimed: Claimed
@@ -56,6 +58,8 @@ class Seated:
     told: tuple[tuple[str, str], ...] = ()
     irreducible: bool = False
     generic: tuple[frozenset[str], ...] = ()
+    flats: tuple[Expr, ...] | None = None
+    differ: tuple[tuple[str, str], ...] = ()
 
     def spoken(self, e: Expr) -> tuple[str, str] | None:
         """A condition and what it means, as text in which polars are said in words; None for one that holds anyway: no
@@ -146,15 +150,16 @@ def seated(claimed: Claimed, at: Space) -> Seated:
     """The claim, of conics that are no pairs of lines and quadrics that are no cones, with points that are given on
     them in place of their own.
     """
-    at = replace(at, given=tuple(a for given in at.given for a in _resolved(given, at)))
+    before, at = at, replace(at, given=tuple(a for given in at.given for a in _resolved(given, at)))
     sides = (e for pair in claimed.equations for e in pair)
     names = points_of(*sides, *_expressions(at.given), *claimed.nonzero)
     letters, form = conics_of(names), FORMS[at.rank]
     seats = SEATS[at.rank]({name: _given_on(name, at) for name in letters}, at, names)
+    flats = tower([a for a in before.given if a not in seats.bound], at, seats.fixed) if at.rank == _SPACE else None
     proper = (form.proper(*form.own(name)) for name in letters)
     claimed = replace(claimed, nonzero=tuple(dict.fromkeys((*claimed.nonzero, *proper))))
     if not seats.places:
-        return Seated(claimed, at, irreducible=seats.irreducible, generic=seats.generic)
+        return Seated(claimed, at, irreducible=seats.irreducible, generic=seats.generic, flats=flats)
     seat: dict[str, Expr] = {n: Point(p) for n, p in seats.places.items()}
 
     def put(e: Expr) -> Expr:
@@ -173,6 +178,8 @@ def seated(claimed: Claimed, at: Space) -> Seated:
         seats.told,
         seats.irreducible,
         seats.generic,
+        flats,
+        seats.differ,
     )
 
 
@@ -182,17 +189,15 @@ def _expressions(given: Iterable[Assumption]) -> tuple[Expr, ...]:
 
 def _resolved(a: Assumption, at: Space) -> Iterable[Assumption]:
     """That a point is on the polar line of a line, as that it is on the polar planes of two points of this."""
-    if at.rank == _SPACE and a.kind == "incident" and {e.step for e in a.args} == {1, 2}:
-        point, line = sorted(a.args, key=lambda e: e.step)
-        names = points_of(line)
-        for letter in conics_of(names):
-            own = FORMS[_SPACE].own(letter)
-            for two in combinations(map(Point, (n for n in names if conic_of(n) is None)), 2):
-                flats = [ex.join(*some, rank=_SPACE) for some in (two, two[::-1])]
-                if line in [quadric_forms.polar_line(flat, *own) for flat in flats]:
-                    both = (replace(a, args=(point, FORMS[_SPACE].polar(p, *own))) for p in two)
-                    return [replace(one, exists=(*one.exists, flats[0])) for one in both]
-    return [a]
+    if at.rank != _SPACE or a.kind != "incident" or {e.step for e in a.args} != {1, 2}:
+        return [a]
+    point, polar = sorted(a.args, key=lambda e: e.step)
+    line = polar_of_line(polar)
+    if not isinstance(line, ex.Join):
+        return [a]
+    (letter,) = conics_of(points_of(polar))
+    planes = (FORMS[_SPACE].polar(p, *FORMS[_SPACE].own(letter)) for p in line.args)
+    return [replace(a, args=(point, plane), exists=(*a.exists, line)) for plane in planes]
 
 
 def _moved(a: Assumption, put: Callable[[Expr], Expr]) -> Assumption:

@@ -37,7 +37,8 @@ Found = Mapping[str, Mapping[str, Sequence[Assumption]]]
 class Seats:
     """The points that take the `places` of those of letters, by the assumptions that are `used` up then. They are
     assumed to be `apart`: expressions, and what is told of it, as texts with their meanings. Nothing is assumed where
-    the positions are `irreducible`; conditions on points of one of the sets in `generic` are not told.
+    the positions are `irreducible`; conditions on points of one of the sets in `generic` are not told. Of the used
+    ones those are `bound` that say that points are on a line of a quadric; these points are `fixed`, and `differ`.
     """
 
     places: Mapping[str, str]
@@ -46,6 +47,13 @@ class Seats:
     told: tuple[tuple[str, str], ...] = ()
     irreducible: bool = False
     generic: tuple[frozenset[str], ...] = ()
+    bound: frozenset[Assumption] = frozenset()
+    differ: tuple[tuple[str, str], ...] = ()
+
+    @property
+    def fixed(self) -> frozenset[str]:
+        """The points of lines that are on quadrics."""
+        return frozenset(n for e in self.apart for n in points_of(e))
 
 
 def _on_conics(found: Found, at: Space, names: Sequence[str]) -> Seats:
@@ -67,6 +75,7 @@ def _on_quadrics(found: Found, at: Space, names: Sequence[str]) -> Seats:
     """Up to two points of each quadric, first those of which more is given."""
     places: dict[str, str] = {}
     used: set[Assumption] = set()
+    bound: set[Assumption] = set()
     apart: list[Expr] = []
     told: dict[str, str] = {}
     generic = []
@@ -85,12 +94,21 @@ def _on_quadrics(found: Found, at: Space, names: Sequence[str]) -> Seats:
             line = ex.join(*map(Point, pair), rank=_SPACE)
             apart.append(line)
             told[text(line)] = words(line)
+            bound |= {*said, *(a for p in pair for a in on[p])}
         elif len(pair) > 1 and not free.intersection(pair):
             told[f"{pair[1]} \\/ polar({pair[0]}, {letter})"] = f"the line {''.join(pair)} is not on {letter}"
         used |= {a for p in seats.values() for a in on[p]}
         places |= seats
         generic.append(frozenset({*corners, *seats.values(), *free}))
-    return Seats(FrozenMap(places), frozenset(used), tuple(apart), tuple(told.items()), generic=tuple(generic))
+    return Seats(
+        FrozenMap(places),
+        frozenset(used),
+        tuple(apart),
+        tuple(told.items()),
+        generic=tuple(generic),
+        bound=frozenset(bound),
+        differ=tuple((text(e), words(e)) for e in apart),
+    )
 
 
 def _conjugate(p: str, q: str, letter: str, at: Space) -> frozenset[Assumption]:
