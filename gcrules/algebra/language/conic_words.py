@@ -8,7 +8,7 @@ r"""Letters for conics and quadrics in words: `polar(p, K)` is said of the conic
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 
 from gcrules.algebra.expr import Expr, points_of
 from gcrules.algebra.language.parse_tree import Node, span_of
@@ -60,14 +60,17 @@ def called(e: Expr, made: Mapping[Expr, str], names: Iterable[str]) -> str:
     return written
 
 
-def known_on(point: Expr, conic: str, shown: str, at: Space, made: Collection[Expr], tree: Node) -> None:
+def known_on(
+    point: Expr, conic: str, shown: Callable[[Expr], str], at: Space, made: Collection[Expr], tree: Node
+) -> None:
     """Raises InputError where nothing says that a point is on a conic or a quadric: neither an assumption nor how it
     was made.
     """
     form = FORMS[at.rank].value(point, *FORMS[at.rank].own(conic))
     if form not in made and form not in {a.args[0] for a in at.given if a.kind == "zero"}:
-        hint = f"assume it before, `given incident({shown}, {conic})`"
-        raise InputError(f"nothing says that {shown} is on {conic}", span=span_of(tree), hint=hint)
+        name = shown(point)
+        hint = f"assume it before, `given incident({name}, {conic})`"
+        raise InputError(f"nothing says that {name} is on {conic}", span=span_of(tree), hint=hint)
 
 
 def refuse_conic(name: str, letters: Collection[str], rank: int) -> None:

@@ -231,8 +231,7 @@ class Builder:
         self.check(word, args, parts)
         own = FORMS[self.rank].own(conic) if conic else ()
         if word.on is not None:
-            shown = self._called(args[word.on])
-            known_on(args[word.on], conic, shown, self.context, self.on_conics, parts[word.on])
+            known_on(args[word.on], conic, self._called, self.context, self.on_conics, parts[word.on])
         made, may_vanish = constructed(word, args, self.context, own)
         if word.on == 1:
             self.on_conics.add(FORMS[self.rank].value(made, *own))
