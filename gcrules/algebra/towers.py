@@ -60,7 +60,7 @@ def _last(a: Assumption) -> Iterator[tuple[str, Expr | None]]:
     elif a.kind == "incident":
         for point, flat in (a.args, a.args[::-1]):
             if isinstance(point, Point) and not marked(point.name) and point.name not in points_of(flat):
-                if _polar_plane(flat) or named_letter(flat) is not None:
+                if isinstance(flat, Point) or _polar_plane(flat) or named_letter(flat) is not None:
                     yield point.name, None
                 elif not isinstance(flat, Sum) or flat.step != 2:
                     yield point.name, flat
