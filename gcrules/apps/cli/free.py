@@ -65,8 +65,8 @@ def free(
     loaded = warn(read_source(file, mode=mode))
     with working("proving"):
         found = free_region(loaded, at, over=over, ball=ball, boxes=boxes, about=about)
-    if certificate is not None:
-        found.save_certificate(certificate)
     if picture is not None:
         save(found.picture(), picture)
     out.show(found)
+    if certificate is not None:
+        found.save_certificate(certificate)

@@ -93,14 +93,14 @@ def plan(
             about=about,
         )
     code = _CODES[found.outcome]
-    if certificate is not None and found.outcome == "none":
-        found.save_certificate(certificate)
-    elif certificate is not None:
-        click.echo(f"note: {certificate} is not written, since it is not proved that there is no way", err=True)
     if table is not None and code == 0:
         write_file(table, found.csv())
     if plot is not None and found.path is not None:
         save(found.plot(), plot)
     if table is None or out.path is not None or not is_stdout(table) or code:
         out.show(found)
+    if certificate is not None and found.outcome == "none":
+        found.save_certificate(certificate)
+    elif certificate is not None:
+        click.echo(f"note: {certificate} is not written, since it is not proved that there is no way", err=True)
     click.get_current_context().exit(code)
