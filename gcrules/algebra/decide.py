@@ -51,7 +51,7 @@ def decide(claimed: Claimed, at: Space, *, limit: int = MAX_TERMS) -> Proof:
     if conics_of(_names(claimed, at)):
         return _about_conics(claimed, at, limit)
     placed = reciprocal(claimed, at)
-    found = _decided(placed.claimed, placed.space, limit, placed) if placed else _decided(claimed, at, limit)
+    found = _of_screws(placed, limit) if placed else _decided(claimed, at, limit)
     if found.verdict == "undecided" and (other := _of_points(claimed, at)) is not None:
         of_points = _decided(*other, limit)
         if of_points.proved:
@@ -61,6 +61,14 @@ def decide(claimed: Claimed, at: Space, *, limit: int = MAX_TERMS) -> Proof:
             letters = declarations(letters_of(names), at.rank, screws_of(names))
             return replace(of_points, relation=written, dual=Dual(letters, given, (written,)))
     return found
+
+
+def _of_screws(placed: Reciprocal, limit: int) -> Proof:
+    """The verdict on a claim about screws that are written as reciprocal to what is given."""
+    try:
+        return _decided(placed.claimed, placed.space, limit, placed)
+    except InputError as raised:
+        raise placed.fault(raised) from None
 
 
 def _names(claimed: Claimed, at: Space) -> tuple[str, ...]:

@@ -15,7 +15,7 @@ from gcrules.algebra.for_two_points import StandIns
 from gcrules.algebra.letters import names_of
 from gcrules.algebra.screw_letters import screw, screw_points
 
-__all__ = ["fresh_line", "gathered", "linear_in_lines"]
+__all__ = ["gathered", "linear_in_lines"]
 
 _Rows = Sequence[Sequence[str]]
 _Term = tuple[Fraction, _Rows]
@@ -33,8 +33,8 @@ def linear_in_lines(terms: Iterable[_Term], screws: Sequence[str]) -> Iterator[t
         kept, lines = some, list[tuple[tuple[str, str], Expr]]()
         for name, degree in zip(screws, degrees, strict=True) if max(degrees) <= 2 else ():
             if degree:
-                two = [fresh_line(name, _names(kept))]
-                two += [fresh_line(name, {*_names(kept), *two[0]})] if degree == 2 else []
+                two = [_fresh_line(name, _names(kept))]
+                two += [_fresh_line(name, {*_names(kept), *two[0]})] if degree == 2 else []
                 new = dict(zip(screw_points(name), (n for line in two for n in line), strict=False))
                 alike = (2, 2) if degree == 2 else (2, 0)
                 kept = [
@@ -74,7 +74,7 @@ def _names(terms: Iterable[_Term]) -> set[str]:
     return {n for _, rows in terms for row in rows for n in row}
 
 
-def fresh_line(name: str, taken: Collection[str]) -> tuple[str, str]:
+def _fresh_line(name: str, taken: Collection[str]) -> tuple[str, str]:
     """The points of a line letter that is not taken."""
     while not set(names_of(name, 2)).isdisjoint(taken):
         name += "'"

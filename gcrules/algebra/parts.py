@@ -21,7 +21,7 @@ from gcrules.algebra.expr import (
     mul,
 )
 from gcrules.algebra.scalars import bracket, dotted, power, superbracket
-from gcrules.algebra.screw_letters import Screw
+from gcrules.algebra.screw_letters import Screw, with_whole_screws
 from gcrules.core.budget import checkpoint
 from gcrules.core.errors import InputError
 
@@ -93,6 +93,8 @@ def substitute(e: Expr, names: Mapping[str, Expr], rank: int = 4) -> Expr:
             return mul(*children)
         case Meet(rank=own):
             return meet(*children, rank=own)
+        case Sum():
+            return with_whole_screws(rebuilt(e, children, rank))
     return rebuilt(e, children, rank)
 
 

@@ -15,26 +15,28 @@ ab collinear(a, b, c) S
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from itertools import combinations
 from typing import Any
 
 from gcrules.algebra import expr as ex
+from gcrules.algebra.assumptions.assumed import kinds
 from gcrules.algebra.assumptions.incidences import fault
-from gcrules.algebra.evaluate import plucker
-from gcrules.algebra.expr import Bracket, Expr, Join, Meet, Point, points_of
+from gcrules.algebra.evaluate import plucker, vanishes
+from gcrules.algebra.expr import Bracket, Expr, Join, Meet, Number, Product, Sum, points_of
 from gcrules.algebra.language.relations import Claimed
-from gcrules.algebra.letters import wholes
-from gcrules.algebra.linear_in_lines import fresh_line
-from gcrules.algebra.parts import everywhere
+from gcrules.algebra.language.text import text
+from gcrules.algebra.letters import letter, names_of, wholes
+from gcrules.algebra.parts import everywhere, first_part, rebuilt
 from gcrules.algebra.prove import Proof, assuming
 from gcrules.algebra.scalars import bracket
 from gcrules.algebra.screw_letters import Screw, screw, screw_points, screws_of
 from gcrules.algebra.space import Assumption, Space
 from gcrules.core.dataclass import dataclass
 from gcrules.core.english import listed
+from gcrules.core.errors import InputError, LimitReached
 
 __all__ = ["Reciprocal", "reciprocal"]
 
@@ -43,8 +45,9 @@ _RANK = 4
 
 @dataclass(frozen=True, slots=True)
 class Reciprocal:
-    """A claim with what is given, in which screws are written as the `values`, with the points of `lines`; `nonzero` is
-    what they are reciprocal to, by the assumptions `used`. `before` is the claim as it was, `given` what was given.
+    """A claim with what is given, in which screws are written as the `values`, of a screw and a line that are called by
+    a name of `stems`; `nonzero` is what they are reciprocal to, by the assumptions `used`. `before` is the claim as it
+    was, `given` what was given.
     """
 
     claimed: Claimed
@@ -52,34 +55,83 @@ class Reciprocal:
     before: Claimed
     given: tuple[Assumption, ...]
     values: Mapping[str, Expr]
-    lines: tuple[str, ...]
+    stems: tuple[str, ...]
     nonzero: tuple[Expr, ...]
     used: tuple[Assumption, ...]
 
     def told(self, proof: Proof, number: int) -> Proof:
-        """The proof of an equation, as one of the equation that was claimed."""
+        """The proof of an equation, as one of the equation that was claimed; undecided where what it assumes cannot be
+        said of the screws.
+        """
         left, right = self.before.equations[number]
         are = "is" if len(self.values) == 1 else "are"
         what = listed(list(dict.fromkeys(a.text for a in self.used)))
-        reason = f"{proof.reason}; {listed(list(self.values))} {are} written so that {what}"
+        told = _EQUAL if self._tells(proof.reason) else proof.reason
+        reason = f"{told}; {listed(list(self.values))} {are} written so that {what}"
         found = replace(proof, left=left, right=right, given=self.given, reason=reason)
+        beside = self._tells(*map(str, proof.kinds), *(n for pair in proof.together for n in pair))
         if proof.counterexample is None:
-            return assuming(found, (*proof.conditions, *self.nonzero), self.space) if proof.proved else found
-        points = {n: c for n, c in proof.counterexample.items() if n not in self.lines}
-        told = (pair for pair in self.values.items() if {*points_of(pair[1])} <= {*proof.counterexample})
-        for name, value in told:
+            return self._assuming(found, beside) if proof.proved else found
+        auxiliary = self._auxiliary
+        points = {n: c for n, c in proof.counterexample.items() if n not in auxiliary}
+        known = (pair for pair in self.values.items() if {*points_of(pair[1])} <= {*proof.counterexample})
+        for name, value in known:
             points |= dict(zip(screw_points(name), _four(plucker(value, proof.counterexample)), strict=True))
-        return replace(found, counterexample=points)
+        return replace(found, counterexample=points, kinds=() if beside else proof.kinds)
+
+    def fault(self, raised: InputError) -> InputError:
+        """A fault of the claim as it is written here, told of the assumptions that were made."""
+        if not self._tells(raised.message):
+            return raised
+        return fault(self.used[0], "the other assumptions allow no position at which it says something")
+
+    @property
+    def _auxiliary(self) -> set[str]:
+        return {n for stem in self.stems for n in _names_of(stem)}
+
+    def _tells(self, *texts: str) -> bool:
+        """Whether texts speak of the screws and lines that stand for the screws of the claim."""
+        return any(stem in shown for stem in self.stems for shown in texts)
+
+    def _assuming(self, proof: Proof, beside: bool) -> Proof:
+        conditions = tuple(map(self._in_screws, proof.conditions))
+        if beside or not self._auxiliary.isdisjoint(points_of(*conditions)):
+            reason = _UNSAID.format(listed(list(self.values)))
+            left, right = proof.left, proof.right
+            return Proof(
+                left, right, "undecided", "random-points", reason, rank=_RANK, ideal=proof.ideal, given=self.given
+            )
+        return assuming(proof, (*conditions, *self.nonzero), self.space)
+
+    def _in_screws(self, e: Expr) -> Expr:
+        """A condition with the screws back in place of their values."""
+
+        def back(part: Expr) -> Expr | None:
+            if not isinstance(part, Sum) or part.step != 2 or self._auxiliary.isdisjoint(points_of(part)):
+                return None
+            for name, value in self.values.items():
+                for sign in (1, -1):
+                    if vanishes(ex.sub(part, ex.signed(sign, value)), rank=_RANK):
+                        return ex.signed(sign, screw(name))
+            return None
+
+        while (found := first_part(e, back, _RANK)) is not None:
+            e = found
+        return _without_numbers(e)
+
+
+_EQUAL = "both sides are equal at all points that satisfy the assumptions"
+_UNSAID = "both sides are equal where something does not vanish that cannot be said of {}"
 
 
 def reciprocal(claimed: Claimed, at: Space) -> Reciprocal | None:
     """The claim, with screws written as reciprocal to what is given; None where nothing of the kind is.
 
-    Raises InputError where two such assumptions are about one screw.
+    Raises InputError where two such assumptions are about one screw, and where one says nothing.
     """
     chosen: dict[str, Expr] = {}
     used: list[Assumption] = []
-    for a in at.given:
+    for a in at.given if at.rank == _RANK else ():
         options = _options(a)
         free = next(((s, e) for s, e in options if s not in chosen and s not in _behind(e, chosen)), None)
         if free is not None:
@@ -92,28 +144,58 @@ def reciprocal(claimed: Claimed, at: Space) -> Reciprocal | None:
         return None
     taken = {*points_of(*(e for pair in claimed.equations for e in pair)), *points_of(*_of_given(at.given))}
     values: dict[str, Expr] = {}
-    lines: list[str] = []
+    stems: dict[str, str] = {}
 
     def put(e: Expr) -> Expr:
         return everywhere(e, lambda part: values.get(part.name) if isinstance(part, Screw) else None, _RANK)
 
     for name in sorted(chosen, key=lambda n: len(_behind(chosen[n], chosen))):
         e = put(chosen[name])
-        two = fresh_line(name, {*taken, *lines})
-        line, x = ex.join(*map(Point, two)), screw(name)
-        lines += two
+        stems[name] = _fresh(name, {*taken, *points_of(*values.values())})
+        line, x = letter(stems[name], 2), screw(stems[name])
         values[name] = ex.sub(ex.mul(bracket(e, line), x), ex.mul(bracket(e, x), line))
+    to = tuple(put(e) for e in chosen.values())
+    rest = replace(at, given=tuple(_put(a, put) for a in at.given if a not in used))
+    _refuse_zero(to, tuple(chosen.values()), used, rest)
     written = replace(
         claimed,
         equations=tuple((put(left), put(right)) for left, right in claimed.equations),
         required=tuple(replace(r, expr=put(r.expr)) for r in claimed.required),
-        nonzero=tuple(map(put, claimed.nonzero)),
+        nonzero=(*map(put, claimed.nonzero), *to),
         args=tuple(map(put, claimed.args)),
     )
-    rest = tuple(_put(a, put) for a in at.given if a not in used)
     return Reciprocal(
-        written, replace(at, given=rest), claimed, at.given, values, tuple(lines), tuple(chosen.values()), tuple(used)
+        written, rest, claimed, at.given, values, tuple(stems.values()), tuple(chosen.values()), tuple(used)
     )
+
+
+def _refuse_zero(to: Sequence[Expr], shown: Sequence[Expr], used: Sequence[Assumption], rest: Space) -> None:
+    """Raises InputError for an assumption that every screw satisfies, as what it is reciprocal to vanishes."""
+    for e, one, a in zip(to, shown, used, strict=True):
+        where = "everywhere"
+        if not vanishes(one, rank=_RANK, ideal=rest.ideal):
+            try:
+                found = kinds(rest, points_of(e)) if rest.given else ()
+            except LimitReached:  # it stays undecided
+                found = ()
+            if not vanishes(e, rank=_RANK, ideal=rest.ideal) and not (
+                found and all(kind.construction.vanishes(e) for kind in found)
+            ):
+                continue
+            where = "wherever the other assumptions hold"
+        why = f"it holds for every screw, since {text(one, names=rest.declared())} is zero {where}"
+        raise fault(a, why, "assume that the screw is reciprocal to a line or to another screw")
+
+
+def _names_of(stem: str) -> tuple[str, ...]:
+    return (*screw_points(stem), *names_of(stem, 2))
+
+
+def _fresh(name: str, taken: Collection[str]) -> str:
+    """A name that no letter has of which points are taken."""
+    while not {*_names_of(name)}.isdisjoint(taken):
+        name += "'"
+    return name
 
 
 def _put(a: Assumption, put: Any) -> Assumption:
@@ -127,7 +209,7 @@ def _of_given(given: Sequence[Assumption]) -> tuple[Expr, ...]:
 
 def _options(a: Assumption) -> list[tuple[str, Expr]]:
     """The screws of which an assumption says that they are reciprocal to an extensor in which they are not."""
-    e = a.args[0]
+    e = _without_numbers(a.args[0])
     if a.kind != "zero" or not isinstance(e, Join | Bracket | Meet) or e.step not in (0, _RANK):
         return []
     found = []
@@ -136,6 +218,16 @@ def _options(a: Assumption) -> list[tuple[str, Expr]]:
         if isinstance(part, Screw) and part.name not in screws_of(points_of(*rest)):
             found.append((part.name, (ex.meet if isinstance(e, Meet) else ex.join)(*rest, rank=_RANK)))
     return found
+
+
+def _without_numbers(e: Expr) -> Expr:
+    """The expression without numbers that are factors of it, or of what it joins or meets."""
+    match e:
+        case Product(factors=factors):
+            return ex.mul(*(_without_numbers(f) for f in factors if not isinstance(f, Number)))
+        case Join(args=args) | Meet(args=args) | Bracket(args=args):
+            return rebuilt(e, tuple(map(_without_numbers, args)), _RANK)
+    return e
 
 
 def _behind(e: Expr, chosen: Mapping[str, Expr]) -> set[str]:

@@ -12,13 +12,24 @@ S 2 ('Sᵃ', 'Sᵇ', 'Sᶜ', 'Sᵈ')
 from __future__ import annotations
 
 from collections.abc import Iterable
+from fractions import Fraction
 
-from gcrules.algebra.expr import Expr, Join, Point, Product, Sum, points_of
+from gcrules.algebra.expr import Expr, Join, Number, Point, Product, Sum, add, mul, points_of
 from gcrules.algebra.names import NAME
 from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import InputError, Span
 
-__all__ = ["SCREW_MARKS", "Screw", "is_screw", "refuse_screw", "screw", "screw_of", "screw_points", "screws_of"]
+__all__ = [
+    "SCREW_MARKS",
+    "Screw",
+    "is_screw",
+    "refuse_screw",
+    "screw",
+    "screw_of",
+    "screw_points",
+    "screws_of",
+    "with_whole_screws",
+]
 
 SCREW_MARKS = "ᵃᵇᶜᵈ"
 
@@ -76,3 +87,34 @@ def refuse_screw(e: Expr, span: Span) -> None:
         shown = str(e)
         hint = r"that a screw S is reciprocal to a line ab is written S \/ ab == 0"
         raise InputError(f"{shown} is a screw, which has no points", span=span, hint=hint)
+
+
+def with_whole_screws(e: Expr) -> Expr:
+    """A sum in which both lines of a screw stand, with the screw in their place.
+
+    >>> from gcrules.algebra.expr import join
+    >>> a, b, c, d = map(Point, screw_points("S"))
+    >>> two, one = Number(-2), join(Point("p"), Point("q"))
+    >>> print(with_whole_screws(add(mul(two, join(a, b)), one, mul(two, join(c, d)))), with_whole_screws(one))
+    -2 * S + pq pq
+    """
+    if not isinstance(e, Sum) or isinstance(e, Screw):
+        return e
+    lines: dict[tuple[str, ...], tuple[int, int | Fraction]] = {}
+    for i, term in enumerate(e.terms):
+        number, line = term.factors if isinstance(term, Product) and len(term.factors) == 2 else (_ONE, term)
+        ends = points_of(line)
+        if isinstance(number, Number) and isinstance(line, Join) and all(map(screw_of, ends)):
+            ordered = tuple(sorted(ends, key=lambda n: SCREW_MARKS.index(n[-1])))
+            lines[ordered] = i, number.value if ordered == ends else -number.value
+    kept = dict(enumerate(e.terms))
+    for name in screws_of(n for line in lines for n in line):
+        a, b, c, d = screw_points(name)
+        (i, x), (j, y) = (lines.get(line, (-1, 0)) for line in ((a, b), (c, d)))
+        if x and x == y:
+            kept[i] = mul(Number(x), screw(name))
+            del kept[j]
+    return add(*kept.values()) if len(kept) < len(e.terms) else e
+
+
+_ONE = Number(1)

@@ -272,6 +272,65 @@ def test_scripts_assume_that_screws_are_reciprocal() -> None:
     assert [r.verdict for r in run_script(parse_script(script)).results] == ["proved", "refuted"]
 
 
+SAY_NOTHING = [
+    (r"S \/ aa == 0", "everywhere"),
+    (r"S \/ (abc /\ abc) == 0", "everywhere"),
+    ("[S a a] == 0", "everywhere"),
+    (r"2 S \/ (ab + ba) == 0", "everywhere"),
+    (r"S \/ (T - T) == 0", "everywhere"),
+    (r"S \/ ((ab /\ acd) \/ a) == 0", "everywhere"),
+    (r"collinear(a, b, c), S \/ (abc /\ abd) == 0", "wherever the other assumptions hold"),
+    (r"T \/ ab == 0, S \/ ([T a b] T) == 0", "wherever the other assumptions hold"),
+]
+
+
+@pytest.mark.parametrize(("given", "where"), SAY_NOTHING)
+def test_what_every_screw_satisfies_is_refused(given: str, where: str) -> None:
+    with pytest.raises(InputError, match=f"it holds for every screw, since .* is zero {where}$") as caught:
+        gc.prove("S == 0", letters="screw S T", given=given)
+    assert caught.value.span is not None
+
+
+def test_scripts_refuse_what_every_screw_satisfies_with_its_place() -> None:
+    script = parse_script("screw S\ngiven S \\/ aa == 0\nclaim S == 0", filename="t.gca")
+    with pytest.raises(InputError, match=r"^t\.gca:2:7: .* it holds for every screw, since aa is zero everywhere"):
+        run_script(script)
+
+
+@pytest.mark.parametrize("given", [r"2 S \/ ab == 0", r"S \/ (2 ab) == 0", r"-(S \/ ab) == 0", "2/3 [S a b] == 0"])
+def test_numbers_make_no_difference_to_what_is_assumed(given: str) -> None:
+    found = gc.prove(r"S \/ ac == 0", letters="screw S", given=f"{given}, collinear(a, b, c)")
+    assert (found.verdict, found.assumed) == ("proved", ("ab",))
+
+
+CONDITIONS = [
+    ("coplanar(a, b, c, d)", r"incident(c, S /\ abd)", (r"abd /\ S",)),
+    ("collinear(a, b, c)", r"S \/ ab == 0, incident(c, S /\ abd)", (r"abd /\ S",)),
+    ("coplanar(a, b, c, d)", r"T \/ ab == 0, S \/ T == 0, incident(c, S /\ abd)", (r"abd /\ S",)),
+    (r"S \/ ad == 0", r"S \/ ab == 0, incident(d, (S /\ abc) \/ a)", (r"a \/ (abc /\ S)",)),
+]
+
+
+@pytest.mark.parametrize(("claim", "given", "assumed"), CONDITIONS)
+def test_conditions_are_those_of_the_screws_themselves(claim: str, given: str, assumed: tuple[str, ...]) -> None:
+    found = gc.prove(claim, letters="screw S T", given=given)
+    assert (found.verdict, found.assumed) == ("proved", assumed)
+    for shown, condition in zip(found.assumed, found.conditions, strict=True):
+        at = position(shown)
+        assert value(shown, at) == value(condition, at)
+        assert any(value(shown, at))
+
+
+@pytest.mark.parametrize("given", [r"incident(c, (2 S + T) /\ abd)", "[S a c] [a b c d] == 0"])
+def test_what_cannot_be_said_of_a_screw_is_not_proved(given: str) -> None:
+    claim = "[S a c] [a b c d] == 0" if given.startswith("[") else "coplanar(a, b, c, d)"
+    found = gc.prove(claim, letters="screw S T", given=rf"S \/ ab == 0, {given}")
+    assert found.verdict == "undecided"
+    assert "something does not vanish that cannot be said of S" in found.reason
+    assert not found.assumed
+    assert not found.kinds
+
+
 def test_nothing_is_assumed_of_screws_that_are_legs() -> None:
     with pytest.raises(InputError, match=r"S \\/ Aa == 0 is said of a screw, and what is assumed of legs"):
         gc.analyze("Aa Ab Ac Bd Be S", letters="screw S", given=r"S \/ Aa == 0")
