@@ -13,7 +13,7 @@ from gcrules.mechanisms.lines.serial import LimbSingularity
 from gcrules.rules.condition import Condition
 from gcrules.rules.statement import Statement, listing, say
 
-__all__ = ["robot_statement"]
+__all__ = ["only_pulling", "robot_statement"]
 
 
 def robot_statement(
@@ -33,7 +33,7 @@ def robot_statement(
         said = _redundant(structure, common, parts, f"{outside}, the" if outside else "the")
     else:
         said = _meaning(structure, condition, cofactors, parts, outside)
-    return _with_derived(say("{}{}", said, _cables(structure)), structure, parts)
+    return _with_derived(say("{}{}", said, only_pulling(structure)), structure, parts)
 
 
 def _chosen(parts: Sequence[FactorCause]) -> bool:
@@ -41,7 +41,7 @@ def _chosen(parts: Sequence[FactorCause]) -> bool:
     return any(p.chosen for p in parts)
 
 
-def _cables(structure: Equivalent) -> str:
+def only_pulling(structure: Equivalent) -> str:
     """What is to be said beside the rank where actuators only pull; nothing else."""
     if not any(limb.limb.cable for limb in structure.limbs):
         return ""
