@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from itertools import combinations
 from random import Random
 
 import pytest
+from commands import invoke
 from faults import refused
 from places import checker
 
@@ -196,6 +198,14 @@ def test_what_is_factored_is_of_points() -> None:
     with pytest.raises(InputError, match="only expressions of points are factored, and S is a screw") as caught:
         gc.factor(parse("[S a b]", context=SPACE))
     assert caught.value.hint == "write it as a sum of two lines, ab + cd"
+
+
+@pytest.mark.parametrize("command", ["factor", "factors", "shorten"])
+def test_the_shell_tells_where_a_screw_is_refused(command: str) -> None:
+    done = invoke(command, "--letters", "screw S", " [S a b] ")
+    assert done.exit_code == 2
+    assert re.match(r"error: <input>:1:2: only expressions of points are \w+, and S is a screw\n", done.stderr)
+    assert "\n   ^^^^^^^\n" in done.stderr
 
 
 def test_screws_are_declared_again_and_beside_lines() -> None:

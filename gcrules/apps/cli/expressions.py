@@ -11,6 +11,7 @@ from gcrules.algebra.language.syntax import Context, parse
 from gcrules.algebra.language.words import with_infinity
 from gcrules.apps.cli.files import read_stdin, working
 from gcrules.apps.cli.options import SpaceOptions
+from gcrules.core.errors import InputError, Span
 
 __all__ = ["argument_text", "context_of", "read_expression", "searched"]
 
@@ -49,15 +50,19 @@ def searched(
     seconds: float,
     **options: bool,
 ) -> _Answer:
-    """The answer of a search about an expression; how it goes is shown."""
-    e, at = read_expression(argument, space)
+    """The answer of a search about an expression; how it goes is shown. Its faults are placed at the expression."""
+    at, text = context_of(space), argument_text(argument)
+    e = parse(text, context=at)
     with working(task):
-        return search(
-            e,
-            points=at.points,
-            ideal=at.ideal,
-            rank=at.rank,
-            limit=limit,
-            seconds=seconds,
-            **options,
-        )
+        try:
+            return search(
+                e,
+                points=at.points,
+                ideal=at.ideal,
+                rank=at.rank,
+                limit=limit,
+                seconds=seconds,
+                **options,
+            )
+        except InputError as fault:
+            raise fault.located(text, span=Span(len(text) - len(text.lstrip()), len(text.rstrip()))) from None
