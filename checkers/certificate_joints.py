@@ -5,13 +5,15 @@ product of their exponentials. It has programs of the coordinates too: of each l
 end, seen from the platform, and of the amounts of the actuators. That these are what the joints make of them is seen
 where all loops are closed, by Newton's method (`certificate_loops`), at random places around home and on ways from
 there to places of the range: the wrenches have no power on the twists of the limb's undriven joints there, and are as
-many as these leave. It is no proof, but both sides are analytic: what agrees around home agrees in all boxes that boxes
-in which all roots exist join to it. That a pose is reached nowhere is told by a root that is negative, or by limits.
+many as these leave. Axes have length 1, and in a robot of the plane z = 0 no joint leaves this plane. It is no proof,
+but both sides are analytic: what agrees around home agrees in all boxes that boxes in which all roots exist join to it.
+That a pose is reached nowhere is told by a root that is negative, or by limits.
 
 In a box the entries are Values (`certificate_bounds`). With G the products of a limb's wrenches with each other, and C
 the inverse of a lower factor of it in the middle, C G C^T has no eigenvalue above g there: the margin, measured with
 wrenches that are orthonormal in each limb, is at least 1 / sqrt(g) times the least singular value of all C W K, where K
-is the balance, of the velocities of all ends, and of turns as well at ends that are no balls.
+is the balance, of the velocities of all ends, and of turns as well at ends that are no balls. Entries of these wrenches
+may all be other ones by `SLACK`, which is more than closed forms and joints are seen to agree to.
 """
 
 from __future__ import annotations
@@ -20,6 +22,7 @@ import copy
 import math
 import random
 from fractions import Fraction
+from operator import mul
 
 from certificate_bounds import (
     INF,
@@ -39,10 +42,12 @@ from certificate_bounds import (
     mix,
     turns,
 )
-from certificate_loops import Loops, length, moved, rank
+from certificate_loops import Loops, basis, check_joints, length, lengthened, moved, rank
 
 PLACES = 12  # where the programs are compared with the joints
-EQUAL = 1e-8
+EQUAL = 1e-8  # parts of a wrench, and of a twist, in what is compared
+SLACK = 10 * EQUAL  # in entries of wrenches that are orthonormal: regular is what closed forms so near to them are
+DEPENDENT = 1e-12  # joints that are not independent, and whose part beyond the others is larger, cannot be told apart
 NOWHERE = "the closed forms end around home"
 OPERATIONS = {"add": 2, "sub": 2, "mul": 2, "shift": 1, "scale": 1, "inv": 1, "sqrt": 1, "cos": 1, "sin": 1}
 
@@ -125,6 +130,8 @@ class Joints:
             raise Refused("no independent checker yet for cones of this robot")
         self.tilt = None if q["tilt"] is None else cosine_of(q["tilt"])
         self.limbs, self.size, self.centre = g["limbs"], float(g["size"]), [float(c) for c in g["centre"]]
+        if type(g["plane"]) is not bool:
+            raise Refused("neither a robot of the plane z = 0 nor one of space")
         self.keep = (0, 1, 5) if g["plane"] else tuple(range(6))
         self.wrenches = Tape(g["wrenches"], len(self.names))
         if len(self.wrenches.results) != 6 * sum(limb["wrenches"] for limb in self.limbs):
@@ -141,6 +148,7 @@ class Joints:
                 if not low < high:
                     raise Refused(f"limits of {name!r} that are none")
                 self.limits.append((low, high))
+        check_joints(self.limbs, g["plane"])
         ends = [limb["end"] for limb in self.limbs]
         mean = [sum(e[j] for e in ends) / len(ends) for j in range(3)]
         self.arms = [[c / self.size for c in minus(e, mean)] for e in ends]
@@ -154,6 +162,7 @@ class Joints:
         self.seen = 0
         self._compare(*([float(Fraction(r[end])) * u for r, u in zip(q["over"], units)] for end in ("low", "high")))
         self.words = f"of closed forms that agree with the joints at {self.seen} poses, which does not prove them"
+        self.words = f"in the plane z = 0, {self.words}" if g["plane"] else self.words
 
     # --- in boxes -----------------------------------------------------------------------------------------------------
 
@@ -240,7 +249,7 @@ class Joints:
                 whole = [mix([line[k] for line in own], row) for k in range(6)]
                 turned = [whole[3 + k] + mix(whole[:3], cross_row(arm, k)) for k in range(3)]
                 wrench = [*whole[:3], *turned]
-                kept = [wrench[k] for k in self.keep]
+                kept = [Value(v.c, v.a, v.e + SLACK) for v in (wrench[k] for k in self.keep)]
                 matrix.append([mix(kept, column) for column in zip(*self.scale)])
         return holds_matrix(matrix, margin * math.sqrt(longest) * (1 + 1e-9))
 
@@ -319,14 +328,18 @@ class Joints:
             end = moved(platform, limb["end"])
             twists = [t for c, t in enumerate(self.loops.twists(k, amounts[k], end)) if c not in driven_ones]
             passive = [[dot(column, part) for part in (t[:3], t[3:]) for column in zip(*rotation)] for t in twists]
-            own = [[x[j] for j in (3, 4, 5, 0, 1, 2)] for x in rows]  # (m; f) beside (w; v)
-            powers = [abs(sum(a * b for a, b in zip(r, t))) / length(r) for r in own for t in passive]
-            if not all(x <= EQUAL for x in powers) or not all(length(r) < INF for r in own):
+            kept = [(j + 3) % 6 for j in self.keep]  # the places of what is kept of (f; m) in (m; f), and in (w; v)
+            own, moves = ([[r[j] for j in kept] for r in rows] for rows in ([x[3:] + x[:3] for x in rows], passive))
+            if not all(length(r) < INF for r in own):
+                return "a wrench that is endless"
+            units = basis(lengthened(own))
+            if not all(abs(sum(map(mul, u, t))) <= EQUAL * length(t) for u in units for t in moves):
                 return "a wrench is none of its limb: it has power on the undriven joints"
-            kept = [(k + 3) % 6 for k in self.keep]  # the places of what is kept of (f; m) in (m; f), and in (w; v)
-            wrenches, freedoms = (rank([[r[j] for j in kept] for r in rows]) for rows in (own, passive))
-            if wrenches != count:
+            if len(units) != count:
                 return "the wrenches of a limb depend on each other"
+            freedoms = rank(moves)
+            if freedoms != rank(moves, DEPENDENT):
+                return "undriven joints of a limb nearly depend on each other"
             if freedoms + count != len(self.keep):
                 return "a limb has not as many wrenches as its undriven joints leave"
         return ""

@@ -6,6 +6,9 @@ import math
 
 from certificate_bounds import NAMES, Refused, cross, dot, inverse, minus, times
 
+ROUNDED = 1e-9
+LARGEST = 1e3  # number of turns, or of lengths, to one of an amount
+
 
 class Loops:
     """Limbs with the screws (w; v) of their motions at home; `size` is the robot's, poses turn about `centre`."""
@@ -114,22 +117,45 @@ class Loops:
         return dict(zip(NAMES, (*shift, *turn)))
 
 
+def check_joints(limbs, plane):
+    """Raises Refused for joints that do not move by their amounts as `exponential` has it, about axes of length 1, or
+    so little that it would not be seen; in the plane z = 0 for those that leave it.
+    """
+    for limb in limbs:
+        screws, coordinates, signs = limb["screws"], limb["coordinates"], limb["signs"]
+        if not len(screws) == len(coordinates) == len(signs) or {*coordinates} != {*range(1 + max(coordinates))}:
+            raise Refused("joints whose amounts are missing, or amounts without a joint")
+        for screw, sign in zip(screws, signs):
+            turns = any(screw[:3])
+            if not abs(length(screw[:3] if turns else screw[3:]) - 1) <= ROUNDED:
+                raise Refused("a joint whose axis does not have length 1")
+            if not 1 / LARGEST <= abs(sign) <= LARGEST:
+                raise Refused("a joint that hardly moves with its amount, or far too much")
+            if plane and any((*screw[:2], screw[5])):
+                raise Refused("a joint that leaves the plane z = 0, to which the robot is said to keep")
+
+
 def length(v):
     return math.sqrt(sum(x * x for x in v))
 
 
-def rank(rows):
-    """The rank of rows of numbers, those of length 1e-6 beside the others being none."""
-    return len(basis([[x / max(length(r), 1e-300) for x in r] for r in rows]))
+def rank(rows, least=1e-6):
+    """The rank of rows of numbers, those that have less than this length beside the others being none."""
+    return len(basis(lengthened(rows), least=least))
 
 
-def basis(rows, known=()):
+def lengthened(rows):
+    """The rows with length 1."""
+    return [[x / max(length(r), 1e-300) for x in r] for r in rows]
+
+
+def basis(rows, known=(), least=1e-6):
     """Rows of length 1 at right angles to each other and to those that are known, which span all that is left."""
     found = list(known)
     rows = [without(r, found) for r in rows]
     while rows:
         best = max(rows, key=length)
-        if length(best) < 1e-6:
+        if length(best) < least:
             break
         unit = [x / length(best) for x in best]
         rows = [without(r, [unit]) for r in rows if r is not best]
@@ -146,7 +172,7 @@ def without(row, units):
 
 def complement(twists):
     """What has no product with any of the twists."""
-    own = basis([[x / max(length(t), 1e-300) for x in t] for t in twists])
+    own = basis(lengthened(twists))
     return basis([[float(i == j) for j in range(6)] for i in range(6)], own)
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import copy
 import hashlib
 import json
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
@@ -53,3 +53,56 @@ def put(file: dict[str, Any], path: tuple[Any, ...], value: Any) -> dict[str, An
         inner = inner[key]
     inner[path[-1]] = value
     return new
+
+
+def _joint(number: int, screw: list[float]) -> Callable[[dict[str, Any]], Any]:
+    """Another joint in the first limb."""
+    return lambda file: file["geometry"]["limbs"][0]["screws"].__setitem__(number, screw)
+
+
+def _more(screw: list[float], *, limbs: int = 1, like_last: float = 0.0) -> Callable[[dict[str, Any]], Any]:
+    """One more joint at the end of limbs, with an amount of its own or so many times that of the last one."""
+
+    def change(file: dict[str, Any]) -> None:
+        for limb in file["geometry"]["limbs"][:limbs]:
+            limb["screws"].append(screw)
+            limb["coordinates"].append(limb["coordinates"][-1] + (not like_last))
+            limb["signs"].append(like_last or 1.0)
+
+    return change
+
+
+def _against_itself(file: dict[str, Any]) -> None:
+    """A slide across the leg, and one back that is a little shorter, in place of the last hinge."""
+    _joint(2, [0.0, 0.0, 0.0, -0.8, 0.6, 0.0])(file)
+    _more([0.0, 0.0, 0.0, -0.8, 0.6, 0.0], like_last=-1.0 + 1e-9)(file)
+
+
+FALSE_JOINTS: dict[str, tuple[Callable[[dict[str, Any]], Any], str]] = {
+    "a slide so short that nothing has power on it": (_joint(2, [0, 0, 0, -4e-10, 9e-10, 0]), "length 1"),
+    "a hinge that hardly turns": (_joint(2, [0, 0, 1e-9, 2e-9, -1.5e-9, 0]), "length 1"),
+    "a hinge elsewhere that hardly turns": (_joint(2, [0, 0, 1e-9, 5e-10, 0, 0]), "length 1"),
+    "an axis so short that its square is 0": (_joint(2, [0, 0, 1e-170, -0.8, 0.6, 0]), "length 1"),
+    "an amount that hardly moves a joint": (
+        lambda file: file["geometry"]["limbs"][0]["signs"].__setitem__(2, 1e-9),
+        "hardly moves",
+    ),
+    "slides that hardly move together": (_against_itself, "power on the undriven joints"),
+    "two hinges that are nearly one": (_more([0, 0, 1, 2 + 1e-9, -1.5, 0]), "nearly depend on each other"),
+    "slides out of the plane": (_more([0, 0, 0, 0, 0, 1], limbs=3), "leaves the plane"),
+    "a slide that is nearly in the plane": (_more([0, 0, 0, 1, 0, 1e-10]), "leaves the plane"),
+    "a screw in place of a hinge": (_joint(2, [0, 0, 1, 2, -1.5, 0.1]), "leaves the plane"),
+    "a hinge that is tilted": (_joint(2, [0, 0.6, 0.8, 1.6, -1.2, 0.9]), "leaves the plane"),
+    "an amount without a joint": (
+        lambda file: file["geometry"]["limbs"][0].update(coordinates=[0, 1, 3]),
+        "amounts without a joint",
+    ),
+    "a plane that is a number": (lambda file: file["geometry"].update(plane=1), "the plane z = 0"),
+}
+"""What makes other robots of that of a file of 3-rpr, whose closed forms seem to hold them."""
+
+
+def with_false_joints(file: dict[str, Any], name: str) -> dict[str, Any]:
+    new = copy.deepcopy(file)
+    FALSE_JOINTS[name][0](new)
+    return signed(new)

@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 import pytest
 from commands import invoke
-from map_certificates import JUNK, leaves, put, signed
+from map_certificates import FALSE_JOINTS, JUNK, leaves, put, signed, with_false_joints
 from map_certificates import run as run_program
 from places import EXAMPLES, ROOT, checker
 
@@ -107,6 +107,12 @@ def test_trees_are_those_of_the_map(name: str) -> None:
             if all(a <= c <= b for a, c, b in zip(low, at, high, strict=True))
         ]
         assert [names[letter] for letter in letters] == [found.status(place.tolist())]
+
+
+@pytest.mark.parametrize("name", FALSE_JOINTS)
+def test_joints_that_the_closed_forms_do_not_hold_are_refused(name: str) -> None:
+    with pytest.raises(CHECK.Refused, match=FALSE_JOINTS[name][1]):
+        CHECK.checked(with_false_joints(data("3-rpr"), name))
 
 
 def determinants(places: Any) -> Any:

@@ -17,6 +17,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from map_certificates import FALSE_JOINTS, with_false_joints
 from places import ROOT
 
 import gcrules as gc
@@ -343,6 +344,33 @@ def _nowhere(data: dict[str, Any], *, needed: bool) -> None:
         program["results"][0] = n + 5
 
 
+def _nearly_dependent(data: dict[str, Any]) -> None:
+    """The second wrench is the first one and a little of the second one, so little that what is added of another limb's
+    seems to have no power.
+    """
+    program = data["geometry"]["wrenches"]
+    lines, results = program["lines"], program["results"]
+
+    def line(*parts: Any) -> int:
+        lines.append([*parts])
+        return len(lines) - 1
+
+    zero = line("scale", next(r for r in results if isinstance(r, int)), "0")
+    first, second, other = (
+        [r if isinstance(r, int) else line("shift", zero, r) for r in results[k : k + 6]] for k in (0, 6, 18)
+    )
+    for k, (a, b, c) in enumerate(zip(first, second, other, strict=True)):
+        little = line("add", line("scale", b, "1/100000"), line("scale", c, "1/1000000000"))
+        results[6 + k] = line("add", a, little)
+
+
+def test_of_wrenches_that_nearly_depend_none_has_power_on_the_joints() -> None:
+    data = json.loads(certificate("delta"))
+    _nearly_dependent(data)
+    with pytest.raises(checker().Refused, match="power on the undriven joints"):
+        checker().checked(data)
+
+
 CHANGES: dict[str, Callable[[dict[str, Any]], Any]] = {
     "a wrench": lambda data: _constant(data, "wrenches", 2),
     "another wrench": lambda data: _constant(data, "wrenches", 5),
@@ -364,6 +392,21 @@ def test_joints_that_were_changed_are_refused(change: str) -> None:
     CHANGES[change](data)
     with pytest.raises((checker().Refused, KeyError, IndexError)):
         checker().checked(data)
+
+
+@pytest.mark.parametrize("name", FALSE_JOINTS)
+def test_joints_that_the_closed_forms_do_not_hold_are_refused(name: str) -> None:
+    with pytest.raises(checker().Refused, match=FALSE_JOINTS[name][1]):
+        checker().checked(with_false_joints(json.loads(certificate("3-rpr")), name))
+
+
+def test_closed_forms_hold_no_closer_than_they_are_known() -> None:
+    """Forces that are parallel but for less than closed forms may differ from the joints prove nothing."""
+    robot = checker().robot_of(json.loads(certificate("3-rpr")))
+    _, _, lines = robot.look(checker().Box([0.0, 0.0], [0.0, 0.0]))
+    for far, fine in ((1e-9, False), (1e-3, True)):
+        near = [[a * (1 - far) + b * far for a, b in zip(lines[0], line, strict=True)] for line in lines]
+        assert robot.holds(near, 0.0)[0] == fine
 
 
 def test_lengths_are_in_the_unit_of_a_file_of_joints(tmp_path: Path) -> None:

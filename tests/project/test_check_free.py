@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 import pytest
 from commands import invoke
-from map_certificates import JUNK, leaves, put, signed
+from map_certificates import FALSE_JOINTS, JUNK, leaves, put, signed, with_false_joints
 from map_certificates import run as run_program
 from places import EXAMPLES, ROOT, checker
 
@@ -328,6 +328,12 @@ def test_joints_that_are_others_are_refused() -> None:
     for new in (held, limits, put(file, ("question", "rest", "y"), None), put(file, ("geometry",), None)):
         with pytest.raises((CHECK.Refused, *checker("map_files").BROKEN)):
             CHECK.checked(signed(new))
+
+
+@pytest.mark.parametrize("name", FALSE_JOINTS)
+def test_joints_that_the_closed_forms_do_not_hold_are_refused(name: str) -> None:
+    with pytest.raises(CHECK.Refused, match=FALSE_JOINTS[name][1]):
+        CHECK.checked(with_false_joints(data("3-rpr"), name))
 
 
 # --- the command ---------------------------------------------------------------------------------------------------

@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 import pytest
 from commands import invoke
-from map_certificates import JUNK, leaves, put, run, signed
+from map_certificates import FALSE_JOINTS, JUNK, leaves, put, run, signed, with_false_joints
 from places import ROOT, checker
 
 import gcrules as gc
@@ -355,6 +355,12 @@ def test_joints_that_move_the_platform_are_not_held(name: str) -> None:
         limb["held"] = list(range(1, max(limb["coordinates"]) + 1))
     with pytest.raises(CHECK.Refused, match="not held do not move"):
         CHECK.checked(all_called(file, "o"))
+
+
+@pytest.mark.parametrize("name", FALSE_JOINTS)
+def test_joints_that_the_closed_forms_do_not_hold_are_refused(name: str) -> None:
+    with pytest.raises(CHECK.Refused, match=FALSE_JOINTS[name][1]):
+        CHECK.checked(with_false_joints(data("3-rpr"), name))
 
 
 def test_the_words_say_what_is_driven() -> None:
