@@ -335,6 +335,19 @@ def test_what_takes_no_quadrics_says_so(arguments: tuple[str, ...], message: str
     assert message in done.stderr
 
 
+@pytest.mark.parametrize(
+    ("arguments", "message", "column"),
+    [
+        (("ab Q cd ef gh ij", "--letters", "quadric Q"), "Q is a quadric, not a leg", 4),
+        (("ab bc cd ef gh ij", "--given", "quadric Q, on_quadric(a, Q)"), "Q is a quadric, and what is assumed", 12),
+    ],
+)
+def test_legs_are_not_quadrics(arguments: tuple[str, ...], message: str, column: int) -> None:
+    done = invoke("analyze", *arguments)
+    assert done.exit_code == 2
+    assert f"<input>:1:{column}: {message}" in done.stderr
+
+
 def test_formulas_set_the_corners_of_quadrics() -> None:
     assert "Q_{1}" in gc.expand("polar(p, Q)", letters="quadric Q").latex()
 

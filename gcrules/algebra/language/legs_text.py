@@ -19,7 +19,7 @@ from gcrules.algebra.language.syntax import Context
 from gcrules.algebra.language.text import Names, split_names
 from gcrules.algebra.language.text import text as as_text
 from gcrules.algebra.letter_forms import FORMS
-from gcrules.algebra.letters import letters_of
+from gcrules.algebra.letters import conics_of, letters_of
 from gcrules.algebra.screw_letters import screws_of
 from gcrules.algebra.structure import NoLine, Structure, leg_text, legs_text
 from gcrules.core.errors import GcrulesError, InputError, Span
@@ -52,8 +52,7 @@ def read_legs(
     for written in filter(str.strip, [given] if isinstance(given, str) else given):
         at = parse_assumption(written, at)
     if at.conics:
-        what = f"{at.conics[0]} is a {FORMS[at.rank].word}, and what is assumed of legs is said of their points"
-        raise InputError(what, hint="on_conic(a, b, c, d, e, f)" if at.rank == 3 else None)
+        raise _of_conics(legs if isinstance(legs, str) else "", at)
     of_screw = next((a for a in at.given if screws_of(points_of(*a.args))), None)
     if of_screw is not None:
         what = f"{of_screw} is said of a screw, and what is assumed of legs is said of their points"
@@ -78,6 +77,20 @@ def read_legs(
         if source is not None and wrong.source is None:
             raise wrong.located(source, span=Span(0, len(source))) from None
         raise
+
+
+def _of_conics(legs: str, at: Context) -> InputError:
+    """That legs are not conics or quadrics, and what is assumed of them is not said of such."""
+    word = FORMS[at.rank].word
+    for text, span in split_lines(legs):
+        if text in at.conics:
+            return InputError(f"{text} is a {word}, not a leg", span=span, source=legs)
+    what = f"{at.conics[0]} is a {word}, and what is assumed of legs is said of their points"
+    hint = "on_conic(a, b, c, d, e, f)" if at.rank == 3 else None
+    place = next((a.place for a in at.given if conics_of(points_of(*a.args)) and a.place is not None), None)
+    if place is None:
+        return InputError(what, hint=hint)
+    return InputError(what, hint=hint, span=place.span, source=place.source, filename=place.filename)
 
 
 def _with_stand_ins(found: Sequence[Leg | Expr], at: Context) -> Structure:
