@@ -28,6 +28,7 @@ from typing import Any, TypeVar
 from gcrules.algebra import expr as ex
 from gcrules.algebra.expr import Dotted, Expr, Number, Point, Power, Sum, points_of
 from gcrules.algebra.language.text import SHORT_NAME
+from gcrules.algebra.letters import without_marks
 from gcrules.algebra.names import point_key
 from gcrules.algebra.parts import substitute
 from gcrules.algebra.space import Assumption
@@ -290,6 +291,7 @@ class Canonical:
         """The error, which speaks of the user's points now."""
         fault.message = self.words_back(fault.message)
         fault.hint = self.words_back(fault.hint) if fault.hint else None
+        without_marks(fault)
         return fault
 
 

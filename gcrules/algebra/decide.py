@@ -14,7 +14,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from gcrules.algebra.assumptions.nondegeneracy import words
+from gcrules.algebra.assumptions.nondegeneracy import Nowhere, chosen, words
 from gcrules.algebra.combinations import given_part
 from gcrules.algebra.duality import Dual, dual_of
 from gcrules.algebra.evaluate import vanishes
@@ -24,7 +24,6 @@ from gcrules.algebra.language.relations import Claimed, parse_claim
 from gcrules.algebra.language.statements import parse_assumption
 from gcrules.algebra.language.syntax import Context
 from gcrules.algebra.language.text import text
-from gcrules.algebra.letter_forms import FORMS
 from gcrules.algebra.letters import conics_of, declarations, letter_of, letters_of, marks_in, named_letter
 from gcrules.algebra.prove import Proof, difference_of, prove
 from gcrules.algebra.reciprocal import Reciprocal, reciprocal
@@ -38,6 +37,10 @@ __all__ = ["decide"]
 
 _VERDICTS = ("refuted", "undecided", "proved")
 _SUMMED = "both sides differ by a sum of multiples of what is given, which vanishes"
+_UNRESOLVED = "the assumptions about {} cannot be resolved"
+_VANISHING = (
+    "something that is said to exist vanishes at all positions that were found to satisfy what is assumed of {}"
+)
 _UNSAID = "both sides are equal where something does not vanish that cannot be said without the corners of {}"
 
 
@@ -112,9 +115,13 @@ def _about_conics(claimed: Claimed, at: Space, limit: int) -> Proof:
     try:
         found = _decided(placed.claimed, placed.space, limit, placed)
     except InputError as fault:
-        fault.message = _without_marks(fault.message, listed(conics_of(_names(claimed, at))))
-        if placed.places:
-            fault.hint = fault.hint or f"points that are given on one {FORMS[at.rank].word} are taken to differ"
+        nowhere = isinstance(fault, Nowhere)
+        if marks_in(fault.message) or (placed.generic and placed.places and nowhere):
+            fault.message = (_VANISHING if nowhere else _UNRESOLVED).format(listed(conics_of(_names(claimed, at))))
+        fault.hint = fault.hint or placed.taken
+        place = next((a.place for a in at.given[::-1] if a.place is not None), None)
+        if nowhere and place is not None:
+            fault.located(place.source, place.filename, place.span)
         raise
     if found.counterexample is not None:
         places = {n: found.counterexample[p] for n, p in placed.places.items() if p in found.counterexample}
@@ -125,7 +132,7 @@ def _about_conics(claimed: Claimed, at: Space, limit: int) -> Proof:
         required = {r.text: r.meaning for r in claimed.required}
         return replace(found, assumed=tuple(required), meanings=tuple(required.values()), kinds=())
     if placed.flats is not None:
-        spoken = dict(placed.differ) | {text(e): words(e) for e in placed.flats}
+        spoken = dict(placed.differ) | {text(e): words(e) for e in chosen(placed.flats, at.rank)}
         if not any(map(marks_in, spoken)):
             spoken |= {r.text: r.meaning for r in claimed.required}
             return replace(found, assumed=tuple(spoken), meanings=tuple(spoken.values()), kinds=())
@@ -142,15 +149,6 @@ def _about_conics(claimed: Claimed, at: Space, limit: int) -> Proof:
             kinds=(),
         )
     return replace(found, assumed=tuple(told), meanings=tuple(told.values()))
-
-
-def _without_marks(message: str, letters: str) -> str:
-    """A message without the points of letters, which nobody can write."""
-    for part in ("", ", or where", "; in the one"):
-        shown = message.partition(part)[0] if part else message
-        if not marks_in(shown):
-            return shown
-    return f"the assumptions about {letters} cannot be resolved"
 
 
 def _said(proof: Proof, placed: Seated) -> Proof:

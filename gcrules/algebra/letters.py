@@ -21,7 +21,7 @@ from gcrules.algebra.expr import Expr, Join, Point
 from gcrules.algebra.names import NAME, step_name
 from gcrules.algebra.screw_letters import SCREW_MARKS, Screw, screw, screw_of
 from gcrules.core.english import with_article
-from gcrules.core.errors import InputError
+from gcrules.core.errors import GcrulesError, InputError
 
 __all__ = [
     "CONIC",
@@ -45,6 +45,7 @@ __all__ = [
     "plain_name",
     "split_letters",
     "wholes",
+    "without_marks",
 ]
 
 CONIC, QUADRIC, SCREW = "conic", "quadric", "screw"
@@ -137,6 +138,18 @@ def conics_of(names: Iterable[str]) -> tuple[str, ...]:
 def marks_in(shown: str) -> bool:
     """Whether a text shows points of conics or quadrics."""
     return any(mark in shown for mark in _RAISED)
+
+
+def without_marks(fault: GcrulesError) -> None:
+    """Leave out of an error about an assumption what shows points of letters, which nobody can write, with its advice:
+    why it is so, and then what was made of the assumption that is written in its place.
+    """
+    for part in ("; in the one", ": "):
+        if any(mark in f"{fault.message}{fault.hint}" for mark in (*_RAISED, *_MARKS)):
+            fault.message, fault.hint = fault.message.partition(part)[0], None
+    if any(mark in fault.message for mark in (*_RAISED, *_MARKS)) and fault.span is not None and fault.source:
+        written = fault.source[fault.span.start : fault.span.end]
+        fault.message = f"the assumption {written} cannot be resolved"
 
 
 def marked(point: str) -> bool:

@@ -36,7 +36,7 @@ from gcrules.algebra.straightening.straighten import is_zero
 from gcrules.algebra.weights import unit_weights
 from gcrules.core.budget import checkpoint
 from gcrules.core.dataclass import dataclass
-from gcrules.core.errors import InputError, LimitReached, StepError
+from gcrules.core.errors import LimitReached, StepError
 from gcrules.core.frozen import FrozenMap
 from gcrules.core.shown import Shown
 
@@ -201,7 +201,7 @@ class _Positions:
         """The kinds of positions that some of them are of."""
         left = [kind for kind in found if not any(map(kind.construction.vanishes, self.nonzero))]
         if found and not left:
-            raise InputError(nowhere(kind.construction for kind in found))
+            raise nowhere(kind.construction for kind in found)
         return left
 
 

@@ -30,8 +30,9 @@ from gcrules.algebra.language.relations import Claimed
 from gcrules.algebra.language.text import text
 from gcrules.algebra.letter_forms import FORMS
 from gcrules.algebra.letters import conic_of, conic_points, conics_of
+from gcrules.algebra.lines_on_quadrics import OnLines, on_lines
 from gcrules.algebra.parts import substitute
-from gcrules.algebra.seats import SEATS
+from gcrules.algebra.seats import SEATS, given_on
 from gcrules.algebra.space import Assumption, Space
 from gcrules.algebra.towers import polar_of_line, tower
 from gcrules.core.dataclass import dataclass
@@ -60,6 +61,22 @@ class Seated:
     generic: tuple[frozenset[str], ...] = ()
     flats: tuple[Expr, ...] | None = None
     differ: tuple[tuple[str, str], ...] = ()
+
+    @property
+    def taken(self) -> str | None:
+        """What is taken for granted of points that have places, as advice; None where there are none."""
+        if self.space.rank == _PLANE:
+            return "points that are given on one conic are taken to differ" if self.places else None
+        for letter in conics_of(self.places):
+            a, *others = (self.places.get(n) for n in conic_points(letter, _SPACE))
+            if a is None or not any(others):
+                continue
+            b = others[0]
+            if b is None:
+                return f"the points {a} and {others[1]} are taken to differ"
+            hint = f"the points {a} and {b} are taken to differ, and their line not to be on {letter}"
+            return f"{hint}; if it is, assume incident({b}, polar({a}, {letter}))"
+        return None
 
     def spoken(self, e: Expr) -> tuple[str, str] | None:
         """A condition and what it means, as text in which polars are said in words; None for one that holds anyway: no
@@ -150,17 +167,22 @@ def seated(claimed: Claimed, at: Space) -> Seated:
     """The claim, of conics that are no pairs of lines and quadrics that are no cones, with points that are given on
     them in place of their own.
     """
-    before, at = at, replace(at, given=tuple(a for given in at.given for a in _resolved(given, at)))
     sides = (e for pair in claimed.equations for e in pair)
     names = points_of(*sides, *_expressions(at.given), *claimed.nonzero)
     letters, form = conics_of(names), FORMS[at.rank]
-    seats = SEATS[at.rank]({name: _given_on(name, at) for name in letters}, at, names)
-    flats = tower([a for a in before.given if a not in seats.bound], at, seats.fixed) if at.rank == _SPACE else None
+    lines = on_lines(at, letters) if at.rank == _SPACE else OnLines(at.given)
+    at = replace(at, given=tuple(a for given in lines.given for a in _resolved(given, at)))
+    seats = SEATS[at.rank]({name: given_on(name, at) for name in letters}, at, names)
+    unbound = [a for a in lines.given if a not in seats.bound]
+    flats = tower(unbound, at, seats.fixed) if at.rank == _SPACE else None
     proper = (form.proper(*form.own(name)) for name in letters)
     claimed = replace(claimed, nonzero=tuple(dict.fromkeys((*claimed.nonzero, *proper))))
     if not seats.places:
         return Seated(claimed, at, irreducible=seats.irreducible, generic=seats.generic, flats=flats)
     seat: dict[str, Expr] = {n: Point(p) for n, p in seats.places.items()}
+    seated_apart = {frozenset(points_of(e)) for e in seats.apart}
+    apart = [e for e in lines.apart if frozenset(points_of(e)) not in seated_apart]
+    differ = tuple((text(e), words(e)) for e in apart)
 
     def put(e: Expr) -> Expr:
         return substitute(e, seat, at.rank)
@@ -170,16 +192,16 @@ def seated(claimed: Claimed, at: Space) -> Seated:
             claimed,
             equations=tuple((put(left), put(right)) for left, right in claimed.equations),
             required=tuple(replace(r, expr=put(r.expr)) for r in claimed.required),
-            nonzero=(*map(put, claimed.nonzero), *seats.apart),
+            nonzero=(*map(put, claimed.nonzero), *seats.apart, *apart),
             args=tuple(map(put, claimed.args)),
         ),
         replace(at, given=tuple(_moved(a, put) for a in at.given if a not in seats.used)),
         seats.places,
-        seats.told,
+        (*seats.told, *differ),
         seats.irreducible,
         seats.generic,
         flats,
-        seats.differ,
+        (*seats.differ, *differ),
     )
 
 
@@ -203,15 +225,3 @@ def _resolved(a: Assumption, at: Space) -> Iterable[Assumption]:
 def _moved(a: Assumption, put: Callable[[Expr], Expr]) -> Assumption:
     args, also, exists = (tuple(map(put, some)) for some in (a.args, a.also, a.exists))
     return replace(a, args=args, also=also, exists=exists)
-
-
-def _given_on(letter: str, at: Space) -> dict[str, list[Assumption]]:
-    """The points that are assumed to be on a conic or a quadric, each with the assumptions that say so."""
-    form = FORMS[at.rank]
-    own = form.own(letter)
-    found: dict[str, list[Assumption]] = {}
-    for a in at.given:
-        others = [n for n in points_of(*a.args) if Point(n) not in own] if a.kind == "zero" else []
-        if len(others) == 1 and conic_of(others[0]) is None and a.args[0] == form.value(Point(others[0]), *own):
-            found.setdefault(others[0], []).append(a)
-    return found

@@ -20,12 +20,12 @@ from gcrules.algebra.assumptions.nondegeneracy import words
 from gcrules.algebra.expr import Expr, Point, points_of
 from gcrules.algebra.language.text import text
 from gcrules.algebra.letter_forms import FORMS
-from gcrules.algebra.letters import conic_points
+from gcrules.algebra.letters import conic_of, conic_points
 from gcrules.algebra.space import Assumption, Space
 from gcrules.core.dataclass import dataclass
 from gcrules.core.frozen import FrozenMap
 
-__all__ = ["SEATS", "Found", "Seats"]
+__all__ = ["SEATS", "Found", "Seats", "conjugate", "given_on"]
 
 _PLANE, _SPACE = 3, 4
 
@@ -85,7 +85,7 @@ def _on_quadrics(found: Found, at: Space, names: Sequence[str]) -> Seats:
         free = {n for n in names if n not in at.ideal and often[n] <= len(on.get(n, ()))}
         order = sorted(on, key=lambda n: -often[n])
         pair, said = next(
-            ((pair, both) for pair in combinations(order, 2) if (both := _conjugate(*pair, letter, at))),
+            ((pair, both) for pair in combinations(order, 2) if (both := conjugate(*pair, letter, at))),
             (order[:2], frozenset[Assumption]()),
         )
         seats = dict(zip((corners[0], corners[2 if said else 1]), pair, strict=False))
@@ -111,11 +111,23 @@ def _on_quadrics(found: Found, at: Space, names: Sequence[str]) -> Seats:
     )
 
 
-def _conjugate(p: str, q: str, letter: str, at: Space) -> frozenset[Assumption]:
+def conjugate(p: str, q: str, letter: str, at: Space) -> frozenset[Assumption]:
     """The assumptions that say that two points are conjugate, if there are any."""
     form, own = FORMS[_SPACE], FORMS[_SPACE].own(letter)
     pairs = [{Point(a), form.polar(Point(b), *own)} for a, b in ((p, q), (q, p))]
     return frozenset(a for a in at.given if a.kind == "incident" and set(a.args) in pairs)
+
+
+def given_on(letter: str, at: Space) -> dict[str, list[Assumption]]:
+    """The points that are assumed to be on a conic or a quadric, each with the assumptions that say so."""
+    form = FORMS[at.rank]
+    own = form.own(letter)
+    found: dict[str, list[Assumption]] = {}
+    for a in at.given:
+        others = [n for n in points_of(*a.args) if Point(n) not in own] if a.kind == "zero" else []
+        if len(others) == 1 and conic_of(others[0]) is None and a.args[0] == form.value(Point(others[0]), *own):
+            found.setdefault(others[0], []).append(a)
+    return found
 
 
 SEATS = {_PLANE: _on_conics, _SPACE: _on_quadrics}

@@ -15,7 +15,7 @@ from gcrules.algebra import expr as ex
 from gcrules.algebra import quadric_forms
 from gcrules.algebra.expr import Expr, Point, Sum, points_of
 from gcrules.algebra.letter_forms import FORMS
-from gcrules.algebra.letters import conic_of, conics_of, marked, named_letter
+from gcrules.algebra.letters import conic_of, conics_of, named_letter
 from gcrules.algebra.space import Assumption, Space
 
 __all__ = ["polar_of_line", "tower"]
@@ -59,7 +59,7 @@ def _last(a: Assumption) -> Iterator[tuple[str, Expr | None]]:
                 yield others[0], None
     elif a.kind == "incident":
         for point, flat in (a.args, a.args[::-1]):
-            if isinstance(point, Point) and not marked(point.name) and point.name not in points_of(flat):
+            if isinstance(point, Point) and conic_of(point.name) is None and point.name not in points_of(flat):
                 if isinstance(flat, Point) or _polar_plane(flat) or named_letter(flat) is not None:
                     yield point.name, None
                 elif not isinstance(flat, Sum) or flat.step != 2:

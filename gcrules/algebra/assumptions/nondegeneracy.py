@@ -18,8 +18,9 @@ from gcrules.algebra.expr import Bracket, Expr, Join, Meet, Point, Product, poin
 from gcrules.algebra.language.text import text
 from gcrules.algebra.letters import conic_of, conics_of, grouped, letter_of, letters_of, named_letter
 from gcrules.algebra.parts import substitute
+from gcrules.core.errors import InputError
 
-__all__ = ["assumed", "chosen", "fewest", "nowhere", "words"]
+__all__ = ["Nowhere", "assumed", "chosen", "fewest", "nowhere", "words"]
 
 
 def assumed(
@@ -64,11 +65,15 @@ def chosen(found: Iterable[Expr], rank: int) -> tuple[Expr, ...]:
     return fewest(e for e in (_chosen(e, rank) for e in found) if e is not None)
 
 
-def nowhere(constructions: Iterable[Construction]) -> str:
+class Nowhere(InputError):
+    """What is given leads nowhere, as far as constructions of it were found."""
+
+
+def nowhere(constructions: Iterable[Construction]) -> Nowhere:
     """That nothing holds where nothing vanishes that these ask for, and what is said of points exists."""
     told = ", ".join(map(text, fewest(e for c in constructions for e in chosen(c.nonzero, c.rank))))
     what = "the assumptions hold only where something that is said of points does not exist"
-    return f"{what}, or where one of these vanishes: {told}" if told else what
+    return Nowhere(f"{what}, or where one of these vanishes: {told}" if told else what)
 
 
 def _chosen(e: Expr, rank: int) -> Expr | None:

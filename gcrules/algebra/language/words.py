@@ -121,7 +121,7 @@ class Construction(Word):
     """A word that stands in expressions: `build` writes it out. `always` says that finite points have a finite one.
 
     Of a letter `build` takes its own points last. The argument of the number `on` is a point of the conic, and
-    what is `whole` is not zero where all arguments are points.
+    what is `whole` is not zero where all arguments are points or letters.
     """
 
     build: Callable[..., Expr] = metric.midpoint
@@ -150,7 +150,8 @@ class Relation(Word):
 def constructed(word: Construction, args: Sequence[Expr], at: Space, own: Sequence[Expr] = ()) -> tuple[Expr, bool]:
     """What a construction makes of its arguments, and whether that may be zero although the arguments are finite."""
     if word.of_conic:
-        return word.build(*args, *own), not (word.always or (word.whole and all(isinstance(a, Point) for a in args)))
+        never_zero = word.always or (word.whole and all(isinstance(a, Point) or named_letter(a) for a in args))
+        return word.build(*args, *own), not never_zero
     given = [ends(a) if kind == SEGMENT else a for a, kind in zip(args, word.kinds(len(args)), strict=True)]
     made = word.build(at.infinity, *given) if word.metric else word.build(*given)
     return made, not word.always
