@@ -12,6 +12,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from fractions import Fraction
 from itertools import islice
+from random import Random
 
 from gcrules.algebra import expr as ex
 from gcrules.algebra.assumptions.incidences import equations
@@ -42,9 +43,15 @@ def given_part(e: Expr, at: Space) -> Expr | None:
 
 
 def _values(es: list[Expr], at: Space) -> Iterator[tuple[Fraction, ...]]:
-    """Of scalars, at one position after the other."""
+    """Of scalars, at one position after the other, of points of any weight."""
     names, seed = points_of(*es), 0
     while True:
-        points = Evaluator(random_rational_points(names, rank=at.rank, ideal=at.ideal, seed=seed, size=_SIZE), at.rank)
+        places = random_rational_points(names, rank=at.rank, ideal=at.ideal, seed=seed, size=_SIZE)
+        weight = Random(seed)
+        points = Evaluator({n: _times(weight.randint(1, _SIZE), p) for n, p in places.items()}, at.rank)
         yield tuple(Fraction(points.value(e)[0]) for e in es)
         seed += 1
+
+
+def _times(weight: int, place: tuple[int, ...]) -> tuple[int, ...]:
+    return tuple(weight * c for c in place)

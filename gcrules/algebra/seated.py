@@ -169,7 +169,10 @@ def seated(claimed: Claimed, at: Space) -> Seated:
     """
     sides = (e for pair in claimed.equations for e in pair)
     names = points_of(*sides, *_expressions(at.given), *claimed.nonzero)
-    letters, form = conics_of(names), FORMS[at.rank]
+    letters = conics_of(names)
+    if not letters:
+        return Seated(claimed, at)
+    form = FORMS[at.rank]
     lines = on_lines(at, letters) if at.rank == _SPACE else OnLines(at.given)
     at = replace(at, given=tuple(a for given in lines.given for a in _resolved(given, at)))
     seats = SEATS[at.rank]({name: given_on(name, at) for name in letters}, at, names)
