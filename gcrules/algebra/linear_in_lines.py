@@ -13,6 +13,7 @@ from gcrules.algebra import expr as ex
 from gcrules.algebra.expr import Expr
 from gcrules.algebra.for_two_points import StandIns
 from gcrules.algebra.letters import names_of
+from gcrules.algebra.names import primed
 from gcrules.algebra.screw_letters import screw, screw_points
 
 __all__ = ["gathered", "linear_in_lines"]
@@ -76,7 +77,5 @@ def _names(terms: Iterable[_Term]) -> set[str]:
 
 def _fresh_line(name: str, taken: Collection[str]) -> tuple[str, str]:
     """The points of a line letter that is not taken."""
-    while not set(names_of(name, 2)).isdisjoint(taken):
-        name += "'"
-    first, second = names_of(name, 2)
+    first, second = names_of(primed(name, lambda n: not set(names_of(n, 2)).isdisjoint(taken)), 2)
     return first, second

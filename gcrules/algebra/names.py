@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
 
-__all__ = ["NAME", "NAMES_HINT", "point_key", "step_name"]
+__all__ = ["NAME", "NAMES_HINT", "point_key", "primed", "step_name"]
 
 NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]*'*")
 """Of points, lines and planes."""
@@ -12,6 +13,17 @@ NAMES_HINT = "names begin with a letter and go on with letters, digits or _, the
 
 _IN_ORDER = str.maketrans("¹²³ᶜᵈ", "\u2071\u2072\u2073ᵈᵉ")  # before ⁴, and behind ᵇ, as points of letters are marked
 _STEP_NAMES = {1: "a point", 2: "a line", 3: "a plane"}
+
+
+def primed(name: str, taken: Callable[[str], bool]) -> str:
+    """A name that is not taken: this one, with primes behind it.
+
+    >>> primed("S", {"S", "S'"}.__contains__)
+    "S''"
+    """
+    while taken(name):
+        name += "'"
+    return name
 
 
 def step_name(step: int, rank: int = 4) -> str:

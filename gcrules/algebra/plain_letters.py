@@ -15,6 +15,7 @@ from typing import Any
 
 from gcrules.algebra.expr import points_of
 from gcrules.algebra.letters import letters_of, marked, names_of, plain_name
+from gcrules.algebra.names import primed
 from gcrules.algebra.screw_letters import screw_points, screws_of
 from gcrules.algebra.structure import Structure
 
@@ -41,9 +42,7 @@ def in_plain_letters(data: dict[str, Any], names: Iterable[str]) -> dict[str, An
     taken = {*letters, *(n for n in names if not marked(n))}
     plain: dict[str, str] = {}
     for point in (n for points in letters.values() for n in points):
-        chosen = plain_name(point)
-        while chosen in taken:
-            chosen += "'"
+        chosen = primed(plain_name(point), taken.__contains__)
         taken.add(chosen)
         plain[point] = chosen
     some = re.compile("|".join(rf"(?<![\w']){re.escape(n)}(?![₀-₉])" for n in sorted(plain, key=len, reverse=True)))

@@ -15,7 +15,7 @@ ab collinear(a, b, c) S
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from itertools import combinations
@@ -29,6 +29,7 @@ from gcrules.algebra.expr import Bracket, Expr, Join, Meet, Number, Product, Sum
 from gcrules.algebra.language.relations import Claimed
 from gcrules.algebra.language.text import text
 from gcrules.algebra.letters import letter, names_of, wholes
+from gcrules.algebra.names import primed
 from gcrules.algebra.parts import everywhere, first_part, rebuilt
 from gcrules.algebra.prove import Proof, assuming
 from gcrules.algebra.scalars import bracket
@@ -149,9 +150,13 @@ def reciprocal(claimed: Claimed, at: Space) -> Reciprocal | None:
     def put(e: Expr) -> Expr:
         return everywhere(e, lambda part: values.get(part.name) if isinstance(part, Screw) else None, _RANK)
 
+    def is_taken(stem: str) -> bool:
+        """Whether a letter has this name of which points are taken."""
+        return not {*taken, *points_of(*values.values())}.isdisjoint(_names_of(stem))
+
     for name in sorted(chosen, key=lambda n: len(_behind(chosen[n], chosen))):
         e = put(chosen[name])
-        stems[name] = _fresh(name, {*taken, *points_of(*values.values())})
+        stems[name] = primed(name, is_taken)
         line, x = letter(stems[name], 2), screw(stems[name])
         values[name] = ex.sub(ex.mul(bracket(e, line), x), ex.mul(bracket(e, x), line))
     to = tuple(put(e) for e in chosen.values())
@@ -189,13 +194,6 @@ def _refuse_zero(to: Sequence[Expr], shown: Sequence[Expr], used: Sequence[Assum
 
 def _names_of(stem: str) -> tuple[str, ...]:
     return (*screw_points(stem), *names_of(stem, 2))
-
-
-def _fresh(name: str, taken: Collection[str]) -> str:
-    """A name that no letter has of which points are taken."""
-    while not {*_names_of(name)}.isdisjoint(taken):
-        name += "'"
-    return name
 
 
 def _put(a: Assumption, put: Any) -> Assumption:

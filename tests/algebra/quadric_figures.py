@@ -8,11 +8,22 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from random import Random
-from typing import Any
+from typing import Any, ClassVar
 
 from gcrules.algebra.evaluate import PRIME
 
-__all__ = ["Figure", "Vector", "determinant", "dot", "drawn_claim", "plane_through", "tower", "truths"]
+__all__ = [
+    "Figure",
+    "SymmetricMatrix",
+    "Vector",
+    "combined",
+    "determinant",
+    "dot",
+    "drawn_claim",
+    "plane_through",
+    "tower",
+    "truths",
+]
 
 Vector = tuple[int, ...]
 
@@ -38,13 +49,35 @@ def combined(s: int, p: Sequence[int], t: int, q: Sequence[int]) -> Vector:
 
 
 @dataclass
-class Figure:
-    """A quadric and points; `on` are those on the quadric, `conjugate` those on the polar plane of another one."""
+class SymmetricMatrix:
+    """A conic or a quadric by its matrix, which subclasses make; points have as many coordinates."""
 
     rng: Random
+    matrix: list[list[int]] = field(init=False)
+    size: ClassVar[int]
+
+    def random(self) -> Vector:
+        return tuple(self.rng.randrange(1, PRIME) for _ in range(self.size))
+
+    def polar(self, p: Sequence[int]) -> Vector:
+        return tuple(dot(row, p) for row in self.matrix)
+
+    def form(self, p: Sequence[int]) -> int:
+        return dot(p, self.polar(p))
+
+    def second(self, p: Vector, a: Vector) -> Vector:
+        """The second point of a line through a point that is on it."""
+        return combined(2 * dot(p, self.polar(a)), p, -self.form(p), a)
+
+
+@dataclass
+class Figure(SymmetricMatrix):
+    """A quadric and points; `on` are those on the quadric, `conjugate` those on the polar plane of another one."""
+
     on: tuple[str, ...] = ()
     conjugate: dict[str, str] = field(default_factory=dict)
     square: bool = True
+    size = 4
 
     def __post_init__(self) -> None:
         self.matrix = self._symmetric()
@@ -70,12 +103,6 @@ class Figure:
         m[0][0] = -rest * pow(self._start[0] ** 2, -1, PRIME) % PRIME
         return m
 
-    def random(self) -> Vector:
-        return tuple(self.rng.randrange(1, PRIME) for _ in range(4))
-
-    def polar(self, p: Sequence[int]) -> Vector:
-        return tuple(dot(row, p) for row in self.matrix)
-
     def pole(self, plane: Sequence[int]) -> Vector:
         """By the adjugate of the matrix."""
         return tuple(sum((-1) ** (i + j) * plane[j] * self._minor(j, i) for j in range(4)) % PRIME for i in range(4))
@@ -83,15 +110,9 @@ class Figure:
     def _minor(self, i: int, j: int) -> int:
         return determinant([[*row[:j], *row[j + 1 :]] for k, row in enumerate(self.matrix) if k != i])
 
-    def form(self, p: Sequence[int]) -> int:
-        return dot(p, self.polar(p))
-
     def on_it(self) -> Vector:
         """A point of the quadric."""
         return self.second(self.random(), self._start)
-
-    def second(self, p: Vector, a: Vector) -> Vector:
-        return combined(2 * dot(p, self.polar(a)), p, -self.form(p), a)
 
 
 Thing = tuple[str, Any]  # text, and how it is made: a name, or a word and things

@@ -13,6 +13,7 @@ from random import Random
 from typing import Any
 
 import pytest
+from algebra.quadric_figures import SymmetricMatrix, Vector, combined, dot
 from commands import invoke
 from faults import refused
 from places import checker
@@ -32,28 +33,19 @@ PLANE = parse_letters("conic K", Context(3))
 FIVE = conic_points("K")
 CHECK = checker("check_proof")
 CLAIMS = 24
-Vector = tuple[int, ...]
-
-
-def dot(p: Sequence[int], q: Sequence[int]) -> int:
-    return sum(x * y for x, y in zip(p, q, strict=True)) % PRIME
 
 
 def cross(p: Sequence[int], q: Sequence[int]) -> Vector:
     return tuple((p[i - 2] * q[i - 1] - p[i - 1] * q[i - 2]) % PRIME for i in range(3))
 
 
-def combined(s: int, p: Sequence[int], t: int, q: Sequence[int]) -> Vector:
-    return tuple((s * x + t * y) % PRIME for x, y in zip(p, q, strict=True))
-
-
 @dataclass
-class Figure:
+class Figure(SymmetricMatrix):
     """A conic and points; `on` are those on the conic, `conjugate` those on the polar of another one."""
 
-    rng: Random
     on: tuple[str, ...] = ()
     conjugate: dict[str, str] = field(default_factory=dict)
+    size = 3
 
     def __post_init__(self) -> None:
         a, s = self.random(), [self.random() for _ in range(3)]
@@ -71,22 +63,10 @@ class Figure:
             else:
                 self.points[name] = self.random()
 
-    def random(self) -> Vector:
-        return tuple(self.rng.randrange(1, PRIME) for _ in range(3))
-
-    def polar(self, p: Sequence[int]) -> Vector:
-        return tuple(dot(row, p) for row in self.matrix)
-
     def pole(self, line: Sequence[int]) -> Vector:
         """By the adjugate of the matrix, whose rows are cross products of the others."""
         m = self.matrix
         return tuple(dot(row, line) for row in (cross(m[1], m[2]), cross(m[2], m[0]), cross(m[0], m[1])))
-
-    def form(self, p: Sequence[int]) -> int:
-        return dot(p, self.polar(p))
-
-    def second(self, p: Vector, a: Vector) -> Vector:
-        return combined(2 * dot(p, self.polar(a)), p, -self.form(p), a)
 
 
 Thing = tuple[str, int, Any]  # text, step, and how it is made: a name, or a word and things

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import pickle
+import subprocess
+import sys
 import tracemalloc
 from collections.abc import Callable
 from dataclasses import FrozenInstanceError, dataclass
@@ -15,6 +17,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from places import EXAMPLES
 from poses.platforms import PLATFORMS
 
 import gcrules as gc
@@ -95,6 +98,18 @@ def test_programs_compute_what_was_traced(traced: tuple[Graph, Any], inputs: lis
         assert held[n] not in {held[m] for m in line.operands}
         assert all(registers[held[m]] == m for m in line.operands)  # no operand was overwritten
         registers[held[n]] = n
+
+
+def test_maps_of_few_poses_do_not_wait_for_machine_code() -> None:
+    assert engines.engine_for(10_000) == "numpy"
+    assert engines.engine_for(10_000_000) == engines.engine_named(None)
+    source = (
+        "import sys, gcrules as gc\n"
+        "found = gc.singular_map(sys.argv[1], ['x -9:9:5', 'y -9:9:5'])\n"
+        "print(found.to_json()['schema'], 'numba' in sys.modules)"
+    )
+    command = [sys.executable, "-c", source, str(EXAMPLES / "octahedral.yaml")]
+    assert subprocess.run(command, capture_output=True, text=True, check=True).stdout.split()[-1] == "False"
 
 
 @needs_numba

@@ -23,15 +23,19 @@ __all__ = ["called", "conic_behind", "known_on", "refuse_conic"]
 
 
 def conic_behind(
-    word: str, words: Collection[str], others: Collection[str], parts: Sequence[Node], at: Space
+    word: str,
+    words: Collection[str],
+    others: Collection[str],
+    parts: Sequence[Node],
+    letters: Collection[str],
+    rank: int,
 ) -> tuple[list[Node], str]:
     """The arguments of a word without the letter for a conic or a quadric that stands last, and that letter, "" where
     there is none.
 
-    Raises InputError where the word is not among `words`, which are said of such letters in this space, and where there
+    Raises InputError where the word is not among `words`, which are said of the `letters` of this rank, and where there
     is no letter, not among `others`.
     """
-    letters = getattr(at, "conics", ())
     last = parts[-1]
     name = str(last.children[0]) if last.data == "word" else ""
     if name not in letters:
@@ -39,7 +43,7 @@ def conic_behind(
             raise InputError(f"{word}(…) is said of a letter, which stands last", span=span_of(last), hint=_LETTER)
         return list(parts), ""
     if word not in words:
-        kind = FORMS[at.rank].word
+        kind = FORMS[rank].word
         hint = f"words about {kind}s are {listed(list(words))}"
         raise InputError(f"{word}(…) says nothing of the {kind} {name}", span=span_of(last), hint=hint)
     return list(parts[:-1]), name

@@ -177,14 +177,15 @@ def _arguments(tree: Node, builder: Builder) -> tuple[str, tuple[Expr, ...], tup
     conic or a quadric.
     """
     token, *parts = tree.children
-    kind, of_letters = str(token), RELATIONS_OF_LETTERS.get(builder.rank, {})
-    parts, conic = conic_behind(kind, of_letters, (*INCIDENCES, *RELATIONS), parts, builder.context)
+    kind, rank, others = str(token), builder.rank, (*INCIDENCES, *RELATIONS)
+    of_letters = RELATIONS_OF_LETTERS.get(rank, {})
+    parts, conic = conic_behind(kind, of_letters, others, parts, builder.context.conics, rank)
     args = tuple(map(builder.value, parts))
-    own = FORMS[builder.rank].own(conic) if conic else ()
+    own = FORMS[rank].own(conic) if conic else ()
     if own:
         builder.check(of_letters[kind], args, parts)
     elif kind in INCIDENCES:
-        INCIDENCES[kind](args, parts, builder.rank)
+        INCIDENCES[kind](args, parts, rank)
     else:
         word = RELATIONS[kind]
         builder.check(word, args, parts)

@@ -225,8 +225,8 @@ class Builder:
         if str(token) in self.context.declared():
             hint = f"write a space behind the name: {token} (…)"
             raise InputError(f"{token} is declared here, and a word of the language", span=span_of(token), hint=hint)
-        of_letters = CONSTRUCTIONS_OF_LETTERS.get(self.rank, {})
-        parts, conic = conic_behind(str(token), of_letters, CONSTRUCTIONS, parts, self.context)
+        of_letters, letters = CONSTRUCTIONS_OF_LETTERS.get(self.rank, {}), self.context.conics
+        parts, conic = conic_behind(str(token), of_letters, CONSTRUCTIONS, parts, letters, self.rank)
         word, args = (of_letters if conic else CONSTRUCTIONS)[str(token)], tuple(map(self.value, parts))
         self.check(word, args, parts)
         own = FORMS[self.rank].own(conic) if conic else ()

@@ -178,7 +178,8 @@ def values_at(subject: Subject, pose: PoseJson) -> dict[str, list[float]]:
     """Coordinates of all points and directions, for which nothing is solved at home. Raises InputError likewise."""
     if subject.limbs is None or not any(pose.get("coordinates", ())):
         return subject.home
-    return values_of(subject, configuration(subject.limbs, pose).points)
+    m = subject.limbs.linkage
+    return values_of(subject, points_at(m, solved(m, tuple(amounts_at(subject.limbs, pose))).configuration))
 
 
 def values_of(subject: Subject, points: Mapping[str, Sequence[float]]) -> dict[str, list[float]]:

@@ -38,8 +38,7 @@ class _Map(Protocol):
 
 def check_boxes(task: BoxTask) -> dict[str, Any]:
     """The geometry of the robot, as certificates of ranges have it, with the roots that show which poses are reached,
-    where these are known. Raises LimitReached for robots of which no checker
-    knows it, and for too many boxes.
+    where these are known. Raises LimitReached for robots of which no checker knows it, and for too many boxes.
     """
     if task.number * task.boxes > MAX_BOXES:
         raise LimitReached(

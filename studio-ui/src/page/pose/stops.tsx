@@ -15,7 +15,7 @@ interface Dragged {
 }
 
 function rowAt({ clientX, clientY }: PointerEvent): number | null {
-  const row = document.elementFromPoint(clientX, clientY)?.closest<HTMLElement>("[data-testid=way-stop]");
+  const row = document.elementFromPoint(clientX, clientY)?.closest<HTMLElement>("li[data-index]");
   return row ? Number(row.dataset["index"]) : null;
 }
 
