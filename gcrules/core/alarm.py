@@ -9,7 +9,7 @@ from __future__ import annotations
 import signal
 import threading
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import ExitStack, contextmanager
 from time import monotonic
 from types import FrameType
 from typing import Any, TypeVar
@@ -23,6 +23,7 @@ __all__ = ["GRACE", "limited", "paced", "ringing"]
 GRACE = 3.0  # seconds after its end in which a budget is waited for
 _EVERY = 0.5  # seconds between two looks
 _SOON = 0.001  # seconds until a timer rings whose moment has passed; 0 would be never
+_PATIENCE = 5  # times that it does not ring since a block is just being left; longer than that it is no way out
 
 _END = object()
 _T = TypeVar("_T")
@@ -69,21 +70,41 @@ def _net(budget: Budget) -> Iterator[None]:
         yield
 
 
+_LEAVING = tuple(kind.__exit__.__code__ for kind in (type(deferred()), ExitStack))  # each block of `contextmanager`
+
+
+def _leaves(frame: FrameType | None) -> bool:
+    """Whether what runs is the end of a block of `with`."""
+    while frame is not None:
+        if frame.f_code in _LEAVING:
+            return True
+        frame = frame.f_back
+    return False
+
+
 @contextmanager
 def ringing(ring: Callable[[FrameType | None], None], first: float, again: float) -> Iterator[None]:
     """Within it, `ring` is called `first` seconds of real time from now, then every `again` seconds, with what runs
     just then; what it raises is raised there. On the main thread only, and not where the system has no timers.
 
-    A process has one such timer: one that ran before rests meanwhile, and goes on afterwards.
+    A process has one such timer: one that ran before rests meanwhile, and goes on afterwards. Where a block is just
+    being left it waits for the next time: what is raised there would leave undone what is done at the end of the block,
+    this timer's own end too.
     """
     if threading.current_thread() is not threading.main_thread() or not hasattr(signal, "setitimer"):
         yield
         return
-    over = False
+    over, waited = False, 0
 
     def rings(number: int, frame: FrameType | None) -> None:
-        if not over:
-            ring(frame)
+        nonlocal waited
+        if over:
+            return
+        if waited < _PATIENCE and _leaves(frame):
+            waited += 1
+            return
+        waited = 0
+        ring(frame)
 
     handler: Any = None
     left = since = interval = 0.0

@@ -6,6 +6,7 @@ import signal
 import threading
 from collections import deque
 from collections.abc import Iterator
+from contextlib import contextmanager
 from fractions import Fraction
 from itertools import repeat
 from math import inf, nan
@@ -187,6 +188,30 @@ def test_a_net_inside_another_gives_the_timer_back() -> None:
 
     with pytest.raises(LimitReached, match=r"more than 0\.05 seconds"), alarm.limited(0.05):
         work()
+    assert signal.getitimer(signal.ITIMER_REAL) == (0, 0)
+
+
+@pytest.mark.skipif(not hasattr(signal, "setitimer"), reason="needs a timer signal")
+def test_a_timer_does_not_ring_while_a_block_is_left() -> None:
+    """What is raised there would leave the rest undone, and the timer would ring in whatever runs later."""
+    rung: list[int] = []
+    ended: list[str] = []
+
+    @contextmanager
+    def block(times: int) -> Iterator[None]:
+        yield
+        for _ in range(times):
+            signal.raise_signal(signal.SIGALRM)
+        ended.append("whole")
+
+    with alarm.ringing(lambda frame: rung.append(1), 1_000, 1_000):
+        with block(5):
+            signal.raise_signal(signal.SIGALRM)
+            assert len(rung) == 1
+        assert (len(rung), ended) == (1, ["whole"])
+        with block(12):  # that is no way out any more, but work without an end
+            pass
+    assert len(rung) > 2
     assert signal.getitimer(signal.ITIMER_REAL) == (0, 0)
 
 
