@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import asyncio
 import json
 import os
 import re
 import signal
+import socket
 import subprocess
 import sys
 import time
@@ -42,6 +44,27 @@ def test_next_free_port() -> None:
         assert first.getsockname()[0] == "127.0.0.1"
         with serving.free_socket(port) as second:
             assert second.getsockname()[1] != port
+
+
+def test_answers_in_parts_do_not_wait_for_each_other() -> None:
+    """Small parts that follow each other are held back for 40 ms where the sockets do not say otherwise."""
+
+    async def delayed() -> bool:
+        seen: asyncio.Future[bool] = asyncio.get_running_loop().create_future()
+
+        async def answer(_: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
+            found = writer.get_extra_info("socket")
+            seen.set_result(not found.getsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY))
+            writer.close()
+
+        with serving.free_socket(0) as place:
+            async with await asyncio.start_server(answer, sock=place):
+                _, writer = await asyncio.open_connection(*place.getsockname())
+                found = await seen
+                writer.close()
+        return found
+
+    assert not asyncio.run(delayed())
 
 
 def run_studio(state: Path, *arguments: str) -> subprocess.Popen[str]:

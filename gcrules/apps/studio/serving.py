@@ -34,7 +34,7 @@ def free_socket(port: int) -> socket.socket:
     """
     wanted = [p for p in range(port, port + _TRIES) if p < 65536] if port else []
     for one in [*wanted, 0]:
-        found = socket.socket(socket.AF_INET, socket.SOCK_STREAM)
+        found = socket.socket(socket.AF_INET, socket.SOCK_STREAM, socket.IPPROTO_TCP)  # so asyncio sends parts at once
         if os.name == "posix":  # a restarted server takes its port again at once; elsewhere this would share the port
             found.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
         try:
