@@ -66,3 +66,23 @@ def test_a_late_answer_is_said_to_be_under_way(sit_down: Callable[..., Desk], le
     assert desk.page.locator(VERDICT).get_attribute("aria-busy") == "false"
     assert float(desk.run(FADED)) == 1
     assert desk.text("margin") != before[1]
+
+
+def test_nobody_waits_for_the_proof_of_a_way_that_goes_on(sit_down: Callable[..., Desk]) -> None:
+    """It would be computed beside the numbers of the moves that follow."""
+    desk = sit_down()
+    line = Line(desk.page)
+    desk.visit().open("example", "octahedral")
+    desk.slide("z", -20)
+    desk.answered()
+    desk.run("gcrules.timeline.stop")
+    line.open = False
+    desk.let_go("z")
+    desk.page.wait_for_function("() => gcrules.timeline.check.value.state === 'busy'")
+    desk.slide("z", -30)
+    desk.page.wait_for_function("() => gcrules.timeline.check.value.state === 'idle'")
+    line.release()
+    desk.answered()
+    desk.let_go("z")
+    desk.page.wait_for_selector("[data-testid=way][data-proved=true]")
+    assert desk.run("gcrules.timeline.proof.value.places.length") == 0

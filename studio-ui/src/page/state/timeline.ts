@@ -197,7 +197,7 @@ export function createTimeline(client: Client, editing: Editing, studying: Study
     known.value = false;
     const [start, goal] = [list[0], list.at(-1)];
     const asks = source && there && start && goal && list.length >= 2;
-    if (!asks) untracked(runner.stop);
+    untracked(runner.stop); // while the hand moves on, nobody waits for the way so far
     waiting.value = asks ? () => void runner.start({ source, start, through: list.slice(1, -1), goal, threshold }) : null;
   });
   function prove(): void {
