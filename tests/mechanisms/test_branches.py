@@ -19,6 +19,7 @@ from gcrules.mechanisms.analyze import analyze_robot
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.mechanisms.description.discovery import robots
 from gcrules.mechanisms.description.robot_file import parse_robot
+from gcrules.mechanisms.kinematics import solve as solving
 from gcrules.mechanisms.kinematics.arms import Alike, Arm, Spread, spreads
 from gcrules.mechanisms.kinematics.branch import Cells
 from gcrules.mechanisms.kinematics.chains import Chain
@@ -187,6 +188,27 @@ def test_ways_against_fine_steps(name: str) -> None:
         for part in mode.crossings:
             there = goal(Course(m, wanted), Solution(m.home, wanted), 0.0, part)
             assert margin(m, there.configuration).sigma < 1e-3
+
+
+@pytest.mark.parametrize("name", IDS)
+def test_steps_gone_at_once_are_those_gone_one_by_one(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    m = machine(name)
+    for wanted in random_targets(m, 5):
+        try:
+            at_once = solve(m, wanted)
+        except gc.InputError:
+            continue
+        with monkeypatch.context() as patch:
+            patch.setattr(solving, "gone_at_once", lambda *_: None)
+            stepped = solve(m, wanted)
+        assert at_once.doubt == stepped.doubt
+        assert at_once.parts[-1] == stepped.parts[-1] == 1
+        for n, place in at_once.configuration.values.items():
+            assert place == pytest.approx(stepped.configuration.values[n], abs=1e-7 * max(1.0, m.size)), n
+        for before, after, part in zip((m.home, *at_once.way), at_once.way, at_once.parts, strict=False):
+            there = closed_near(Course(m, wanted), before, part)
+            for a, b in zip(after.joint_values, there.joint_values, strict=True):
+                assert a == pytest.approx(b, abs=1e-7 * max(1.0, m.size)), "the amounts of each step by its own limbs"
 
 
 def test_rods_that_spin_are_no_branches() -> None:

@@ -3,7 +3,7 @@ r"""Closing the loops: from home to a wanted pose or wanted actuators, step by s
 The equations of one step are those of `loops`. The wanted values grow from those at home in steps that halve where the
 solution would go far or is not found, and start anew from each configuration reached. A step counts when it is proved
 that it follows the branch (`branch`), and halves until it is; where even the shortest one is not proved, the solution
-says from where on its branch is in doubt.
+says from where on its branch is in doubt. Where a few halvings are enough all steps are gone `at_once`.
 """
 
 from __future__ import annotations
@@ -17,6 +17,7 @@ from gcrules.core.dataclass import dataclass
 from gcrules.core.english import agreeing, listed
 from gcrules.core.errors import InputError
 from gcrules.mechanisms.conditions.checks import STILL
+from gcrules.mechanisms.kinematics.at_once import gone_at_once
 from gcrules.mechanisms.kinematics.branch import Steps, can_be_followed, follow_branch
 from gcrules.mechanisms.kinematics.configurations import Configurations
 from gcrules.mechanisms.kinematics.failure_reasons import NotClosed, stopped
@@ -80,10 +81,16 @@ def beside(m: Linkage, wanted: Target, here: Configuration) -> Configuration:
 def goal(course: Course, start: Solution, at: float, end: float) -> Solution:
     """From the solution at one part of the course to that at another. Raises InputError where it does not assemble."""
     far = abs(end - at)
-    step = far / max(1.0, np.ceil(far * course.length / _LONGEST))
-    done, part, found, growth = 0.0, 0.0, start, 2.0
     if not far:
         return start
+    steps = int(max(1.0, np.ceil(far * course.length / _LONGEST)))
+    if start.doubt is None:
+        straight = gone_at_once(course, start.configuration, [*np.linspace(at, end, steps + 1)])
+        if straight is not None:
+            way, parts = (*start.way, *straight.way), (*start.parts, *straight.parts)
+            return Solution(way[-1], course.target, start.iterations + straight.iterations, way, parts)
+    step = far / steps
+    done, part, found, growth = 0.0, 0.0, start, 2.0
     while done < far:
         checkpoint()
         step = min(step, far - done)

@@ -1,0 +1,125 @@
+r"""All steps of a course at once: steps that are too long to be proved are halved together, and all ends are looked at
+together. Most solutions are found so; `solve.goal` goes the others step by step.
+
+The screws of each limb are carried along with its links here, not made anew of the names of the file, so that the
+proofs become harder far from the start: what is not proved within some halvings is left to others.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from gcrules.core.budget import checkpoint
+from gcrules.core.dataclass import dataclass
+from gcrules.mechanisms.kinematics.branch import Steps, follow_branch
+from gcrules.mechanisms.kinematics.configurations import Configurations
+from gcrules.mechanisms.kinematics.failure_reasons import NotClosed
+from gcrules.mechanisms.kinematics.linkage import Configuration
+from gcrules.mechanisms.kinematics.loops import Course, close_loops, loop_gaps
+from gcrules.mechanisms.kinematics.rigid_motions import Floats
+from gcrules.mechanisms.kinematics.soundness import sound
+
+__all__ = ["Steady", "gone_at_once"]
+
+_MOST = 8  # steps of equal length, at first
+_HALVINGS = 5
+_SAME = 1e-6  # of the robot's size
+
+
+@dataclass(frozen=True, eq=False)
+class Steady:
+    """Configurations at parts of a course, each proved to follow the branch of the one before, and the number of
+    iterations.
+    """
+
+    parts: tuple[float, ...]
+    way: tuple[Configuration, ...]
+    iterations: int
+
+
+def gone_at_once(course: Course, start: Configuration, parts: Sequence[float]) -> Steady | None:
+    """From a configuration, at the first of the parts, through the others; None where that is not proved."""
+    if not 1 < len(parts) <= _MOST + 1:
+        return None
+    m, target = course.m, course.target
+    nodes, iterations = [Configurations.of([start])], 0
+    for part in parts[1:]:
+        joints = close_loops(course, nodes[-1], course.goal(np.array([part])))
+        if not joints.closed[0]:
+            return None
+        nodes.append(nodes[-1].after(joints.amounts, joints.links))
+        iterations += joints.iterations
+    here, there = Configurations.together(nodes[:-1]), Configurations.together(nodes[1:])
+    ends = np.stack([parts[:-1], parts[1:]])
+    reached, places = [there], [ends[1]]
+    for halving in range(_HALVINGS + 1):
+        checkpoint()
+        left = ~follow_branch(
+            m, target, Steps.between(here, there, np.multiply.outer(ends[1] - ends[0], target.values))
+        )
+        if not left.any():
+            break
+        if halving == _HALVINGS:
+            return None
+        here, there, ends = here[left], there[left], ends[:, left]
+        middle = ends.mean(axis=0)
+        joints = close_loops(course, here, course.goal(middle))
+        if not joints.closed.all():
+            return None
+        iterations += joints.iterations
+        between = here.after(joints.amounts, joints.links)
+        reached.append(between)
+        places.append(middle)
+        here, there = Configurations.together([here, between]), Configurations.together([between, there])
+        ends = np.concatenate([np.stack([ends[0], middle]), np.stack([middle, ends[1]])], axis=1)
+    found = np.concatenate(places)
+    order = np.argsort(found if parts[-1] > parts[0] else -found)
+    every = Configurations.together(reached)[order]
+    try:
+        way = _settled(course, start, every, found[order])
+    except NotClosed:
+        return None
+    return Steady(tuple(found[order].tolist()), way, iterations)
+
+
+def _settled(course: Course, start: Configuration, every: Configurations, parts: Floats) -> tuple[Configuration, ...]:
+    """The configurations, with all names at their places and the limbs that these make. Raises NotClosed where the
+    robot has left its family.
+    """
+    m, number = course.m, len(every)
+    amounts = [a - before for a, before in zip(every.joint_values, start.joint_values, strict=True)]
+    links = [c.links(a) for c, a in zip(start.chains, amounts, strict=True)]
+    values, chains, off = sound(m, start.values, start.chains, links, amounts)
+    residual = np.abs(loop_gaps(start.chains, links, np.broadcast_to(start.platform, (number, 4, 4)), m))
+    named = Configurations(
+        tuple(c.placed(np.broadcast_to(c.screws, e.screws.shape)) for c, e in zip(chains, every.chains, strict=True)),
+        every.joint_values,
+        every.platform,
+    )
+    joint_values = _amounts(course, Configurations.together([Configurations.of([start]), named[:-1]]), named, parts)
+    return tuple(
+        Configuration(
+            {name: v if v.ndim == 1 else v[k] for name, v in values.items()},
+            tuple(own[k] @ before for own, before in zip(links, start.links, strict=True)),
+            tuple(own[k] for own in joint_values),
+            tuple(c.placed(c.screws[k]) for c in named.chains),
+            float(residual[k].max(initial=0.0)),
+            off,
+        )
+        for k in range(number)
+    )
+
+
+def _amounts(course: Course, here: Configurations, there: Configurations, parts: Floats) -> list[Floats]:
+    """The amounts from home in configurations at parts of a course, those of each step by the limbs where it begins,
+    `here`, as they are made of the names. Raises NotClosed where these lead elsewhere.
+    """
+    if len(here) == 1:
+        return list(there.joint_values)
+    joints = close_loops(course, here, course.goal(parts))
+    platform = joints.links[0][:, -1] @ here.platform
+    if not (joints.closed.all() and np.allclose(platform, there.platform, rtol=0.0, atol=_SAME * course.m.size)):
+        raise NotClosed("the steps lead elsewhere")
+    return [v[0] + np.cumsum(a, axis=0) for v, a in zip(here.joint_values, joints.amounts, strict=True)]
