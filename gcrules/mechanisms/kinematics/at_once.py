@@ -13,19 +13,20 @@ import numpy as np
 
 from gcrules.core.budget import checkpoint
 from gcrules.core.dataclass import dataclass
+from gcrules.mechanisms.kinematics.attachments import Values, moved
 from gcrules.mechanisms.kinematics.branch import Steps, follow_branch
 from gcrules.mechanisms.kinematics.configurations import Configurations
 from gcrules.mechanisms.kinematics.failure_reasons import NotClosed
 from gcrules.mechanisms.kinematics.linkage import Configuration
 from gcrules.mechanisms.kinematics.loops import Course, close_loops, loop_gaps
-from gcrules.mechanisms.kinematics.rigid_motions import Floats
+from gcrules.mechanisms.kinematics.rigid_motions import Floats, lengths
 from gcrules.mechanisms.kinematics.soundness import sound
 
 __all__ = ["Steady", "gone_at_once"]
 
 _MOST = 8  # steps of equal length, at first
 _HALVINGS = 5
-_SAME = 1e-6  # of the robot's size
+_SAME = 1e-6  # of the robot's size, or of a direction's length
 
 
 @dataclass(frozen=True, eq=False)
@@ -98,7 +99,12 @@ def _settled(course: Course, start: Configuration, every: Configurations, parts:
         every.joint_values,
         every.platform,
     )
-    joint_values = _amounts(course, Configurations.together([Configurations.of([start]), named[:-1]]), named, parts)
+    joint_values = every.joint_values
+    if number > 1:
+        before = Configurations.together([Configurations.of([start]), named[:-1]])
+        first = {n: np.broadcast_to(v, (number, 3)) for n, v in values.items()}
+        first = {n: np.concatenate([start.values[n][None], v[:-1]]) for n, v in first.items()}
+        joint_values = _amounts(course, before, first, values, parts)
     return tuple(
         Configuration(
             {name: v if v.ndim == 1 else v[k] for name, v in values.items()},
@@ -112,14 +118,17 @@ def _settled(course: Course, start: Configuration, every: Configurations, parts:
     )
 
 
-def _amounts(course: Course, here: Configurations, there: Configurations, parts: Floats) -> list[Floats]:
-    """The amounts from home in configurations at parts of a course, those of each step by the limbs where it begins,
-    `here`, as they are made of the names. Raises NotClosed where these lead elsewhere.
+def _amounts(course: Course, here: Configurations, before: Values, after: Values, parts: Floats) -> tuple[Floats, ...]:
+    """The amounts from home after steps to parts of a course, by the limbs where each begins, `here`, as these are made
+    of the names, whose places are those `before` and `after` it. Raises NotClosed where the steps lead elsewhere.
     """
-    if len(here) == 1:
-        return list(there.joint_values)
+    m = course.m
     joints = close_loops(course, here, course.goal(parts))
-    platform = joints.links[0][:, -1] @ here.platform
-    if not (joints.closed.all() and np.allclose(platform, there.platform, rtol=0.0, atol=_SAME * course.m.size)):
+    places = moved(m.robot, m.attachments, before, joints.links)
+    off = [
+        lengths(places[n] - v) / (m.size if m.robot.family.sorts.get(n) == "point" else lengths(v))
+        for n, v in after.items()
+    ]
+    if not (joints.closed.all() and max(float(np.max(o)) for o in off) <= _SAME):
         raise NotClosed("the steps lead elsewhere")
-    return [v[0] + np.cumsum(a, axis=0) for v, a in zip(here.joint_values, joints.amounts, strict=True)]
+    return tuple(v[0] + np.cumsum(a, axis=0) for v, a in zip(here.joint_values, joints.amounts, strict=True))
