@@ -9,6 +9,7 @@ constant there is a power of the frame's bracket.
 
 from __future__ import annotations
 
+import random
 from collections.abc import Mapping
 
 from gcrules.algebra.bracket import BracketPolynomial
@@ -53,7 +54,9 @@ def frame_of(degrees: Mapping[str, int], rank: int) -> frozenset[str]:
 
 
 def _irreducible_on_a_line(poly: BracketPolynomial, held: frozenset[str], degree: int, seed: int) -> bool:
-    one, other = (random_rational_points(poly.points, rank=poly.rank, seed=2 * seed + n, size=3) for n in (0, 1))
+    rng = random.Random(seed)
+    # With last coordinates 1 all points were at infinity together, at t = -1, where all brackets are zero.
+    one, other = ({n: tuple(rng.randint(-3, 3) for _ in range(poly.rank)) for n in poly.points} for _ in (0, 1))
 
     def line(t: int) -> Position:
         return {
