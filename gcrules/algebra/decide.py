@@ -182,6 +182,8 @@ def _decided(claimed: Claimed, at: Space, limit: int, placed: Seated | Reciproca
                 limit=limit,
             )
         )
+        if parts[-1].verdict == "undecided":
+            parts[-1] = _summed(left, right, at, limit) or parts[-1]
         if isinstance(placed, Reciprocal):
             parts[-1] = placed.told(parts[-1], number)
         elif placed is not None:
