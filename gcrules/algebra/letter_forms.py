@@ -21,12 +21,14 @@ __all__ = ["FORMS", "LetterForm", "coefficients"]
 class LetterForm:
     """The letters of one rank, with their `word`. Functions take what they are about, then the points of a letter;
     `value` is the form at a point, `touching` is zero where a line or a plane touches, `proper` is not zero where the
-    conic is not a pair of lines, the quadric not a cone; `instead` of a letter other things are written with points.
+    conic is not a pair of lines, the quadric not a cone; `instead` of a letter other things are written with points,
+    of which `by_points` says that they are on one.
     """
 
     rank: int
     word: str
     instead: str
+    by_points: str
     value: Callable[..., Expr]
     polar: Callable[..., Expr]
     touching: Callable[..., Expr]
@@ -42,6 +44,7 @@ FORMS: Mapping[int, LetterForm] = {
         3,
         "conic",
         "the conic through five points",
+        "on_conic(a, b, c, d, e, f)",
         conics.value,
         conics.polar,
         conics.touching,
@@ -50,7 +53,8 @@ FORMS: Mapping[int, LetterForm] = {
     4: LetterForm(
         4,
         "quadric",
-        "points that are on the quadric",
+        "the quadric through nine points",
+        "on_quadric(a, b, c, d, e, f, g, h, i, j)",
         quadric_forms.value,
         quadric_forms.polar,
         quadric_forms.touching,

@@ -1,5 +1,6 @@
-r"""Quadrics of space that are no cones: each is y1 y2 = y3 y4 in the coordinates of a tetrahedron that lies on it.
+r"""Quadrics of space: those that are no cones, by a letter, and the quadric through nine points.
 
+A quadric that is no cone is y1 y2 = y3 y4 in the coordinates of a tetrahedron that lies on it.
 Over the complex numbers such a quadric has lines of two families. Two points e1, e2 of it whose line is not on it, and
 the two points e3, e4 in which the lines through them meet, are the corners of a tetrahedron four of whose edges are on
 the quadric; multiples of the corners bring the form to y1 y2 - y3 y4, where y_i is the bracket of the corners with x
@@ -9,17 +10,20 @@ coefficients that is zero for all tetrahedra is zero for all these quadrics, rea
 >>> from gcrules.algebra.language.syntax import parse
 >>> print(value(parse("p"), *map(parse, "abcd")))
 [pbcd][apcd] - [abpd][abcp]
+>>> print(on_quadric(*map(parse, "abcdefghij")).children[0])
+[abjh][bcfi][cdgj][dehf][eaig]
 """
 
 from __future__ import annotations
 
-from itertools import combinations
+from collections.abc import Sequence
+from itertools import combinations, permutations
 
 from gcrules.algebra import expr as ex
 from gcrules.algebra.expr import Expr, Number
 from gcrules.algebra.scalars import bracket
 
-__all__ = ["discriminant", "polar", "polar_line", "pole", "second_of", "touching", "value"]
+__all__ = ["discriminant", "on_quadric", "polar", "polar_line", "pole", "second_of", "touching", "value"]
 
 _SPACE = 4
 _PARTNERS = ((1, 1), (0, 1), (3, -1), (2, -1))
@@ -90,3 +94,24 @@ def second_of(p: Expr, a: Expr, *corners: Expr) -> Expr:
 def discriminant(*corners: Expr) -> Expr:
     """Not zero exactly where the quadric is no cone: the determinant of the form is a power of it, up to a number."""
     return bracket(*corners, rank=_SPACE)
+
+
+# --- of a quadric through points -------------------------------------------------------------------------------------
+
+
+def on_quadric(*ten: Expr) -> Expr:
+    """The form of the quadric through nine points at the tenth: zero where ten points are on a quadric.
+
+    Five pairs of points are taken, a1 b1 to a5 b5, the ten being a1, …, a5, b1, …, b5. Each order of the pairs round a
+    pentagon gives a product of five brackets, one for each side: [a1 a2 b5 b3] for the side 1 2 between 5 and 3. The
+    sum of the twelve products is the determinant of ten rows, which hold the products x x, x y, x z, x w, y y, …, w w
+    of the coordinates of a point each. Derived here.
+    """
+    a, b = ten[:5], ten[5:]
+    rounds = [(0, *rest) for rest in permutations(range(1, 5)) if rest[0] < rest[-1]]
+    return _sum(*(ex.mul(*(_side(a, b, order, i) for i in range(5))) for order in rounds))
+
+
+def _side(a: Sequence[Expr], b: Sequence[Expr], order: Sequence[int], i: int) -> Expr:
+    before, one, other, after = (order[(i + k) % 5] for k in (-1, 0, 1, 2))
+    return bracket(a[one], a[other], b[before], b[after], rank=_SPACE)

@@ -407,7 +407,7 @@ def test_script_fault(source: str, place: str, message: str) -> None:
         (
             "touching(ab, cd)",
             "touching(…) is not a relation; the relations are collinear, coplanar, concurrent, incident, parallel, "
-            "perpendicular, concyclic, cospherical, equidistant, equal_distance, on_conic, touches and on_quadric",
+            "perpendicular, concyclic, cospherical, equidistant, equal_distance, on_conic, on_quadric and touches",
         ),
         ("(a, b)", "a parenthesis is not closed"),
         ("a, b", None),

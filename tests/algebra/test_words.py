@@ -263,10 +263,10 @@ def test_a_line_or_plane_is_that_of_its_definition(text: str, where: str) -> Non
 
 
 def test_every_construction_is_compared() -> None:
-    """Those of conics below."""
+    """Those of conics below, that of quadrics in test_ten_points.py."""
     compared = {text.partition("(")[0] for text in (*POINTS, *LINES)}
     conics = {"conic", "tangent", "polar", "pole", "second_on_conic"}
-    assert compared | conics == set(CONSTRUCTIONS)
+    assert compared | conics | {"quadric"} == set(CONSTRUCTIONS)
 
 
 # --- conics ----------------------------------------------------------------------------------------------------------
@@ -400,7 +400,7 @@ def test_a_relation_holds_where_its_definition_does(text: str, where: str) -> No
 
 
 def test_every_relation_is_compared() -> None:
-    assert {text.partition("(")[0] for text in TRUTHS} | {"on_conic"} == set(RELATIONS)
+    assert {text.partition("(")[0] for text in TRUTHS} | {"on_conic", "on_quadric"} == set(RELATIONS)
 
 
 def test_the_page_and_the_grammar_list_every_word() -> None:

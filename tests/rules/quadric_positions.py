@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import random
 from collections.abc import Callable, Mapping
+from itertools import product
 
-from rules.theorem_positions import Position, Vector, cross, dot, drawn, mixed, on_plane, vector
+from rules.theorem_positions import Position, Vector, between, cross, dot, drawn, mixed, on_plane, vector
 
 from gcrules.algebra.letters import conic_points
 
@@ -37,8 +38,11 @@ class Quadric:
         return cross(*map(self.polar, inside[:3]))
 
     def point(self, rng: random.Random) -> Vector:
-        """A point of it: s t e1 + e2 + s e3 + t e4."""
-        s, t = rng.randint(1, 9), rng.choice((-3, -2, 2, 5, 7))
+        """A point of it."""
+        return self.at(rng.randint(1, 9), rng.choice((-3, -2, 2, 5, 7)))
+
+    def at(self, s: int, t: int) -> Vector:
+        """s t e1 + e2 + s e3 + t e4: one line of the quadric for each s, and of the other family for each t."""
         return mixed(*zip((s * t, 1, s, t), self.corners, strict=True))
 
 
@@ -68,8 +72,32 @@ def polar_plane(rng: random.Random) -> Position:
     return quadric.points | {"a": a, "c": c, "u": u, "v": v, "p": p}
 
 
+def three_lines(rng: random.Random) -> Position:
+    """Three points on each of three lines of one family, and two on a line of the other."""
+    quadric, (s, *others), (t, *places) = Quadric(rng), rng.sample(range(1, 20), 4), rng.sample(range(1, 20), 4)
+    points = dict(zip("abcdefghi", (quadric.at(*both) for both in product(others, places)), strict=True))
+    return points | {"x": quadric.at(others[0], t), "y": quadric.at(s, t)}
+
+
+def hexahedron(rng: random.Random) -> Position:
+    """The corners as meets of three planes, one of each of three pairs; that opposite to a is made by the theorem."""
+    planes = [(drawn(rng, 4), drawn(rng, 4)) for _ in range(3)]
+    corners = dict(zip("abcedfgh", (cross(*three) for three in product(*planes)), strict=True))
+    return {n: p for n, p in corners.items() if n != "h"} | {"x": drawn(rng, 4), "y": drawn(rng, 4)}
+
+
+def six_in_a_plane(rng: random.Random) -> Position:
+    """Seven points of a plane and three others; test_ten_points.py has positions with six of them."""
+    plane = [drawn(rng, 4) for _ in range(3)]
+    return {n: between(rng, *plane) for n in "abcdefg"} | {n: drawn(rng, 4) for n in "hij"}
+
+
 QUADRICS: Mapping[str, Callable[[random.Random], Position]] = {
     "hesse": conjugate_edges,
+    "hexahedron": hexahedron,
     "polar-plane": polar_plane,
     "polar-tetrahedron": polar_tetrahedron,
+    "six-in-a-plane": six_in_a_plane,
+    "ten-points": lambda rng: {n: drawn(rng, 4) for n in "abcdefghij"},
+    "three-lines": three_lines,
 }

@@ -72,9 +72,9 @@ def discover(
         hint = "they are looked for in the plane (rank 3) and in space (rank 4)"
         raise InputError(f"incidences are not looked for in rank {at.rank}", hint=hint)
     if at.conics:
-        what = f"{at.conics[0]} is a {FORMS[at.rank].word}, and incidences are looked for between points, lines and"
-        by_points = "say by five points which conic it is: on_conic(a, b, c, d, e, f)" if at.rank == 3 else None
-        raise InputError(f"{what} planes", hint=by_points)
+        form = FORMS[at.rank]
+        what = f"{at.conics[0]} is a {form.word}, and incidences are looked for between points, lines and planes"
+        raise InputError(what, hint=f"say by points which {form.word} it is: {form.by_points}")
     figure = figure_of(at)
     number = candidates(len(figure.points), len(figure.flats), at.rank)
     if number > most:

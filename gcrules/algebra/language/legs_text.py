@@ -86,7 +86,7 @@ def _of_conics(legs: str, at: Context) -> InputError:
         if text in at.conics:
             return InputError(f"{text} is a {word}, not a leg", span=span, source=legs)
     what = f"{at.conics[0]} is a {word}, and what is assumed of legs is said of their points"
-    hint = "on_conic(a, b, c, d, e, f)" if at.rank == 3 else None
+    hint = FORMS[at.rank].by_points
     place = next((a.place for a in at.given if conics_of(points_of(*a.args)) and a.place is not None), None)
     if place is None:
         return InputError(what, hint=hint)

@@ -13,7 +13,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
 from itertools import combinations, islice
 
-from gcrules.algebra import conics, metric
+from gcrules.algebra import conics, metric, quadric_forms
 from gcrules.algebra import expr as ex
 from gcrules.algebra.assumptions.incidences import MAX_CONDITIONS, equations
 from gcrules.algebra.duality import Dual, dual_of
@@ -346,9 +346,21 @@ RELATIONS: Mapping[str, Relation] = {
             (POINT,) * 6,
             _PLANE,
             metric=False,
+            letter="conic K",
             open=True,
             whole=_any_of(6, conics.on_conic, metric=False),
             chain=_beside(6, conics.on_conic, metric=False),
+        ),
+        Relation(
+            "on_quadric(a, b, c, d, e, f, g, h, i, j, …)",
+            "the points are on a quadric, which may be a cone or two planes",
+            (POINT,) * 10,
+            _SPACE,
+            metric=False,
+            letter="quadric Q",
+            open=True,
+            whole=_any_of(10, quadric_forms.on_quadric, metric=False),
+            chain=_beside(10, quadric_forms.on_quadric, metric=False),
         ),
     )
 }

@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
 from typing import TypeVar
 
-from gcrules.algebra import conics, metric
+from gcrules.algebra import conics, metric, quadric_forms
 from gcrules.algebra.expr import Expr, Join, Point
 from gcrules.algebra.letters import named_letter
 from gcrules.algebra.metric import Infinity
@@ -76,6 +76,7 @@ class Word:
     metric: bool = True
     open: bool = False
     of_conic: bool = False  # said of the letter of a conic or a quadric, which stands behind the arguments
+    letter: str = ""  # a declaration of a letter that it is said of as well, with fewer arguments
 
     @property
     def name(self) -> str:
@@ -112,6 +113,8 @@ class Word:
         return [self.takes[min(i, len(self.takes) - 1)] for i in range(number)]
 
     def _advice(self, args: Sequence[Expr]) -> str | None:
+        if self.letter and 1 < len(args) < len(self.takes):
+            return f"a letter that stands last is declared first: `{self.letter}`"
         joined = len(args) == 1 and isinstance(args[0], Join) and named_letter(args[0]) is None
         return "separate the points with commas" if joined and POINT in self.takes else None
 
@@ -290,6 +293,7 @@ CONSTRUCTIONS: Mapping[str, Construction] = {
             (POINT,) * 6,
             _PLANE,
             metric=False,
+            letter="conic K",
             build=conics.on_conic_again,
         ),
         Construction(
@@ -298,6 +302,7 @@ CONSTRUCTIONS: Mapping[str, Construction] = {
             _P5,
             _PLANE,
             metric=False,
+            letter="conic K",
             build=conics.tangent,
         ),
         Construction(
@@ -306,6 +311,7 @@ CONSTRUCTIONS: Mapping[str, Construction] = {
             (POINT,) * 6,
             _PLANE,
             metric=False,
+            letter="conic K",
             build=conics.polar,
         ),
         Construction(
@@ -314,6 +320,7 @@ CONSTRUCTIONS: Mapping[str, Construction] = {
             (SEGMENT, *_P5),
             _PLANE,
             metric=False,
+            letter="conic K",
             build=conics.pole,
         ),
         Construction(
@@ -322,7 +329,18 @@ CONSTRUCTIONS: Mapping[str, Construction] = {
             (POINT,) * 6,
             _PLANE,
             metric=False,
+            letter="conic K",
             build=conics.on_conic,
+            always=True,
+        ),
+        Construction(
+            "quadric(a, b, c, d, e, f, g, h, i, j)",
+            "the scalar that is zero where the ten points are on a quadric",
+            (POINT,) * 10,
+            _SPACE,
+            metric=False,
+            letter="quadric Q",
+            build=quadric_forms.on_quadric,
             always=True,
         ),
     )
