@@ -16,6 +16,7 @@ import gcrules as gc
 from gcrules.algebra.bracket import BracketPolynomial
 from gcrules.algebra.evaluate import PRIME, Evaluator
 from gcrules.algebra.expr import Expr
+from gcrules.algebra.factoring import brackets
 from gcrules.algebra.factoring.irreducible import irreducible
 from gcrules.algebra.language.relations import parse_claim
 from gcrules.algebra.language.syntax import parse
@@ -113,6 +114,16 @@ def test_it_is_irreducible() -> None:
     poly = gc.straighten(TEN)
     assert isinstance(poly, BracketPolynomial)
     assert irreducible(poly) is True
+
+
+def test_no_division_is_tried(monkeypatch: pytest.MonkeyPatch) -> None:
+    """It vanishes where any two points coincide, but not where any four are in a plane."""
+    poly = gc.straighten(TEN)
+    assert isinstance(poly, BracketPolynomial)
+    tried = list[object]()
+    monkeypatch.setattr(brackets, "divided", lambda *args, **_: tried.append(args))
+    assert brackets.bracket_factors(poly, limit=1_000) == ((), poly)
+    assert not tried
 
 
 def test_more_points_are_on_one_quadric_if_any_ten_are() -> None:

@@ -2,15 +2,16 @@ r"""All brackets that divide a bracket polynomial, each with its proof.
 
 If [ab…] divides P, then P vanishes where any two of its points coincide. So the brackets that may divide are the
 cliques of a graph on the points, which one random position for each pair decides: a value that is not 0 excludes the
-pair for certain. Division is exact: written with the points of the bracket first, the bracket is the smallest row of
-all, hence it stands in every term of the normal form of [ab…] · Q, and what is left is the normal form of Q. So the
-bracket divides if and only if it stands in every term.
+pair for certain. So does a value where one point of a bracket is a sum of the others. Division is exact: written with
+the points of the bracket first, the bracket is the smallest row of all, hence it stands in every term of the normal
+form of [ab…] · Q, and what is left is the normal form of Q. So the bracket divides if and only if it stands in every
+term.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from itertools import combinations
+from itertools import combinations, islice
 
 import numpy as np
 
@@ -24,6 +25,7 @@ from gcrules.core.errors import LimitReached
 __all__ = ["bracket_factors", "divided", "solution", "standard_tableaux", "vanishing_pairs"]
 
 _MOST_UNKNOWNS = 600
+_AT_ONCE = 500  # positions
 
 
 def bracket_factors(poly: BracketPolynomial, *, limit: int) -> tuple[tuple[Row, ...], BracketPolynomial]:
@@ -75,7 +77,9 @@ def vanishing_pairs(poly: BracketPolynomial) -> frozenset[Row]:
 
 
 def _candidates(poly: BracketPolynomial) -> Iterator[Row]:
-    """The brackets whose points may not coincide in pairs without making the polynomial vanish."""
+    """The brackets whose points may not coincide in pairs, nor depend on each other, without making the polynomial
+    vanish.
+    """
     pairs = vanishing_pairs(poly)
 
     def cliques(row: Row, rest: Sequence[int]) -> Iterator[Row]:
@@ -85,7 +89,19 @@ def _candidates(poly: BracketPolynomial) -> Iterator[Row]:
             if len(row) < poly.rank:
                 yield from cliques((*row, i), [j for j in rest[n + 1 :] if (i, j) in pairs])
 
-    yield from (row for row in cliques((), sorted({i for p in pairs for i in p})) if row[-1] >= poly.ideal)
+    rows = (row for row in cliques((), sorted({i for p in pairs for i in p})) if row[-1] >= poly.ideal)
+    while some := tuple(islice(rows, _AT_ONCE)):
+        yield from _vanishing_rows(poly, some)
+
+
+def _vanishing_rows(poly: BracketPolynomial, rows: Sequence[Row]) -> list[Row]:
+    """Those that the polynomial vanishes with at a random position where the last point is a sum of the others."""
+    checkpoint()
+    at = random_positions(len(rows), len(poly.points), poly.rank, MODULUS, ideal=poly.ideal, seed=2)
+    for n, row in enumerate(rows):
+        at[n, row[-1]] = at[n, row[:-1]].sum(axis=0) % MODULUS
+    found = values(primitive(poly)[1], at, MODULUS).tolist()
+    return [row for row, v in zip(rows, found, strict=True) if not v]
 
 
 def _solved(poly: BracketPolynomial, row: Row, limit: int) -> BracketPolynomial | None:
