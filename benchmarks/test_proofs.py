@@ -13,7 +13,7 @@ import pytest
 
 from gcrules.algebra.evaluate import vanishes
 from gcrules.algebra.expr import Expr, sub
-from gcrules.algebra.proofs.theorem import theorem
+from gcrules.algebra.proofs.proving import theorem
 from gcrules.algebra.prove import prove
 from gcrules.rules.catalog.file import load
 

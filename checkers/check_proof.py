@@ -10,8 +10,7 @@ definitions, subtracts multiples of the file's relations, and says yes only wher
 * the meet of A = a1 ... ak and B of step h is the sum over all splits of A into d - h points P and the others Q, in
   their order: sign [P B] Q (the Grassmann-Cayley algebra of Doubilet, Rota and Stein);
 * the superbracket of six lines is the determinant of their coordinates 12, 13, 14, 23, 24, 34: its formula in brackets,
-  which changes its sign with the ends of a line, is compared with it at all 46,656 choices of six basis lines; in the
-  plane it is the meet of three lines;
+  which changes sign with a line's ends, is compared with it at all choices of basis lines; in the plane it is a meet;
 * the exchange relation: [S][T] is the sum of all products in which the first k points of S change places with k of T;
 * an extensor of step k is zero exactly when its brackets with any d - k further points are zero.
 
@@ -26,6 +25,9 @@ on W and W is not zero:
   S joined with points of T up to the step that R leaves is not;
 * where W joins free points that, as X, were not bound before, W may be zero: dependent positions of them and X are an
   irreducible variety in which those with W not zero are dense, and later points add linear spaces of one dimension.
+Or there are `cases`, each a theorem: the first says that a product equals what vanishes, so that one of its factors
+does. Each factor that may has one more, which assumes this factor and no more than what is assumed, and claims the
+same, or that something vanishes that does not.
 
 Exit codes: 0 all theorems are proved, 1 one is not (its name, and what is left), 2 the file is no proof file.
 """
@@ -36,16 +38,14 @@ import re
 import sys
 from collections import Counter
 from fractions import Fraction
-from functools import cache
+from functools import cache, reduce
 from itertools import combinations, product
 from math import comb
 
-TERMS = (
-    "-abcd efgi hjkl|+abcd efhi gjkl|+abcd efgj hikl|-abcd efhj gikl|+abce dfgh ijkl|-abde cfgh ijkl|"
-    "-abcf degh ijkl|+abdf cegh ijkl|-abce dghi fjkl|+abde cghi fjkl|+abcf dghi ejkl|+abce dghj fikl|"
-    "-abdf cghi ejkl|-abde cghj fikl|-abcf dghj eikl|+abdf cghj eikl|+abcg defi hjkl|-abdg cefi hjkl|"
-    "-abch defi gjkl|-abcg defj hikl|+abdh cefi gjkl|+abdg cefj hikl|+abch defj gikl|-abdh cefj gikl"
-)
+TERMS = """-abcd efgi hjkl|+abcd efhi gjkl|+abcd efgj hikl|-abcd efhj gikl|+abce dfgh ijkl|-abde cfgh ijkl|
+-abcf degh ijkl|+abdf cegh ijkl|-abce dghi fjkl|+abde cghi fjkl|+abcf dghi ejkl|+abce dghj fikl|-abdf cghi ejkl|
+-abde cghj fikl|-abcf dghj eikl|+abdf cghj eikl|+abcg defi hjkl|-abdg cefi hjkl|-abch defi gjkl|-abcg defj hikl|
++abdh cefi gjkl|+abdg cefj hikl|+abch defj gikl|-abdh cefj gikl"""
 NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]*'*([₁-₉]{0,2}|[¹²³⁴⁵ᵃᵇᶜᵈ])(:[0-9]+)?|#[0-9]+")
 OPERATIONS = ["join", "meet", "sum", "product", "power", "bracket", "superbracket"]
 SIGN = dict(zip(OPERATIONS, [" \\/ ", " /\\ ", " + ", " * ", "**", " ", " "]))
@@ -88,20 +88,17 @@ def plus(a, b, factor=1):
 def times(a, b):
     expect(len(a) * len(b) <= 5_000_000, "an expansion is too long for this checker")
     total = {}
-    for m, c in a.items():
-        for n, k in b.items():
-            key = tuple(sorted(m + n))
-            total[key] = total.get(key, 0) + c * k
+    for (m, c), (n, k) in product(a.items(), b.items()):
+        key = tuple(sorted(m + n))
+        total[key] = total.get(key, 0) + c * k
     return {m: c for m, c in total.items() if c}
 
 
 @cache
 def superbracket_terms():
     """In the lines' ends a b | c d | ... | k l (McMillan and White), once compared with the determinant."""
-    terms = [
-        (-1 if term[0] == "-" else 1, [["abcdefghijkl".index(x) for x in row] for row in term[1:].split()])
-        for term in TERMS.split("|")
-    ]
+    signed = ((-1 if "-" in term else 1, term.strip()[1:].split()) for term in TERMS.split("|"))
+    terms = [(sign, [["abcdefghijkl".index(x) for x in row] for row in rows]) for sign, rows in signed]
     lines = list(combinations(range(4), 2))
     for choice in product(range(6), repeat=6):
         ends = [e for line in choice for e in lines[line]]
@@ -157,9 +154,8 @@ class Reader:
     def sum(self, parts):
         steps, total = {step for step, value in parts if value}, {}
         expect(len(steps) < 2, "a sum of unlike steps")
-        for _, value in parts:
-            for row, p in value.items():
-                total[row] = plus(total.get(row, {}), p)
+        for row, p in (item for _, value in parts for item in value.items()):
+            total[row] = plus(total.get(row, {}), p)
         return max(steps, default=parts[0][0]), {row: p for row, p in total.items() if p}
 
     def join(self, parts):
@@ -175,8 +171,7 @@ class Reader:
             value = {row: p for row, p in joined.items() if p}
         return step, value
 
-    def row(self, points):
-        """A bracket as a polynomial."""
+    def row(self, points):  # a bracket as a polynomial
         sign, row = in_order(tuple(points))
         return {(row,): sign} if sign and row[-1] >= self.ideal else {}
 
@@ -208,10 +203,8 @@ class Reader:
         for choice in product(*(value.items() for _, value in parts)):
             ends = [x for row, _ in choice for x in row]
             for sign, rows in superbracket_terms():
-                term = {(): sign}
-                for factor in (*(self.row(ends[e] for e in row) for row in rows), *(p for _, p in choice)):
-                    term = times(term, factor)
-                total = plus(total, term)
+                factors = (*(self.row(ends[e] for e in row) for row in rows), *(p for _, p in choice))
+                total = plus(total, reduce(times, factors, {(): sign}))
         return 0, {(): total} if total else {}
 
     def closed(self, e):
@@ -232,16 +225,13 @@ class Reader:
                 other = [second[i] for i in chosen] + first[count:]
                 relation = plus(relation, times(self.row(row), self.row(other)), -1)
             for coefficient, *rows in multiplier:
-                term = {(): Fraction(coefficient)}
-                for row in rows:
-                    expect(len(row) in (1, self.rank), "a bracket that is not full")
-                    term = times(term, {(tuple(row),): 1} if len(row) == 1 else self.row(row))
-                for m, c in times(term, relation).items():
+                expect(all(len(row) in (1, self.rank) for row in rows), "a bracket that is not full")
+                factors = ({(tuple(row),): 1} if len(row) == 1 else self.row(row) for row in rows)
+                for m, c in times(reduce(times, factors, {(): Fraction(coefficient)}), relation).items():
                     rest[m] = rest.get(m, 0) - c
         return rest
 
-    def text(self, e):
-        """What an expression says."""
+    def text(self, e):  # what it says
         e = self.open(e)
         if not isinstance(e, list) or e[0] == "number":
             return str(e if not isinstance(e, list) else Fraction(e[1]))
@@ -322,11 +312,8 @@ class Positions:
     def lies(self, e):
         met, joined = self.reader.args(e, "meet"), self.reader.args(e)
         kept = [part for part in joined if part not in self.fresh]
-        return (
-            self.reader.key(e) in self.flats
-            or (len(met) > 1 and all(map(self.lies, met)))
-            or (0 < len(kept) < len(joined) and self.lies(["join", *kept]))
-        )
+        on_part = 0 < len(kept) < len(joined) and self.lies(["join", *kept])
+        return self.reader.key(e) in self.flats or on_part or (len(met) > 1 and all(map(self.lies, met)))
 
     def not_zero(self, e):
         r = self.reader
@@ -353,24 +340,37 @@ class Positions:
             scalar = {((self.scalars,),): 1} if scaled else {(): 1}
             terms.append((["meet", part, ["join", *new]] if new else part, scalar))
             self.scalars += 1
+        return lambda r: r.sum([r.join([(0, {(): scalar}), r.read(e)]) for e, scalar in terms])
 
-        def value(reader):
-            parts = [(reader.read(e), scalar) for e, scalar in terms]
-            return reader.sum([(step, {row: times(p, k) for row, p in v.items()}) for (step, v), k in parts])
 
-        return value
+def split(theorem, claim, given, nonzero):
+    """Checks all cases of a theorem, of which these are the texts, and that they leave none out."""
+    (left, right), r = theorem["cases"][0]["claim"], Reader(theorem["cases"][0])
+    for term in [] if r.text(left) in given else r.args(left, "sum"):
+        expect({*map(r.text, r.args(term, "product"))} & {*given, "0"}, f"{r.text(left)} need not vanish", NotProved)
+    live = [*nonzero, *(r.text(f) for f in r.args(right, "product") if f[0] == "number" and Fraction(f[1]))]
+    factors = dict.fromkeys(f for f in map(r.text, r.args(right, "product")) if f not in live)
+    for case, factor in zip(theorem["cases"], [None, *factors], strict=True):
+        says, zero, alive = ([*map(Reader(case).text, case[key])] for key in ("claim", "given", "nonzero"))
+        expect(case["any"] == theorem["any"] and case["rank"] == theorem["rank"], "a case of another space")
+        expect({*case["points"][: case["ideal"]]} <= {*theorem["points"][: theorem["ideal"]]}, "a case at infinity")
+        expect({*zero} <= {*given, factor} and {*alive} <= {*nonzero}, "a case that assumes more", NotProved)
+        same = factor is None or says == claim or (says[0] in nonzero and says[1] == "0")
+        expect(same, "a case of another claim", NotProved)
+        check(case)
+    return {}
 
 
 def check(theorem):
     """The claim as text. Raises NotProved where something is left."""
     reader = Reader(theorem, Positions(theorem).places if "given" in theorem else {})
-    left, right = theorem["claim"]
-    text = f"{reader.text(left)} == {reader.text(right)}"
-    (step, a), (other, b) = reader.read(left), reader.read(right)
+    (step, a), (other, b) = map(reader.read, theorem["claim"])
     expect(step == other or not a or not b, "the sides are of unlike steps")
-    rest = reader.without(plus(reader.closed(left), reader.closed(right), -1), theorem["relations"])
+    claim, zero, live = ([*map(reader.text, theorem.get(key, ()))] for key in ("claim", "given", "nonzero"))
+    text, rest = " == ".join(claim), plus(*map(reader.closed, theorem["claim"]), -1)
+    rest = split(theorem, claim, zero, live) if "cases" in theorem else reader.without(rest, theorem["relations"])
     expect(not any(rest.values()), f"{sum(map(bool, rest.values()))} terms are left of {text}"[:2000], NotProved)
-    where = [f"{reader.text(e)} {s} 0" for k, s in (("given", "=="), ("nonzero", "!=")) for e in theorem.get(k, ())]
+    where = [*(f"{e} == 0" for e in zero), *(f"{e} != 0" for e in live)]
     space = [f"rank {reader.rank}", *(f"{p} at infinity" for p in reader.points[: reader.ideal])]
     space += [f"for all {p}" for p in theorem.get("any", ())]
     return f"{text}{', where ' if where else ''}{' and '.join(where)} ({', '.join(space)})"

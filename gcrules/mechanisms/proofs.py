@@ -8,7 +8,7 @@ r"""What an answer claims, with the proofs that a checker can replay.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import replace
 from functools import partial
 from typing import Any
@@ -21,7 +21,8 @@ from gcrules.algebra.factoring.result import Factorization
 from gcrules.algebra.proofs.absence import no_expression, no_shorter
 from gcrules.algebra.proofs.multiples import cofactor
 from gcrules.algebra.proofs.proof_file import Absence, LeftOut, ProofFile
-from gcrules.algebra.proofs.theorem import Theorem, theorem
+from gcrules.algebra.proofs.proving import theorem, theorems
+from gcrules.algebra.proofs.theorem import Theorem
 from gcrules.algebra.prove import Proof, difference_of
 from gcrules.algebra.screw_letters import screws_of
 from gcrules.algebra.shortening.result import Shortening
@@ -86,7 +87,7 @@ def proof_file_or_none(answer: Any) -> ProofFile | None:
 
 
 def _proved(title: str, claims: Iterable[_Said]) -> ProofFile:
-    theorems: list[Theorem] = []
+    written: list[Theorem] = []
     left_out: list[LeftOut] = []
     absences: list[Absence] = []
     for claim in claims:
@@ -98,24 +99,28 @@ def _proved(title: str, claims: Iterable[_Said]) -> ProofFile:
         if isinstance(claim, Absence):
             absences.append(claim)
             continue
-        given = () if claim.given and _everywhere(claim) else claim.given
         try:
-            theorems.append(
-                theorem(claim.name, claim.left, claim.right, ideal=claim.ideal, rank=claim.rank, given=given)
-            )
+            written += _written(claim)
         except (InputError, LimitReached) as fault:
-            stronger = _multiple_of_given(claim)
-            if stronger is None:
-                left_out.append(LeftOut(claim.name, fault.message))
-            else:
-                theorems.append(stronger)
-    if not theorems:
+            left_out.append(LeftOut(claim.name, fault.message))
+    if not written:
         why = "; ".join(map(str, left_out)) or "it claims nothing"
         raise InputError(f"{title}: there is no proof to write: {why}")
-    names = {t.name for t in theorems}
+    names = {t.name for t in written}
     alone = (LeftOut(one.name, f"'{one.theorem}' is not proved in the file") for one in absences)
     left_out += [out for out, one in zip(alone, absences, strict=True) if one.theorem not in names]
-    return ProofFile(title, tuple(theorems), tuple(left_out), tuple(one for one in absences if one.theorem in names))
+    return ProofFile(title, tuple(written), tuple(left_out), tuple(one for one in absences if one.theorem in names))
+
+
+def _written(claim: _Claim) -> Sequence[Theorem]:
+    """The theorems that a claim is: with its points placed, as an identity that says more, or in cases."""
+    given = () if claim.given and _everywhere(claim) else claim.given
+    found = partial(theorems, claim.name, claim.left, claim.right, ideal=claim.ideal, rank=claim.rank, given=given)
+    try:
+        return tuple(found(in_cases=False))
+    except (InputError, LimitReached):
+        stronger = _multiple_of_given(claim)
+        return tuple(found()) if stronger is None else (stronger,)
 
 
 def _multiple_of_given(claim: _Claim) -> Theorem | None:

@@ -14,7 +14,8 @@ import gcrules as gc
 from gcrules.algebra.language.statements import parse_script
 from gcrules.algebra.language.syntax import parse_equation
 from gcrules.algebra.proofs.proof_file import ProofFile
-from gcrules.algebra.proofs.theorem import Theorem, theorem
+from gcrules.algebra.proofs.proving import theorem
+from gcrules.algebra.proofs.theorem import Theorem
 from gcrules.core.errors import InputError
 from gcrules.mechanisms.proofs import proof_file
 from gcrules.rules.script import run_script

@@ -36,7 +36,7 @@ from gcrules.core.dataclass import dataclass
 from gcrules.core.deferred import deferred
 from gcrules.core.errors import InputError, LimitReached
 
-__all__ = ["Alternative", "ConstructionTask", "alternatives", "flats"]
+__all__ = ["Alternative", "ConstructionTask", "alternatives", "flats", "parts"]
 
 bracket_factors = deferred("gcrules.algebra.factoring.brackets:bracket_factors")
 
@@ -173,19 +173,20 @@ def _next(at: _Open, task: ConstructionTask) -> Iterator[_Open]:
     base = task.construct(at.plain) if at.scalars else None
     for i, a in enumerate(at.scalars):
         checkpoint()
-        found = _parts(a, base, task) if base is not None else None
+        (e,) = equations(a, task.space.rank)
+        found = parts(e, base, task.space) if base is not None else None
         if found is None:
             continue
-        parts, nonzero = found
+        several, nonzero = tuple(dict.fromkeys(found[0])), found[1]
         others = replace(
             at,
             scalars=(*at.scalars[:i], *at.scalars[i + 1 :]),
             nonzero=tuple(dict.fromkeys((*at.nonzero, *nonzero))),
         )
-        if not parts:
+        if not several:
             yield others
-        for part in parts:
-            where = (*at.where, part) if len(parts) > 1 else at.where
+        for part in several:
+            where = (*at.where, part) if len(several) > 1 else at.where
             yield replace(_with(others, part, a), where=tuple(dict.fromkeys(where)))
         return
     yield at
@@ -223,21 +224,19 @@ def _with(at: _Open, scalar: Expr, cause: Assumption) -> _Open:
     return replace(at, scalars=(*at.scalars, more))
 
 
-def _parts(
-    a: Assumption, base: Construction, task: ConstructionTask
-) -> tuple[tuple[Expr, ...], tuple[Expr, ...]] | None:
-    """The different scalars of which one vanishes where the assumption holds, and what must not vanish for that.
+def parts(e: Expr, base: Construction, space: Space) -> tuple[tuple[Expr, ...], tuple[Expr, ...]] | None:
+    """The factors, as often as they occur, of a scalar that vanishes in a space, and what must not vanish so that it is
+    a multiple of their product wherever a construction leads.
 
-    None where nothing is gained: the assumption is one scalar that is no product.
+    None where nothing is gained: it is no product.
     """
-    (e,) = equations(a, task.space.rank)
     written = tuple(_factors(e))
     if len(written) > 1 or written[:1] not in ((), (e,)):
-        return tuple(dict.fromkeys(written)), ()
+        return written, ()
 
     try:
-        poly = _polynomial(e, task)
-        left = _without_zeros(e, base, task)
+        poly = _polynomial(e, space)
+        left = _without_zeros(e, base, space)
         if not len(left):
             return (), base.nonzero if len(poly) else ()
         rows, rest = bracket_factors(primitive(left)[1], limit=_MAX_TERMS * 20)
@@ -245,7 +244,7 @@ def _parts(
         return None
     same = left.over(poly.points, poly.ideal).terms == poly.terms if len(left) == len(poly) else False
     nonzero = () if same else base.nonzero
-    brackets = [Bracket(tuple(Point(rest.points[i]) for i in row)) for row in dict.fromkeys(rows)]
+    brackets = [Bracket(tuple(Point(rest.points[i]) for i in row)) for row in rows]
     remainder = [rest.to_expr()] if any(rest.terms) else []
     if not brackets:
         return None  # nothing is gained
@@ -258,31 +257,32 @@ def _factors(e: Expr) -> Iterator[Expr]:
         case Product(factors=factors):
             for f in factors:
                 yield from _factors(f)
-        case Power(base=base, exponent=n) if n:
-            yield from _factors(base)
+        case Power(base=base, exponent=n):
+            for _ in range(n):
+                yield from _factors(base)
         case Number(value=value) if value:
             return
         case _:
             yield e
 
 
-def _polynomial(e: Expr, task: ConstructionTask) -> BracketPolynomial:
+def _polynomial(e: Expr, space: Space) -> BracketPolynomial:
     """The normal form. Raises LimitReached for one of many terms."""
-    found = straighten(e, points=task.space.points, ideal=task.space.ideal, rank=task.space.rank, limit=_MAX_TERMS)
+    found = straighten(e, points=space.points, ideal=space.ideal, rank=space.rank, limit=_MAX_TERMS)
     assert isinstance(found, BracketPolynomial)
     return found
 
 
-def _without_zeros(e: Expr, base: Construction, task: ConstructionTask) -> BracketPolynomial:
+def _without_zeros(e: Expr, base: Construction, space: Space) -> BracketPolynomial:
     """What is left of a scalar, in normal form, without the brackets that vanish by other assumptions: without terms
     that hold one, in whichever order of the points there are most of them.
     """
-    left = expand(e, points=task.space.points, ideal=task.space.ideal, rank=task.space.rank, limit=_MAX_TERMS)
+    left = expand(e, points=space.points, ideal=space.ideal, rank=space.rank, limit=_MAX_TERMS)
     assert isinstance(left, BracketPolynomial)
     used = sorted({i for m in left.terms for row in m for i in row})
-    if comb(len(used), task.space.rank) > _MAX_BRACKETS:
+    if comb(len(used), space.rank) > _MAX_BRACKETS:
         return _normal(left)
-    names = [tuple(left.points[i] for i in row) for row in combinations(used, task.space.rank)]
+    names = [tuple(left.points[i] for i in row) for row in combinations(used, space.rank)]
     zeros = [row for row in names if _is_zero(Bracket(tuple(map(Point, row))), base)]
     left = _dropped(left, zeros)
     if len(left) == 1:
@@ -324,7 +324,7 @@ def _solved(at: _Open, task: ConstructionTask) -> _Open | None:
     for i, a in enumerate(at.scalars):
         (e,) = equations(a, task.space.rank)
         try:
-            rows[i] = dict(_polynomial(e, task).over(_order(task), len(task.space.ideal)).terms)
+            rows[i] = dict(_polynomial(e, task.space).over(_order(task), len(task.space.ideal)).terms)
         except LimitReached:
             continue
     reduced = _echelon(list(rows.values()))

@@ -1,10 +1,4 @@
-r"""A theorem with its proof, as anyone can check it: a claim, and exchange relations that add up to it.
-
->>> from gcrules.algebra.language.syntax import parse_equation
->>> found = theorem("a line meets a plane", *parse_equation("ab /\\ cde == cde /\\ ab"))
->>> found.to_json()["claim"]
-[['meet', ['join', 'a', 'b'], ['join', 'c', 'd', 'e']], ['meet', ['join', 'c', 'd', 'e'], ['join', 'a', 'b']]]
-"""
+r"""A theorem with its proof, as anyone can check it: a claim, and exchange relations that add up to it, or cases."""
 
 from __future__ import annotations
 
@@ -13,25 +7,22 @@ from dataclasses import replace
 from typing import Any
 
 from gcrules.algebra import expr as ex
-from gcrules.algebra.assumptions.assumed import kinds
 from gcrules.algebra.assumptions.construction import Construction, Within, step_on
 from gcrules.algebra.bracket import Coefficient, Monomial
 from gcrules.algebra.expand import MAX_TERMS
-from gcrules.algebra.expr import Expr, Point, Sum, Superbracket, common_rank, points_of, subexpressions
+from gcrules.algebra.expr import Expr, Point, Sum, points_of
 from gcrules.algebra.proofs.coverage import Flat, flats, is_plain
 from gcrules.algebra.proofs.relations import MAX_RELATIONS, Relation, relations
 from gcrules.algebra.proofs.sequences import Sequences
 from gcrules.algebra.proofs.written import Written
 from gcrules.algebra.prove import difference_of
-from gcrules.algebra.space import Assumption, Space
 from gcrules.algebra.straightening.order import orders, reordered
 from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import EngineFault, InputError, LimitReached
 from gcrules.core.frozen import FrozenMap
 
-__all__ = ["PlacedPoint", "Theorem", "theorem", "with_roles"]
+__all__ = ["PlacedPoint", "Theorem", "asked", "placed_theorem", "with_roles"]
 
-_SUPERBRACKETS = 4  # the highest rank in which the checker expands them
 _SHORT = 5_000  # exchanges within which every order is tried before longer proofs are sought
 
 
@@ -69,6 +60,9 @@ class Theorem:
     infinity. Some of both may be auxiliary: `meets` of the others that the claim does not name. Written out in these,
     the difference of both sides, closed by further points where it is no scalar, is the sum of `relations`, whose rows
     are numbers of points in this order.
+
+    Or there are `cases` in the place of these: of what is given the first says that a product vanishes, and each of the
+    others is the same claim where one of its factors does.
     """
 
     name: str
@@ -82,19 +76,26 @@ class Theorem:
     nonzero: tuple[Expr, ...] = ()
     placed: tuple[PlacedPoint, ...] = ()
     meets: Mapping[str, Expr] = FrozenMap()
+    cases: tuple[Theorem, ...] = ()
 
     @property
     def size(self) -> int:
         """How many exchanges the proof takes."""
-        return sum(len(r.multiplier) for r in self.relations)
+        return sum(len(r.multiplier) for r in self.relations) + sum(case.size for case in self.cases)
 
     def to_json(self) -> dict[str, Any]:
         """The theorem as `proof.schema.json` describes it."""
+        return self._to_json(self._anywhere() if self.given else None)
+
+    def _anywhere(self) -> list[str]:
+        """The points that stand for all points."""
+        return sorted(set(points_of(*self.given)) - {*self.order, *(p.name for p in self.placed)})
+
+    def _to_json(self, anywhere: list[str] | None) -> dict[str, Any]:
         written = Written(self._expressions())
         of = written.of
         more: dict[str, Any] = {}
-        if self.given:
-            anywhere = sorted(set(points_of(*self.given)) - {*self.order, *(p.name for p in self.placed)})
+        if anywhere is not None:
             points = (*self.order, *anywhere, *(p.name for p in self.placed))
             place = {n: i for i, n in enumerate(n for n in points if n not in self.meets)}
             more = {
@@ -114,6 +115,7 @@ class Theorem:
             "claim": claim,
             **more,
             "relations": [r.to_json() for r in self.relations],
+            **({"cases": [case._to_json(anywhere) for case in self.cases]} if self.cases else {}),
         }
 
     def _expressions(self) -> Iterator[Expr]:
@@ -122,39 +124,34 @@ class Theorem:
             yield from p.expressions()
 
 
-def theorem(
-    name: str,
-    left: Expr,
-    right: Expr,
-    *,
-    ideal: Iterable[str] = (),
-    rank: int | None = None,
-    given: Iterable[Assumption] = (),
-    limit: int = MAX_TERMS,
+def placed_theorem(
+    name: str, left: Expr, right: Expr, c: Construction, nonzero: Iterable[Expr], limit: int = MAX_TERMS
 ) -> Theorem:
-    """The proof that two expressions are equal, under assumptions where there are any.
-
-    Raises EngineFault where they are not equal, InputError where the proof cannot be written down yet, LimitReached
-    where it is too long.
+    """The proof that two expressions are equal at all positions to which a construction leads. `nonzero` must not
+    vanish: what is `asked` for, at the least. Raises as `theorem` does.
     """
-    assumptions, at_infinity = tuple(given), tuple(ideal)
-    if any(
-        isinstance(e, Superbracket) and e.rank > _SUPERBRACKETS for side in (left, right) for e in subexpressions(side)
-    ):
-        raise InputError(f"proof files have no superbrackets of rank {_SUPERBRACKETS + 1} or more")
-    rank = common_rank(rank, left, right, *(e for a in assumptions for e in a.args))
-    difference = difference_of(left, right, rank)
-    found = kinds(Space(rank, (), at_infinity, assumptions), points_of(left, right), (difference,))
-    if len(found) > 1:
-        raise InputError(f"the assumptions allow {len(found)} kinds of positions, of which no proof is written")
-    c = found[0].construction
-    wanted = Sequences(c.nonzero, {}, rank)
+    said = tuple(nonzero)
+    wanted = Sequences(said, {}, c.rank)
     c = replace(c, meets=FrozenMap((n, wanted.of(e)) for n, e in c.meets.items()))
-    places, proof = _shortest(c.closed_terms(difference, limit, as_defined=True), len(c.order), c.at_infinity)
+    closed = c.closed_terms(difference_of(left, right, c.rank), limit, as_defined=True)
+    places, proof = _shortest(closed, len(c.order), c.at_infinity)
     order = tuple(c.order[i] for i in places)
     return Theorem(
-        name, rank, left, right, order, c.at_infinity, proof, c.equations, c.nonzero, tuple(_placed(c)), c.meets
+        name, c.rank, left, right, order, c.at_infinity, proof, c.equations, said, tuple(_placed(c)), c.meets
     )
+
+
+def asked(c: Construction) -> tuple[Expr, ...]:
+    """What must not vanish so that a construction reaches every position: its extensors, and points that others are
+    said to be, but for the first that is.
+    """
+    seen: set[str] = set()
+    points: list[Expr] = []
+    for step in c.steps:
+        if isinstance(step.within, Point) and step.within.name in seen - c.meets.keys():
+            points.append(step.within)
+        seen |= {step.name, *points_of(step.within)}
+    return tuple(dict.fromkeys((*c.nonzero, *points)))
 
 
 def _placed(c: Construction) -> Iterator[PlacedPoint]:

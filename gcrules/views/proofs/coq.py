@@ -7,7 +7,7 @@ ranks other than 3 and 4 there is `Ranks.v`, which defines extensors of any rank
 
 >>> from gcrules.algebra.language.syntax import parse_equation
 >>> from gcrules.algebra.proofs.proof_file import ProofFile
->>> from gcrules.algebra.proofs.theorem import theorem
+>>> from gcrules.algebra.proofs.proving import theorem
 >>> text = script(ProofFile("Example", (theorem("a line meets a plane", *parse_equation("ab /\\ cde == cde /\\ ab")),)))
 >>> print(text[text.index("Theorem a_line"):text.index("Proof.", text.index("Theorem a_line"))].strip())
 Theorem a_line_meets_a_plane : forall a b c d e : vector space,
@@ -84,6 +84,8 @@ def without_script(file: ProofFile) -> dict[str, str]:
 
 
 def _why_not(t: Theorem) -> str:
+    if t.cases:
+        return "it is proved in cases, which scripts do not have"
     if t.given and t.rank not in SPACES:
         return f"it holds under assumptions in rank {t.rank}, and scripts have those in ranks 3 and 4"
     found = assumed_proof(t) if t.given else ""

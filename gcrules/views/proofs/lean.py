@@ -5,7 +5,7 @@ relations hold; `linear_combination` multiplies it out. What brackets, joins and
 
 >>> from gcrules.algebra.language.syntax import parse_equation
 >>> from gcrules.algebra.proofs.proof_file import ProofFile
->>> from gcrules.algebra.proofs.theorem import theorem
+>>> from gcrules.algebra.proofs.proving import theorem
 >>> equation = "[abc] * [ade] - [abd] * [ace] + [abe] * [acd] == 0"
 >>> text = script(ProofFile("Example", (theorem("exchange", *parse_equation(equation, rank=3)),)))
 >>> print(text[text.index("    (h1"):].strip())
