@@ -83,7 +83,12 @@ ANSWERS: dict[str, Callable[[], Any]] = {
     "powers": lambda: gc.prove("[abcd]**3 == [abcd] [bacd] [badc] * -1"),
     "common brackets": lambda: gc.prove("[abf][cdg] ([abc][ade] - [abd][ace]) == -[cdg][abf][abe][acd]", rank=3),
     "kinds": lambda: gc.prove("[acd] == 0", rank=3, given="collinear(a, b, c), collinear(a, b, d)"),
+    "cases": lambda: gc.prove("[abc][abd] == 0", rank=3, given="[abc]**2 [abd]**3 == 0"),
+    "cases in cases": lambda: gc.prove("[abc][abd][cde] == 0", rank=3, given="[abc][ade] == 0, [abd][ace] == 0"),
+    "a factor that does not vanish": lambda: gc.prove("[abd] == 0", rank=3, given=NO_KIND),
+    "one point said twice": lambda: gc.prove("be == 0", rank=3, given="fb == 0, fe == 0"),
 }
+NO_KIND = "collinear(c, d, e), incident(a, be), [bed][bac] == -[bea][bdc]"
 
 
 @pytest.mark.parametrize("name", ANSWERS)
@@ -172,6 +177,8 @@ SEEDS = (
     lambda: gc.prove(r"[bc' /\ b'c, ca' /\ c'a, ab' /\ a'b] == 0", rank=3, given=PAPPUS),
     lambda: gc.prove("[ijk] == 0", rank=3, ideal="i j k"),
     lambda: gc.prove("[pabc] == 0", given="incident(p, ab)"),
+    lambda: gc.prove("[bde][bcd] == 0", rank=3, given="collinear(a, b, d), [bcd][abe] == [abd][bce]"),
+    lambda: gc.prove("[abc][abd][cde] == 0", rank=3, given="[abc][ade] == 0, [abd][ace] == 0"),
 )
 MENELAUS = "incident(d, bc), incident(e, ca), incident(f, ab), collinear(d, e, f)"
 PAPPUS = "collinear(a, b, c), collinear(a', b', c')"
@@ -359,6 +366,40 @@ def test_none_of_many_changed_proofs_is_accepted_unless_it_is_true(part: int) ->
             continue
         assert not false_somewhere(theorem, rng), theorem
     assert accepted  # a name that is changed everywhere, a relation that is given twice and taken away again
+
+
+def false_cases() -> Iterator[dict[str, Any]]:
+    """Theorems in cases of which the last is not what it should be, so that the claims are false."""
+    for claim, given in (("[abc][abd] == 0", "[abc][abc][abd] == 0"), ("[abc][abe] == 0", "[abc][abe][abe] == 0")):
+        (true,) = json.loads(gc.proof_file(gc.prove(claim, rank=3, given=given)).json_text())["theorems"]
+        assert len(true["cases"]) == 3
+        for kept in (1, 2):
+            found = json.loads(json.dumps(true))
+            holds = [found["cases"][kept]["given"][-1], ["number", 0]]
+            for theorem in (found, *found["cases"][1:]):
+                theorem["claim"] = holds
+            found["cases"][kept]["relations"] = []
+            yield found
+
+
+def test_no_change_lets_a_false_claim_pass_by_its_cases() -> None:
+    """Most changes leave the claim as it is, which is true for one case alone."""
+    bases = list(false_cases())
+    for theorem in bases:
+        assert false_somewhere(theorem, random.Random(0), 15_000)
+    read = 0
+    for n in range(6_000):
+        rng = random.Random(f"cases {n}")
+        theorem = mutated(rng.choice(bases), rng)
+        try:
+            CHECK.check(theorem)
+        except CHECK.NotProved:
+            read += 1
+        except REFUSED:
+            continue
+        else:
+            assert not false_somewhere(theorem, rng, 4_000), theorem
+    assert read > 1_000
 
 
 def test_changed_proofs_about_a_conic_are_true_at_points_of_circles() -> None:
