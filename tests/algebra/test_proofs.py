@@ -18,10 +18,12 @@ from gcrules.algebra.proofs.proving import theorem
 from gcrules.algebra.proofs.relations import relations
 from gcrules.algebra.proofs.theorem import Theorem
 from gcrules.algebra.proofs.written import Written
+from gcrules.algebra.spelling import normal
 from gcrules.core.errors import EngineFault, InputError, LimitReached
 from gcrules.mechanisms.proofs import proof_file
 from gcrules.rules.script import run_script
 
+ORDER = {n: i for i, n in enumerate("abcdef")}
 EXCHANGE = "[abc][ade] - [abd][ace] == -[abe][acd]"
 
 
@@ -74,6 +76,26 @@ def test_points_under_assumptions_say_why_they_are_where_they_are() -> None:
     assert {p.name for p in found.placed}.isdisjoint(found.order)
     assert all(flat.because for p in found.placed for flat in p.flats)
     assert [str(e) for e in found.nonzero] == ["ab"]
+
+
+CASES = [
+    ("[abc][abd] == 0", 3, "[abc]**2 [abd]**3 == 0", ["[abc]", "[abd]"]),
+    ("[abd][ace] == 0", 3, "[abe][acd] == [abc][aed]", ["[abd]", "[ace]"]),
+    ("[abcf][abde] == 0", 4, "[abcd][abef] == [abce][abdf]", ["[abcf]", "[abde]"]),
+    ("[bdf][bcf] == 0", 3, "[dbf][cbf] == [eca][bde], incident(e, ca), collinear(a, d, f)", ["[bcf]", "[bdf]"]),
+    ("[abd] == 0", 3, "collinear(c, d, e), incident(a, be), [bed][bac] == -[bea][bdc]", ["[abc]", "[bde]"]),
+]
+
+
+@pytest.mark.parametrize(("claim", "rank", "given", "factors"), CASES)
+def test_each_factor_of_what_vanishes_is_a_case(claim: str, rank: int, given: str, factors: list[str]) -> None:
+    found = proved(claim, rank, given)
+    product_is_given, *cases = found.cases
+    assert (found.relations, found.placed) == ((), ())
+    assert {*product_is_given.given} <= {*found.given}
+    assert sorted(str(normal(case.given[-1], ORDER, rank).expr) for case in cases) == factors
+    assert all(case.given[:-1] == found.given for case in cases)
+    assert all((case.left, case.right) == (found.left, found.right) for case in cases)
 
 
 def test_parts_that_occur_again_are_written_once() -> None:

@@ -16,7 +16,8 @@ from gcrules.algebra.assumptions.nondegeneracy import fewest
 from gcrules.algebra.assumptions.position_kinds import parts
 from gcrules.algebra.bracket import Coefficient, tableau_order
 from gcrules.algebra.evaluate import Evaluator
-from gcrules.algebra.expr import ZERO, Bracket, Expr, Number, Point, mul, points_of
+from gcrules.algebra.expr import ZERO, Bracket, Expr, Number, Point, Product, mul, points_of, sub
+from gcrules.algebra.proofs.multiples import cofactor
 from gcrules.algebra.proofs.theorem import Theorem, asked, placed_theorem
 from gcrules.algebra.prove import difference_of
 from gcrules.algebra.space import Assumption, Space
@@ -89,7 +90,7 @@ class _Cases:
 
     def _lemma(self, name: str, e: Expr, given: Sequence[Expr]) -> tuple[Theorem, list[Expr]] | None:
         """That something given is a product of factors, and those of them that may vanish; None where it is none."""
-        if e.step or not self._named(e):
+        if e.step or _of_points(e) or not self._named(e):
             return None
         plain = tuple(g for g in given if g != e and self._named(g) and (g.step or _of_points(g)))
         base = self._construction(plain) or self.anywhere
@@ -98,13 +99,18 @@ class _Cases:
             return None
         factors = [next((n for n in self.nonzero if self._ratio(f, n)), f) for f in found[0]]
         product = mul(*factors)
+        open_ones = [f for f in dict.fromkeys(factors) if f not in self.nonzero]
         for c in (self.anywhere, base):
             number = _ratio(e, product, c)
             right = mul(Number(number), product)
             if number and self._asks(asked(c)) and c.vanishes(difference_of(e, right, c.rank)):
                 said = self.nonzero if c is base else ()
-                lemma = placed_theorem(f"{name}: {e}", e, right, c, said, self.limit)
-                return lemma, [f for f in dict.fromkeys(factors) if f not in self.nonzero]
+                return placed_theorem(f"{name}: {e}", e, right, c, said, self.limit), open_ones
+        # It is the product and a multiple of something else that is given.
+        for g in plain if number else ():
+            if g.step == 0 and (times := cofactor(sub(e, right), g, self.space.rank, self.space.ideal)) is not None:
+                both = sub(Product((Number(1), e)), mul(times, g))
+                return placed_theorem(f"{name}: {e}", both, right, self.anywhere, (), self.limit), open_ones
         return None
 
     def _apart(self, name: str, given: tuple[Expr, ...], failure: InputError | None) -> Theorem:
