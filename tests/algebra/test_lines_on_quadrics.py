@@ -143,10 +143,13 @@ def test_a_line_that_is_a_letter_has_a_polar(claim: str) -> None:
     assert (found.verdict, found.assumed) == ("proved", ())
 
 
-@pytest.mark.parametrize("given", [LINES[0][0], LINES[4][0]])
-def test_such_proofs_are_checked_without_the_engine(given: str) -> None:
-    proof = gc.prove("incident(x, polar(a, Q))", letters="quadric Q", given=given)
-    for one in json.loads(gc.proof_file(proof).json_text())["theorems"]:
+@pytest.mark.parametrize("claim", ["incident(x, polar(a, Q))", "touches(ax, Q)"])
+@pytest.mark.parametrize("given", [LINES[0][0], LINES[4][0], *(given for given, _ in TOUCHING)])
+def test_such_proofs_are_checked_without_the_engine(given: str, claim: str) -> None:
+    proof = gc.prove(claim, letters="quadric Q", given=given)
+    file = gc.proof_file(proof)
+    assert not file.left_out
+    for one in json.loads(file.json_text())["theorems"]:
         CHECK.check(one)
 
 

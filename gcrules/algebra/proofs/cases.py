@@ -86,7 +86,14 @@ class _Cases:
         return self._apart(name, given, failure)
 
     def _placed(self, name: str, left: Expr, right: Expr, c: Construction, given: tuple[Expr, ...]) -> Theorem:
-        return placed_theorem(name, left, right, replace(c, equations=given), self.nonzero, self.limit)
+        c = replace(c, equations=given)
+        try:
+            return placed_theorem(name, left, right, c, self.nonzero, self.limit)
+        except InputError:
+            fewer = _of_claim(c, points_of(left, right))
+            if fewer == c:
+                raise
+            return placed_theorem(name, left, right, fewer, self.nonzero, self.limit)
 
     def _lemma(self, name: str, e: Expr, given: Sequence[Expr]) -> tuple[Theorem, list[Expr]] | None:
         """That something given is a product of factors, and those of them that may vanish; None where it is none."""
@@ -117,7 +124,7 @@ class _Cases:
         """The proof at positions that are of no kind by themselves: the claim holds there too, or something vanishes
         that must not.
         """
-        why = failure or InputError(f"that the claim holds at all positions of {name} does not follow from its cases")
+        why = failure or InputError("that the claim holds at all positions does not follow from cases")
         c = self._construction(given)
         if c is None or not self._asks(asked(c)):
             raise why
@@ -149,6 +156,18 @@ class _Cases:
             return 1
         alike = {*points_of(e)} == {*points_of(other)} and e.step == other.step
         return _ratio(e, other, self.anywhere) if alike and self._named(e) else 0
+
+
+def _of_claim(c: Construction, names: Iterable[str]) -> Construction:
+    """The construction of some points alone; of the others nothing is used."""
+    wanted = {*names}
+    kept = []
+    for step in reversed(c.steps):
+        if step.name in wanted or step.name in c.meets:
+            kept.append(step)
+            wanted |= {*points_of(step.within)}
+    loose = tuple(s.name for s in c.steps if s not in kept)
+    return replace(c, free=(*c.free, *loose), steps=tuple(reversed(kept)))
 
 
 def _ratio(e: Expr, other: Expr, c: Construction) -> Coefficient:

@@ -11,6 +11,7 @@ from gcrules.algebra.assumptions.construction import Construction, Within, step_
 from gcrules.algebra.bracket import Coefficient, Monomial
 from gcrules.algebra.expand import MAX_TERMS
 from gcrules.algebra.expr import Expr, Point, Sum, points_of
+from gcrules.algebra.letters import conic_of, letter_of, marked
 from gcrules.algebra.proofs.coverage import Flat, flats, is_plain
 from gcrules.algebra.proofs.relations import MAX_RELATIONS, Relation, relations
 from gcrules.algebra.proofs.sequences import Sequences
@@ -161,11 +162,21 @@ def _placed(c: Construction) -> Iterator[PlacedPoint]:
         raise InputError("an auxiliary point is a meet with a sum of points")
     for step in c.steps:
         if isinstance(step.within, Sum) and step.fresh:
-            raise InputError(f"proof files do not know how {step.name} is placed on a conic or a quadric")
+            raise InputError(f"proof files do not know how {_called(step.name)} is placed on a conic or a quadric")
         found = None if step.exact else flats(step, c)
         if found is None:
-            raise InputError(f"that {step.name} is on {step.within} does not follow from one assumption")
+            there = "where it is placed" if any(map(marked, points_of(step.within))) else f"on {step.within}"
+            raise InputError(f"that {_called(step.name)} is {there} does not follow from one assumption")
         yield PlacedPoint(step.name, step.within, step.fresh, found)
+
+
+def _called(point: str) -> str:
+    """A point by its name, or by the letter to which it belongs, since nobody can write that name."""
+    letter = letter_of(point)
+    if letter is not None:
+        return f"a point of {letter[0]}"
+    quadric = conic_of(point)
+    return f"a point of {quadric}" if quadric is not None else point
 
 
 def _shortest(
