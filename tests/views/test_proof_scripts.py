@@ -253,6 +253,64 @@ def test_coq_replays_theorems_under_assumptions_without_axioms(tmp_path: Path) -
     assert done.stdout.count("Closed under the global context") == len(found) == 11
 
 
+def in_cases() -> list[Theorem]:
+    """With factors that occur again, cases in cases, a factor that does not vanish, and in space."""
+    line = "collinear(c, d, e), incident(a, be), [bed][bac] == -[bea][bdc]"
+    squares = assumed("[abc][abd] == 0", "[abc]**2 [abd]**3 == 0", "squares", rank=3)
+    product, first, second = squares.cases
+    return [
+        squares,
+        replace(squares, name="one factor", nonzero=second.given[-1:], cases=(product, first)),
+        assumed("[abc][abd][cde] == 0", "[abc][ade] == 0, [abd][ace] == 0", "twice", rank=3),
+        assumed("[bde][bcd] == 0", "collinear(a, b, d), [bcd][abe] == [abd][bce]", "a factor", rank=3),
+        assumed("[abd] == 0", line, "three lines", rank=3),
+        assumed("[acde] == 0", "[abde][bcde] == 0, coplanar(a, b, c, d)", "in space"),
+    ]
+
+
+def test_cases_are_theorems_of_their_own() -> None:
+    script = coq_script(in_cases(), "In cases")
+    assert "Theorem squares__part_0 :" in script
+    assert "Theorem twice__part_1__part_2 :" in script
+    assert "Theorem squares__part_3 :" not in script
+    assert script.count("exfalso. exact (h_nonzero_0 h_") == 3
+
+
+def test_cases_of_several_equations_have_no_script() -> None:
+    given = "[dbf][cbf] == [eca][bde], incident(e, ca), collinear(a, d, f)"
+    found = ProofFile("Sum", (assumed("[bcf][bdf] == 0", given, "sum", rank=3),))
+    assert coq.without_script(found) == {"sum": "it is proved in cases that come of several equations"}
+
+
+@pytest.mark.needs("coqc")
+def test_coq_replays_theorems_in_cases(tmp_path: Path) -> None:
+    script = without_proofs_of_coordinates(coq_script(in_cases(), "In cases"))
+    done = run(script[: script.index("Print Assumptions")], tmp_path)
+    assert done.returncode == 0, done.stderr
+
+
+@pytest.mark.needs("coqc")
+@pytest.mark.parametrize(
+    ("said", "instead"),
+    [
+        (
+            "(bracket (a ∨ b ∨ d)) 3)) = number plane 0 ->",
+            "(bracket (a ∨ c ∨ d)) 3)) = number plane 0 ->",
+        ),
+        ("((bracket (a ∨ b ∨ c)) · (bracket (a ∨ b ∨ d)))\n", "(bracket (a ∨ b ∨ c))\n"),
+    ],
+    ids=["another assumption", "another claim"],
+)
+def test_coq_refuses_a_theorem_in_cases_that_are_of_another(said: str, instead: str, tmp_path: Path) -> None:
+    script = without_proofs_of_coordinates(coq_script(in_cases()[:1], "In cases"))
+    start = script.index("Theorem squares :")
+    assert said in script[start:]
+    done = run(script[:start] + script[start:].replace(said, instead, 1), tmp_path)
+    assert done.returncode != 0
+    line = int(re.search(r'File "./theorems.v", line ([0-9]+)', done.stderr)[1])
+    assert line > script[:start].count("\n"), done.stderr
+
+
 @pytest.mark.needs("coqc")
 @pytest.mark.parametrize(
     ("said", "instead"),

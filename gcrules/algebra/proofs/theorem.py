@@ -84,15 +84,12 @@ class Theorem:
         """How many exchanges the proof takes."""
         return sum(len(r.multiplier) for r in self.relations) + sum(case.size for case in self.cases)
 
-    def to_json(self) -> dict[str, Any]:
-        """The theorem as `proof.schema.json` describes it."""
-        return self._to_json(self._anywhere() if self.given else None)
-
-    def _anywhere(self) -> list[str]:
-        """The points that stand for all points."""
-        return sorted(set(points_of(*self.given)) - {*self.order, *(p.name for p in self.placed)})
-
-    def _to_json(self, anywhere: list[str] | None) -> dict[str, Any]:
+    def to_json(self, *, anywhere: list[str] | None = None) -> dict[str, Any]:
+        """The theorem as `proof.schema.json` describes it; of a case those points stand for all points that do so in
+        the whole theorem.
+        """
+        if anywhere is None and self.given:
+            anywhere = sorted(set(points_of(*self.given)) - {*self.order, *(p.name for p in self.placed)})
         written = Written(self._expressions())
         of = written.of
         more: dict[str, Any] = {}
@@ -116,7 +113,7 @@ class Theorem:
             "claim": claim,
             **more,
             "relations": [r.to_json() for r in self.relations],
-            **({"cases": [case._to_json(anywhere) for case in self.cases]} if self.cases else {}),
+            **({"cases": [case.to_json(anywhere=anywhere) for case in self.cases]} if self.cases else {}),
         }
 
     def _expressions(self) -> Iterator[Expr]:

@@ -26,7 +26,8 @@ from typing import Any
 from gcrules.algebra.proofs.proof_file import ProofFile
 from gcrules.algebra.proofs.theorem import Theorem
 from gcrules.core.errors import InputError
-from gcrules.views.proofs.coq_assumed import AssumedProof, assumed_proof
+from gcrules.views.proofs.coq_assumed import AssumedProof
+from gcrules.views.proofs.coq_cases import CasesProof, cases_proof
 from gcrules.views.proofs.coq_expressions import RESERVED, SPACES, Expressions, derived, geometry, multiple
 from gcrules.views.proofs.coq_relations import denominator, named_rows, written_relations
 
@@ -84,11 +85,9 @@ def without_script(file: ProofFile) -> dict[str, str]:
 
 
 def _why_not(t: Theorem) -> str:
-    if t.cases:
-        return "it is proved in cases, which scripts do not have"
     if t.given and t.rank not in SPACES:
         return f"it holds under assumptions in rank {t.rank}, and scripts have those in ranks 3 and 4"
-    found = assumed_proof(t) if t.given else ""
+    found = cases_proof(t) if t.given else ""
     return found if isinstance(found, str) else ""
 
 
@@ -96,10 +95,10 @@ def _relations(t: Theorem) -> Iterable[Any]:
     return _proof(t).relations if t.given else t.to_json()["relations"]
 
 
-def _proof(t: Theorem) -> AssumedProof:
+def _proof(t: Theorem) -> AssumedProof | CasesProof:
     """The proof of a theorem under assumptions, which can be written."""
-    found = assumed_proof(t)
-    assert isinstance(found, AssumedProof)
+    found = cases_proof(t)
+    assert not isinstance(found, str)
     return found
 
 

@@ -87,28 +87,14 @@ class AssumedProof:
         """The theorem with its proof."""
         s, stated, factor = self.statement, self.statement.stated, self.factor
         sides = [stated.statement(multiple(e, factor // own)) for e, own in map(stated.whole, s.claim)]
-        assumed = {
-            "infinite": [f"infinite {s.space} {p}" for p in stated.points[: s.ideal]],
-            "given": [s.says(e, "=") for e in s.given],
-            "nonzero": [s.says(e, "<>") for e in s.nonzero],
-        }
         cases = [(v, derived(name, f"case_{n}")) for n, v in enumerate(self.variants)]
-        introduced = [f"{s.prefix}{kind}_{i}" for kind, those in assumed.items() for i in range(len(those))]
         return "\n".join(
             [
                 *(line for v, case in cases for line in v.definitions(case, factor)),
                 "",
-                f"Theorem {name} : forall {s.named(s.own)} : vector {s.space},",
-                *(f"  {one} ->" for those in assumed.values() for one in those),
-                f"  {sides[0]}",
-                f"  = {sides[1]}.",
-                "Proof.",
-                f"  intros {' '.join([s.named(s.own), *introduced])}.",
+                *s.opening(name, sides),
                 *self.facts.auxiliary(),
-                f"  pose ({s.prefix}at := fun place => nth place [{'; '.join(stated.points)}] {stated.points[0]}).",
-                f"  assert ({s.prefix}ideal : forall i, (i < {s.ideal})%nat -> infinite {s.space} ({s.prefix}at i)).",
-                "  { let n := fresh in let below := fresh in intros n below;",
-                f"    do {s.ideal} (destruct n as [|n]; [assumption|]); lia. }}",
+                *s.numbering(),
                 *self.facts.lines,
                 *self._placing(name, 0, {}),
                 "Qed.",

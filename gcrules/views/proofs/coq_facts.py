@@ -63,7 +63,7 @@ class Facts:
         rewritten = " ".join(f"rewrite <- {self._named(n)}." for n in names)
         return self._new(self.says(e, sign), [f"{rewritten} exact {fact}."])
 
-    def _follows(self, e: Any, because: Any, rewritten: Iterable[str], relations: Sequence[Any] = ()) -> list[str]:
+    def follows(self, e: Any, because: Any, rewritten: Iterable[str], relations: Sequence[Any] = ()) -> list[str]:
         """The proof that an expression vanishes since another one of the same value, up to relations, does."""
         h, stated = self.statement.prefix, self.stated
         separated = "; ".join(relation_texts(relations))
@@ -77,7 +77,7 @@ class Facts:
     def vanishing(self, e: Any, because: Any, rewritten: Iterable[str]) -> str:
         """The fact that an expression vanishes."""
         statement = self.says(e, "=")
-        return self.known.get(statement) or self._new(statement, self._follows(e, because, rewritten))
+        return self.known.get(statement) or self._new(statement, self.follows(e, because, rewritten))
 
     def step(self, e: Any, step: int) -> str:
         """The fact that an expression is an extensor of some step."""
@@ -107,7 +107,7 @@ class Facts:
         because = self.statement.given[index]
         because = because if factor == 1 else ["product", ["number", int(factor)], because]
         given = [f"{self.statement.prefix}given_{index}"]
-        return self._new(statement, self._follows(e, because, given, self._numbered(relations)))
+        return self._new(statement, self.follows(e, because, given, self._numbered(relations)))
 
     def _numbered(self, relations: Any) -> list[Any]:
         """Relations of the points that the theorem names, by the places that all points have."""
@@ -211,7 +211,7 @@ class Facts:
                     rest.remove(next(a for a in rest if self.tree.key(a) == key))
                 proof = [f"intros {h}z. apply {h}nonzero_{index}."]
                 if self.stated.statement(part) != self.stated.statement(e):
-                    vanishing = self._follows(part, joined([e, *rest]), [f"{h}z"])
+                    vanishing = self.follows(part, joined([e, *rest]), [f"{h}z"])
                     proof += [f"assert ({h}p : {self.says(part, '=')}). {{", *vanishing, "}"]
                     proof.append(f"rewrite {h}p. vanishes.")
                 else:

@@ -22,7 +22,7 @@ class Statement:
     """A theorem under assumptions with the names that its points have in Coq; definitions are written out."""
 
     def __init__(self, t: Theorem) -> None:
-        self.data = t.to_json()
+        self.data = t.to_json() if t.given else t.to_json(anywhere=[])
         self.rank, self.space, self.ideal = t.rank, geometry(t.rank), t.ideal
         self.tree = Tree(self.data)
         self.placed: list[dict[str, Any]] = self.data["placed"]
@@ -47,6 +47,33 @@ class Statement:
             raise CannotWrite("it holds under an assumption for all points")
         if any(self.stated.whole(e)[1] != 1 for e in (*self.given, *self.nonzero)):
             raise CannotWrite("it holds under assumptions that have fractions")
+
+    def opening(self, name: str, sides: Sequence[str]) -> list[str]:
+        """The lines that state the theorem, and name its assumptions."""
+        assumed = {
+            "infinite": [f"infinite {self.space} {p}" for p in self.stated.points[: self.ideal]],
+            "given": [self.says(e, "=") for e in self.given],
+            "nonzero": [self.says(e, "<>") for e in self.nonzero],
+        }
+        introduced = [f"{self.prefix}{kind}_{i}" for kind, those in assumed.items() for i in range(len(those))]
+        return [
+            f"Theorem {name} : forall {self.named(self.own)} : vector {self.space},",
+            *(f"  {one} ->" for those in assumed.values() for one in those),
+            f"  {sides[0]}",
+            f"  = {sides[1]}.",
+            "Proof.",
+            f"  intros {' '.join([self.named(self.own), *introduced])}.",
+        ]
+
+    def numbering(self) -> list[str]:
+        """The lines that number the points, and say which are at infinity."""
+        h, points = self.prefix, self.stated.points
+        return [
+            f"  pose ({h}at := fun place => nth place [{'; '.join(points)}] {points[0]}).",
+            f"  assert ({h}ideal : forall i, (i < {self.ideal})%nat -> infinite {self.space} ({h}at i)).",
+            "  { let n := fresh in let below := fresh in intros n below;",
+            f"    do {self.ideal} (destruct n as [|n]; [assumption|]); lia. }}",
+        ]
 
     def written_out(self, e: Any) -> Any:
         """An expression with the meets that auxiliary points are."""
