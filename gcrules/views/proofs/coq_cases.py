@@ -52,7 +52,7 @@ class CasesProof:
         brackets = [e for e in factors if e[0] == "bracket"]
         others = [e for e in factors if e[0] not in ("bracket", "number")]
         if len(others) > 1:
-            raise CannotWrite("it is proved in cases of which several are no brackets")
+            raise CannotWrite("it is proved in cases of several factors that are sums")
         self.factors = [*brackets, *others]
 
     factor = 1
