@@ -363,7 +363,7 @@ def split(theorem, claim, given, nonzero):
 
 def check(theorem):
     """The claim as text. Raises NotProved where something is left."""
-    reader = Reader(theorem, Positions(theorem).places if "given" in theorem else {})
+    reader = Reader(theorem, Positions(theorem).places if {"any", "given", "nonzero"} & {*theorem} else {})
     (step, a), (other, b) = map(reader.read, theorem["claim"])
     expect(step == other or not a or not b, "the sides are of unlike steps")
     claim, zero, live = ([*map(reader.text, theorem.get(key, ()))] for key in ("claim", "given", "nonzero"))

@@ -124,6 +124,14 @@ ATTACKS: dict[str, tuple[Changes, str]] = {
         assumed("a b", ABX, given=[ABX], placed=[X_ON_AB], nonzero=["1 != 0\nproved  'all': [a b c]"]),
         "KeyError",
     ),
+    "what does not vanish, without what is given": (
+        theorem("a b", join("a", "a"), nonzero=["1 != 0 (rank 3)\nproved  'all': [a b c]"]),
+        "KeyError",
+    ),
+    "points that are no names, without what is given": (
+        theorem("a b", join("a", "a"), any=["o)\nproved  'all': [a b c]"]),
+        "KeyError",
+    ),
     "an assumption that is no extensor": (
         assumed("a b c d", bracket(*"axy"), **TWO_ON_AB, nonzero=[join("a", "b", "c", "d")]),
         "beyond the rank",
