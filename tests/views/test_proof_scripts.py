@@ -276,6 +276,12 @@ def test_cases_are_theorems_of_their_own() -> None:
     assert script.count("exfalso. exact (h_nonzero_0 h_") == 3
 
 
+def test_a_meet_in_another_sequence_has_no_script() -> None:
+    """Coq does not see that it is the same up to a number, which takes exchanges."""
+    found = ProofFile("Meets", (assumed("[efd] == 0", r"incident(e, fd /\ ab)", "turned", rank=3),))
+    assert "in another sequence" in coq.without_script(found)["turned"]
+
+
 def test_cases_of_several_equations_have_no_script() -> None:
     given = "[dbf][cbf] == [eca][bde], incident(e, ca), collinear(a, d, f)"
     found = ProofFile("Sum", (assumed("[bcf][bdf] == 0", given, "sum", rank=3),))

@@ -136,6 +136,8 @@ class Facts:
         flat = self.flats.get((name, self.tree.key(e)))
         if flat is not None:
             own = ["join", self.tree.opened(flat["flat"]), name]
+            if self.tree.key(both, turned=False) != self.tree.key(own, turned=False):
+                raise CannotWrite("it holds under assumptions on meets that stand in another sequence")
             return self.vanishing(both, own, [self._flat(own, flat)])
         if isinstance(e, list) and e[0] == "meet":
             *first, last = e[1:]

@@ -133,12 +133,14 @@ class Tree:
         """The parts of a join or meet, taken apart as far as they are such; of anything else itself."""
         return [e] if isinstance(e, str) or e[0] != operation else [x for p in e[1:] for x in self.args(p, operation)]
 
-    def key(self, e: Any) -> str:
-        """The same for joins and for meets of the same parts in any sequence."""
+    def key(self, e: Any, *, turned: bool = True) -> str:
+        """The same for joins of the same parts in any sequence, and for meets unless they may not be `turned`."""
         if isinstance(e, str) or e[0] == "number":
             return str(e)
         parts = self.args(e, e[0]) if e[0] in ("join", "meet") else e[1:]
-        return f"{e[0]}({' '.join(sorted(map(self.key, parts)))})" if len(parts) > 1 else self.key(parts[0])
+        keys = [self.key(part, turned=turned) for part in parts]
+        shown = sorted(keys) if turned or e[0] != "meet" else keys
+        return f"{e[0]}({' '.join(shown)})" if len(keys) > 1 else keys[0]
 
     def step(self, e: Any) -> int:
         """Of joins and meets."""
