@@ -12,6 +12,10 @@ from gcrules.core.shapes import EntryCount, OneOf
 from gcrules.screws.verdict import VERDICTS
 
 __all__ = [
+    "CarriedPlace",
+    "CarriedSign",
+    "CarriedSkeleton",
+    "CarriedStroke",
     "ChainView",
     "Constructed",
     "Construction",
@@ -20,6 +24,7 @@ __all__ = [
     "DriveView",
     "EntityKind",
     "EntityView",
+    "JointSignView",
     "JointView",
     "LegEnds",
     "LimbView",
@@ -33,7 +38,6 @@ __all__ = [
     "RecipePoint",
     "RecipeView",
     "SceneData",
-    "SignView",
     "SkeletonView",
     "SpanView",
     "StrokeView",
@@ -236,6 +240,37 @@ class DerivedView(TypedDict):
     args: list[Terms]
 
 
+class CarriedPlace(TypedDict):
+    """What links carry: limb and link of each, the share with which it counts, and the place that it carries, at home.
+    Shares of 1 and −1 make a direction.
+    """
+
+    links: list[list[int]]
+    shares: list[float]
+    at: list[Vec3]
+
+
+class CarriedStroke(TypedDict):
+    ends: list[CarriedPlace]
+    look: str
+
+
+class CarriedSign(TypedDict):
+    kind: str
+    actuated: bool
+    at: CarriedPlace
+    axes: list[CarriedPlace]
+
+
+class CarriedSkeleton(TypedDict):
+    """A skeleton whose parts are carried by links."""
+
+    strokes: list[CarriedStroke]
+    signs: list[CarriedSign]
+    platform: list[CarriedPlace]
+    base: list[CarriedPlace]
+
+
 class LinkageView(TypedDict):
     """How a robot of joints moves by its actuators, for pages that have no server."""
 
@@ -261,6 +296,8 @@ class LinkageView(TypedDict):
     """The bars of each, from one end to the other, and rods between them."""
     spans: list[SpanView]
     """All chains between bodies, where limbs have loops of their own."""
+    skeleton: CarriedSkeleton | None
+    """What is drawn of it, where links carry it."""
     locked: list[list[int]]
     """Limbs and coordinates that stay at 0."""
     plane: bool
@@ -278,7 +315,7 @@ class StrokeView(TypedDict):
     """A link, a bar (thinner), a rail or an axis."""
 
 
-class SignView(TypedDict):
+class JointSignView(TypedDict):
     """A joint where its sign stands, with unit vectors along its axes."""
 
     kind: str
@@ -292,7 +329,7 @@ class SkeletonView(TypedDict):
     """Links, signs of joints and corners of the bodies of a robot of joints, as they are drawn on paper."""
 
     strokes: list[StrokeView]
-    signs: list[SignView]
+    signs: list[JointSignView]
     platform: list[Vec3]
     base: list[Vec3]
 

@@ -190,6 +190,33 @@ export interface Derived {
   args: Terms[];
 }
 
+/** What links carry: limb and link of each, the share with which it counts, and the place that it carries, at home. Shares of 1 and −1 make a direction. */
+export interface CarriedPlace {
+  links: number[][];
+  shares: number[];
+  at: Vec3[];
+}
+
+export interface CarriedStroke {
+  ends: CarriedPlace[];
+  look: string;
+}
+
+export interface CarriedSign {
+  kind: string;
+  actuated: boolean;
+  at: CarriedPlace;
+  axes: CarriedPlace[];
+}
+
+/** A skeleton whose parts are carried by links. */
+export interface CarriedSkeleton {
+  strokes: CarriedStroke[];
+  signs: CarriedSign[];
+  platform: CarriedPlace[];
+  base: CarriedPlace[];
+}
+
 /** How a robot of joints moves by its actuators, for pages that have no server. */
 export interface Linkage {
   chains: Chain[];
@@ -214,6 +241,8 @@ export interface Linkage {
   bars: Terms[][][];
   /** All chains between bodies, where limbs have loops of their own. */
   spans: Span[];
+  /** What is drawn of it, where links carry it. */
+  skeleton: CarriedSkeleton | null;
   /** Limbs and coordinates that stay at 0. */
   locked: number[][];
   plane: boolean;
@@ -232,7 +261,7 @@ export interface Stroke {
 }
 
 /** A joint where its sign stands, with unit vectors along its axes. */
-export interface Sign {
+export interface JointSign {
   /** That of the joint, "carriage" for a slide on a rail, "pin" for a hinge of a parallelogram. */
   kind: string;
   actuated: boolean;
@@ -243,7 +272,7 @@ export interface Sign {
 /** Links, signs of joints and corners of the bodies of a robot of joints, as they are drawn on paper. */
 export interface Skeleton {
   strokes: Stroke[];
-  signs: Sign[];
+  signs: JointSign[];
   platform: Vec3[];
   base: Vec3[];
 }

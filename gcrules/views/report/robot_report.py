@@ -43,6 +43,7 @@ from gcrules.views.robots.joint_chain import unit_vector
 from gcrules.views.robots.limb_views import limb_views
 from gcrules.views.robots.linkage_view import linkage_view
 from gcrules.views.robots.robot_drawing import draw_robot
+from gcrules.views.robots.skeleton import skeleton, unit_at
 from gcrules.views.scene_data import LinkageView, PlaneView, SceneData
 
 __all__ = ["moves", "robot_report", "robot_scene"]
@@ -106,7 +107,7 @@ def robot_scene(a: RobotAnalysis) -> SceneData:
     shown = dict.fromkeys([*bodies["base"], *bodies["platform"], *(n for leg in legs for n in leg)])
     middle = [sum(values[n][i] for n in shown) / len(shown) for i in range(3)]
     found = entities(a, live_parts(a)) if a.lines else ()
-    size = max(dist(values[n], middle) for n in shown)
+    size = max(dist(values[n], middle) for n in shown) or unit_at(a.robot, values).radius  # all in one point
     shown_at_home: SceneData = {
         "points": {n: values[n] for n in values if sorts.get(n) == "point"},
         "base": list(bodies["base"]),
@@ -128,6 +129,7 @@ def robot_scene(a: RobotAnalysis) -> SceneData:
             if all(sorts.get(n) == "point" for n in e.points)
         ],
         "limbs": limb_views(a, values),
+        "skeleton": skeleton(a.robot, values),
         "planes": [p for i, e in enumerate(found) if (p := _far_plane(a, e, _colour(a, e, i), size))],
     }
     return shown_at_home if moving is None else {**shown_at_home, "linkage": moving}

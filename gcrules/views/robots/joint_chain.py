@@ -81,29 +81,37 @@ def unit_vector(v: XYZ) -> XYZ:
     return v[0] / length, v[1] / length, v[2] / length
 
 
-def chains(family: Family, limbs: Sequence[LimbSpec], values: Values) -> tuple[Unit, list[DrawnLimb]]:
-    """All limbs in a configuration (Cartesian coordinates of all names)."""
+def chains(
+    family: Family, limbs: Sequence[LimbSpec], values: Values, own: Unit | None = None
+) -> tuple[Unit, list[DrawnLimb]]:
+    """All limbs in a configuration (Cartesian coordinates of all names), in a unit of its `own` or in that of the ball
+    around it.
+    """
+    unit = own or _ball_around(family, limbs, values)
+    firsts = [limb.joints[0].points for limb in limbs if len(limb.joints) > 1]
+    ground = [unit.place(values[names[0]]) for names in firsts if names]
+    opposite = _base_opposite(limbs, values)
+    found: list[DrawnLimb] = []
+    for limb in limbs:
+        parts = [
+            _Builder(unit, family, values, limb, part, joints, center(ground) if ground else None, opposite).chain()
+            for part, joints in limb.parts
+        ]
+        _join_bodies(parts)
+        found += parts
+    return unit, found
+
+
+def _ball_around(family: Family, limbs: Sequence[LimbSpec], values: Values) -> Unit:
     named = dict.fromkeys(n for limb in limbs for j in limb.joints for n in j.names)
     points = [_xyz(values[n]) for n in named if family.sorts[n] == "point"]
     for limb in limbs:
         for j in (j for j in limb.joints if j.kind == "4S"):
             first, second, bars = (_xyz(_sum(arg, values)) for arg in j.args if isinstance(arg, tuple))
             points += [plus(first, bars), plus(second, bars)]
-    unit = Unit.of(points)
     if len(set(points)) < 2:
-        unit = Unit(points[0] if points else (0.0, 0.0, 0.0), 1.0)
-    firsts = [limb.joints[0].points for limb in limbs if len(limb.joints) > 1]
-    ground = [unit.place(values[names[0]]) for names in firsts if names]
-    opposite = _base_opposite(limbs, values)
-    found: list[DrawnLimb] = []
-    for limb in limbs:
-        own = [
-            _Builder(unit, family, values, limb, part, joints, center(ground) if ground else None, opposite).chain()
-            for part, joints in limb.parts
-        ]
-        _join_bodies(own)
-        found += own
-    return unit, found
+        return Unit(points[0] if points else (0.0, 0.0, 0.0), 1.0)
+    return Unit.of(points)
 
 
 def _is_round(joints: Sequence[JointSpec]) -> bool:

@@ -13,6 +13,7 @@ from gcrules.mechanisms.kinematics.linkage import Linkage
 from gcrules.mechanisms.limbs import Limbs
 from gcrules.screws import JOINTS
 from gcrules.screws.verdict import CLOSE, SOLVED
+from gcrules.views.robots.carried_skeleton import carried_skeleton
 from gcrules.views.robots.limb_views import drawn_parts
 from gcrules.views.scene_data import ChainView, DrawnJoint, LinkageView, Terms, Vec3
 
@@ -56,6 +57,7 @@ def linkage_view(robot: Limbs) -> LinkageView:
             {"limb": s.limb, "free": list(s.free), "rank": s.passive_rank, "start": s.start, "end": s.end}
             for s in (m.spans if m.looped else ())
         ],
+        "skeleton": carried_skeleton(m),
         "locked": [[place, coordinate] for place, coordinate, _ in m.locked],
         "plane": m.robot.family.plane,
         "centre": _vec(m.centre),

@@ -1,5 +1,5 @@
 // Sliders for the actuators of a robot of joints, and the scene that follows them.
-import type { Limb, Linkage, Plane, Terms } from "../protocol";
+import type { CarriedPlace, Limb, Linkage, Plane, Skeleton, Terms } from "../protocol";
 import { button, make, named as name } from "./elements";
 import { limbNumbers, type LimbNumbers } from "./limb-margin";
 import { driven, driveTo, home, named, unitOf, type Configuration } from "./linkage";
@@ -94,6 +94,9 @@ export function moved(scene: Scene, m: Linkage, at: Configuration): Partial<Scen
   const finite = new Set(m.derived.filter((d) => d.args.length > 2).map((d) => d.name));
   const free = (n: string) => !(n in m.points || finite.has(n)); // a direction
   const limbs = (scene.limbs ?? []).map((limb, i) => movedLimb(limb, m, i, all, free));
+  const planes = (scene.planes ?? []).map((p) => movedPlane(p, all, free, scene.size));
+  const skeleton = movedSkeleton(m, at);
+  if (skeleton) return { points, limbs, skeleton, planes };
   const platform = at.links[0]!.at(-1)!;
   const plate = m.chains.map((c) => applied(platform, c.end));
   const between = ([a, b]: Terms[]): [Vec3, Vec3] => [sum(a!, all), sum(b!, all)];
@@ -106,7 +109,19 @@ export function moved(scene: Scene, m: Linkage, at: Configuration): Partial<Scen
     return last && end && !own.length ? [[last, end]] : own;
   });
   bars.push(...m.rods.map(between));
-  return { points, limbs, bars, plate, planes: (scene.planes ?? []).map((p) => movedPlane(p, all, free, scene.size)) };
+  return { points, limbs, bars, plate, skeleton, planes };
+}
+
+/** Links, joints and bodies where the links carry them; null where they are not carried. */
+function movedSkeleton({ skeleton }: Linkage, at: Configuration): Skeleton | null {
+  const place = ({ links, shares, at: homes }: CarriedPlace) =>
+    links.reduce<Vec3>((found, [limb, link], k) => along(found, applied(at.links[limb!]!.at(link!)!, homes[k]!), shares[k]!), [0, 0, 0]);
+  return skeleton && {
+    strokes: skeleton.strokes.map(({ ends, look }) => ({ ends: ends.map(place), look })),
+    signs: skeleton.signs.map((sign) => ({ ...sign, at: place(sign.at), axes: sign.axes.map((axis) => unit(place(axis))) })),
+    platform: skeleton.platform.map(place),
+    base: skeleton.base.map(place),
+  };
 }
 
 const sum = (terms: Terms, all: Places): Vec3 =>
