@@ -354,3 +354,24 @@ def test_only_steps_that_are_too_long_for_their_proof_are_halved(monkeypatch: py
     assert [steps[0] / whole for steps in tried] == pytest.approx([1, 0.5, 0.25, 0.125])
     alone = solve(t.linkage, Target(t.grid.names, (lattice.origin + place @ lattice.steps)[0]))
     assert lattice.at(found).platform[0] == pytest.approx(alone.configuration.platform, abs=1e-9)
+
+
+def test_home_beside_a_singularity_of_a_limb_is_left() -> None:
+    """A leg of this robot is almost stretched at home, so that only short steps from there are proved; what is reached
+    by them has the margins that it has by itself.
+    """
+    found = gc.singular_map("3-rrr", over=["x -0.3:0.3:9", "y -0.3:0.3:9"])
+    margins = found.values("margin")
+    reached = np.argwhere(np.isfinite(margins))
+    assert len(reached) > 30
+    for i, j in reached[:: len(reached) // 8]:
+        x, y = (-0.3 + 0.6 * int(k) / 8 for k in (i, j))
+        alone = gc.pose("3-rrr", f"x={x!r}, y={y!r}, yaw=0deg", nearest=False)
+        assert float(margins[i, j]) == pytest.approx(alone.margin, rel=1e-6)
+    free, crossed, undecided = found.summary.cells
+    assert (free, crossed) == (0, 0)
+    assert (
+        found.guarantee
+        == f"No cell is proved free: {undecided} undecided, {found.summary.outside} not followed to a corner"
+    )
+    assert "0 crossed" not in gc.singular_map("delta", over=["x -2:2:9", "y -2:2:9"], at="z=0").guarantee

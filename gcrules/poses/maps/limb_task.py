@@ -261,15 +261,19 @@ class LimbsTask(InLayers, HoldsArrays):
     def guarantee(self, summary: MapSummary) -> str:
         """What is proved, in one sentence."""
         free, crossed, undecided = summary.cells
-        others = crossed + undecided + summary.outside
+        kinds = {"crossed": crossed, "undecided": undecided, "not followed to a corner": summary.outside}
+        others = sum(kinds.values())
         proved = (
             f"{'' if others else 'all '}{free:,} cells are proved free, by Krawczyk's operator: for all their "
             "coordinates the robot has one configuration near those of the nodes, and none of these is singular"
         )
         if not others:
             return proved
-        left = f"{crossed:,} crossed, {undecided:,} undecided, {summary.outside:,} not followed to a corner"
-        return f"{proved}; singular poses that are connected with home lie in the {others:,} other cells ({left})"
+        left = ", ".join(f"{count:,} {kind}" for kind, count in kinds.items() if count)
+        if not free:
+            return f"No cell is proved free: {left}"
+        which = f"{others:,} other cells" if others > 1 else "other cell"
+        return f"{proved}; every singular pose that is connected with home lies in the {which} ({left})"
 
     @property
     def manifest(self) -> dict[str, Any]:

@@ -27,6 +27,10 @@ _SIZES = (8, 4, 2)
 """Cells along the side of a block."""
 _FEW = 256
 """Nodes of a grid on which only the largest blocks are tried: smaller ones take as long as all nodes at once."""
+_FROM_FIRST = 10
+"""Halvings of the steps from the first node: few begin there, and home may be beside a singularity of a limb, where no
+longer ones are proved.
+"""
 NEAR = 1e-9
 """Room for rounding in comparing configurations."""
 
@@ -132,6 +136,8 @@ class _Spreading:
         lattice = self.lattice
         ends = lattice.places(parents), lattice.places(children)
         there = lattice.solved(amounts, *ends, halvings=HALVINGS)
+        again = np.isnan(there[:, 0]) & (parents == self.first)
+        there[again] = lattice.solved(amounts[again], *(e[again] for e in ends), halvings=_FROM_FIRST)
         good = ~np.isnan(there[:, 0])
         children, there, before, after = children[good], there[good], *(e[good] for e in ends)
         sign = self.turned(turned[good], amounts[good], there, (before, after))
