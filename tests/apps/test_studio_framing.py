@@ -82,3 +82,17 @@ def test_two_robots_side_by_side_are_seen_from_the_same_direction(sit_down: Call
     desk.page.wait_for_function(ALIKE)
     desk.one("view-top").click()
     desk.page.wait_for_function(f"() => ({FROM_ABOVE})() && ({ALIKE})()")
+
+
+ELEVATION = """() => { const {eye, target} = gcrules.space.viewer.value.stand;
+  const [x, y, z] = eye.map((e, i) => e - target[i]); return Math.atan2(z, Math.hypot(x, y)) * 180 / Math.PI; }"""
+
+
+@pytest.mark.parametrize(
+    ("name", "low", "high"), [("3-rrr", 55, 70), ("5r", 55, 70), ("delta", 15, 25), ("capaman", 15, 25)]
+)
+def test_robots_that_lie_flat_open_from_above(sit_down: Callable[..., Desk], name: str, low: int, high: int) -> None:
+    desk = sit_down().visit().open("robot", name)
+    desk.page.wait_for_function(LINKED)
+    desk.painted()
+    assert low < desk.run(ELEVATION) < high

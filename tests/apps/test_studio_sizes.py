@@ -240,3 +240,34 @@ def test_answers_of_the_bench_are_broken_once(sit_down: SitDown, width: int) -> 
         assert facts
         assert max(facts) < 1
     assert desk.run(RUNS_OUT) == []
+
+
+@pytest.mark.parametrize("what", ["example octahedral", "robot 6-rus", "robot delta"])
+def test_the_way_is_in_sight_while_the_robot_is_moved(sit_down: SitDown, what: str) -> None:
+    """On a laptop, without scrolling: its plot with the marks of singular poses, and the button that plays it."""
+    desk = opened(sit_down(viewport={"width": 1440, "height": 900}).visit(), what)
+    for seen in ("[data-testid=way-chart]", "[data-testid=way-play]"):
+        box = desk.page.locator(seen).first.bounding_box()
+        assert box is not None
+        assert box["y"] + box["height"] <= 900, seen
+
+
+@pytest.mark.parametrize("size", [(1440, 900), (1280, 800)])
+def test_a_map_comes_into_sight(sit_down: SitDown, size: tuple[int, int]) -> None:
+    """With the question above it; whoever scrolls away is left there."""
+    width, height = size
+    desk = opened(sit_down(viewport={"width": width, "height": height}).visit(), "robot 3-rps")
+    desk.run("gcrules.edit({panel: 'motion'})")
+    desk.one("map-go").click()
+    plot = desk.one("map-plot")
+    plot.wait_for()
+    desk.page.wait_for_function("() => !document.querySelector('[data-testid=map-stop]')")
+    desk.painted()
+    box = plot.bounding_box()
+    assert box["y"] > 0
+    assert box["y"] + box["height"] <= height
+    desk.run("document.querySelector('.motion > header').scrollIntoView()")
+    desk.one("map-nodes").select_option(index=1)
+    desk.page.wait_for_function("() => gcrules.touring.map.now.value.state === 'busy'")
+    desk.page.wait_for_function("() => gcrules.touring.map.now.value.state !== 'busy'")
+    assert plot.bounding_box()["y"] > box["y"]

@@ -7,6 +7,7 @@ from typing import Any
 from gcrules.apps.studio.items import fact
 from gcrules.apps.studio.protocol.study_views import AccountView
 from gcrules.views.forms import shown
+from gcrules.views.numerals import in_prose
 from gcrules.views.results.result_account import Facts, ResultAccount, Sentences
 from gcrules.views.results.robot_pose import signed
 
@@ -22,4 +23,4 @@ def account_view(found: Any) -> AccountView:
             rows += block.rows
         elif isinstance(block, Sentences):
             rows += [(name, words) for name, _, words in (line.partition(": ") for line in block.lines)]
-    return {"verdict": told.verdict, "facts": [fact(name, signed(words)) for name, words in rows]}
+    return {"verdict": in_prose(told.verdict), "facts": [fact(name, signed(words)) for name, words in rows]}

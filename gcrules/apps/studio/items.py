@@ -6,6 +6,7 @@ from gcrules.algebra.bracket import BracketPolynomial
 from gcrules.algebra.expr import Expr
 from gcrules.apps.studio.formulas import monomials, pieces
 from gcrules.apps.studio.protocol.study_views import FactItem, FormulaItem, MonomialsItem, TextItem
+from gcrules.views.numerals import in_prose
 
 __all__ = ["fact", "formula", "sentence", "table"]
 
@@ -16,8 +17,8 @@ def sentence(words: str) -> TextItem:
 
 
 def fact(key: str, value: str) -> FactItem:
-    """A key and its value."""
-    return {"kind": "fact", "key": key, "value": value}
+    """A key and its value, with numbers as pages show them."""
+    return {"kind": "fact", "key": key, "value": in_prose(value)}
 
 
 def formula(left: Expr | None, right: Expr) -> FormulaItem:

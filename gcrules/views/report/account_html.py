@@ -8,6 +8,7 @@ from html import escape
 from typing import Any
 
 from gcrules.views.forms import shown
+from gcrules.views.numerals import in_prose
 from gcrules.views.results.result_account import Block, Facts, Grid, ResultAccount, Sentences
 from gcrules.views.results.robot_pose import signed
 
@@ -86,8 +87,8 @@ def _sentences(one: Sentences) -> str:
 
 
 def words_html(text: str) -> str:
-    """Words with the signs of join and meet; what stands between backticks is code."""
-    return _CODE.sub(r"<code>\1</code>", escape(signed(text)))
+    """Words with the signs of join and meet, numbers as pages show them; what stands between backticks is code."""
+    return _CODE.sub(r"<code>\1</code>", escape(in_prose(signed(text))))
 
 
 def latex_html(result: Any) -> str:

@@ -15,6 +15,7 @@ from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.rules.derivation import Step
 from gcrules.views.drawing.figures import graph_figure, robot_figure
 from gcrules.views.formulas.terms import formula_html
+from gcrules.views.report.account_html import words_html
 from gcrules.views.report.items import Formula, Item, KeyValue
 from gcrules.views.report.parts import answer_html
 from gcrules.views.report.proof_section import proof_html
@@ -136,7 +137,7 @@ def _item(item: Item) -> str:
     if isinstance(item, Formula):
         return formula_html(item)
     if isinstance(item, KeyValue):
-        return f'<p><span class="key">{escape(item.key)}</span> {escape(item.value)}</p>'
+        return f'<p><span class="key">{escape(item.key)}</span> {words_html(item.value)}</p>'
     return f"<p>{escape(item)}</p>"
 
 

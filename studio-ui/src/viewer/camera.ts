@@ -3,9 +3,12 @@ import { PerspectiveCamera, Vector3 } from "three";
 import { planeOf } from "./bsp";
 import type { Model } from "./drawing";
 import type { Stand, Vec3, View } from "./types";
-import { centre, cross, dot, length, mix, scale, sub, unit } from "./vectors";
+import { centre, cross, distance, dot, length, mix, scale, sub, unit } from "./vectors";
 
-const ELEVATION = 20;
+const [ELEVATION, ABOVE] = [20, 62]; // degrees: of most robots, and of those that lie flat
+const FLAT = 0.02; // how far apart the heights of flat robots are, of the radius
+const SIGN = 0.2; // signs of joints are shorter, of the radius
+const MANY = 60; // ends of rods: arcs have more, and hide each other from everywhere
 
 export function newCamera(): PerspectiveCamera {
   const camera = new PerspectiveCamera(26, 1, 0.01, 100);
@@ -31,21 +34,29 @@ export function directionOf(view: Exclude<View, "fit">, model: Model): Vec3 {
   return telling(model);
 }
 
-/** Among the directions around the robot the one in which joints hide each other least and no plane is seen edge on. */
+/** Among the directions around the robot the one in which joints and ends of rods hide each other least and no plane is
+ * seen edge on; from above where it lies flat. */
 function telling(model: Model): Vec3 {
-  const joints = model.tags.filter((t) => t.look === "joint").map((t) => scale(sub(t.at, model.middle), 1 / model.radius));
+  const around = (at: Vec3) => scale(sub(at, model.middle), 1 / model.radius);
+  const joints = model.tags.filter((t) => t.look === "joint").map((t) => around(t.at));
+  const rods = model.rods.filter((r) => r.solid);
+  const ends = distinct(rods.flatMap((r) => [r.a, r.b]).map(around));
+  const places = ends.length > MANY ? joints : distinct([...joints, ...ends]);
+  const long = rods.filter((r) => distance(r.a, r.b) > SIGN * model.radius); // no axes of hinges, which stand across
+  const heights = [...joints, ...long.flatMap((r) => [r.a, r.b]).map(around)].map((p) => p[2]);
+  const elevation = rods.length > 2 && Math.max(...heights) - Math.min(...heights) < FLAT ? ABOVE : ELEVATION;
   const normals = model.faces.flatMap((face) => {
     const n = planeOf(face.corners);
     return n ? [n.normal] : [];
   });
-  const legs = model.rods.filter((r) => r.solid).map((r) => unit(sub(r.b, r.a)));
+  const legs = rods.map((r) => unit(sub(r.b, r.a)));
   let best: { cost: number; eye: Vec3 } | null = null;
   for (let azimuth = -60; azimuth < 300; azimuth += 10) {
-    const [a, e] = [(azimuth * Math.PI) / 180, (ELEVATION * Math.PI) / 180];
+    const [a, e] = [(azimuth * Math.PI) / 180, (elevation * Math.PI) / 180];
     const eye: Vec3 = [Math.cos(a) * Math.cos(e), Math.sin(a) * Math.cos(e), Math.sin(e)];
     const right: Vec3 = [-Math.sin(a), Math.cos(a), 0];
     const up = cross(eye, right);
-    const flat = joints.map((p) => [dot(p, right), dot(p, up)] as const);
+    const flat = places.map((p) => [dot(p, right), dot(p, up)] as const);
     let cost = 0;
     flat.forEach(([x, y], i) =>
       flat.slice(i + 1).forEach(([u, v]) => {
@@ -54,11 +65,14 @@ function telling(model: Model): Vec3 {
       }),
     );
     for (const n of normals) cost += Math.abs(dot(n, eye)) < 0.2 ? 2 * (1 - Math.abs(dot(n, eye)) / 0.2) : 0;
-    for (const u of legs) cost += Math.max(0, Math.abs(dot(u, eye)) - 0.85) * 6;
+    for (const u of legs) cost += Math.max(0, Math.abs(dot(u, eye)) - 0.7) * 6;
     if (!best || cost < best.cost - 1e-9) best = { cost, eye };
   }
   return best!.eye;
 }
+
+/** Each place once. */
+const distinct = (places: readonly Vec3[]): Vec3[] => [...new Map(places.map((p) => [p.map((c) => c.toFixed(3)).join(" "), p])).values()];
 
 export function stand(camera: PerspectiveCamera, target: Vector3, { eye, target: t }: Stand, size: number): void {
   camera.position.set(...eye);

@@ -6,7 +6,7 @@ export function figure(value: number, unit = ""): HTMLElement {
   const plain = value === 0 || (Math.abs(value) >= 1e-3 && Math.abs(value) < 1e6);
   const [digits, power] = plain ? [String(Number(value.toPrecision(4)))] : value.toExponential(3).split("e");
   const signed = (text: string) => text.replace("-", "−").replace("+", "");
-  const found = make("span", {}, signed(digits!));
+  const found = make("span", {}, signed(String(Number(digits))));
   if (power) found.append(" × 10", make("sup", {}, signed(power)));
   if (unit) found.append(` ${unit}`);
   return found;

@@ -30,6 +30,7 @@ const DIRECTIONS = Array.from({ length: 16 }, (_, k): [number, number] => [
   Math.sin((Math.PI * k) / 8),
 ]);
 const GAPS = [2, 8, 16];
+const EDGE = 2; // pixels between a label and the side of the picture
 
 /** One place for each wish, in order; discs are (x, y, radius), strokes pairs of ends; boxes are taken already. */
 export function placed(
@@ -51,7 +52,8 @@ export function placed(
       for (const [dx, dy] of DIRECTIONS) {
         const reach =
           wish.radius + gap + Math.min(wish.width / 2 / Math.max(Math.abs(dx), 1e-9), wish.height / 2 / Math.max(Math.abs(dy), 1e-9));
-        const [x, y] = [wish.x + dx * reach, wish.y + dy * reach];
+        const x = within(wish.x + dx * reach, wish.x, wish.width / 2, width);
+        const y = within(wish.y + dy * reach, wish.y, wish.height / 2, height);
         const box: Box = [x - wish.width / 2, y - wish.height / 2, x + wish.width / 2, y + wish.height / 2];
         const wished = (dx * wish.toward[0] + dy * wish.toward[1]) / size;
         const texts = taken.reduce((sum, other) => sum + overlap(box, other, 1.5), 0);
@@ -66,6 +68,12 @@ export function placed(
     found[i] = { x: best!.x, y: best!.y, covered: best!.covered };
   }
   return found;
+}
+
+/** Where the middle of a label may be along one side of the picture: inside, if its point is and there is room for it. */
+function within(at: number, point: number, half: number, side: number): number {
+  if (point < 0 || point > side || 2 * (half + EDGE) > side) return at;
+  return Math.min(Math.max(at, half + EDGE), side - half - EDGE);
 }
 
 /** The area that two boxes share, the second widened by a margin. */

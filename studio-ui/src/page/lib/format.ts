@@ -16,7 +16,7 @@ export function steady(value: number): string {
 
 function power(value: number, digits: number): string {
   const [mantissa = "", exponent = ""] = value.toExponential(digits - 1).split("e");
-  return `${minus(mantissa)}·10${[...String(Number(exponent))].map((c) => SUPERSCRIPT[c] ?? c).join("")}`;
+  return `${minus(mantissa)} × 10${[...String(Number(exponent))].map((c) => SUPERSCRIPT[c] ?? c).join("")}`;
 }
 
 const SUPERSCRIPT: Record<string, string> = Object.fromEntries([..."0123456789-"].map((c, i) => [c, "⁰¹²³⁴⁵⁶⁷⁸⁹⁻"[i] ?? c]));

@@ -1,4 +1,4 @@
-// Where the platform is, how close to a singularity that is, and where the nearest one lies.
+// Where the platform is, how close to a singularity that is, whether one lay on the way, and where the nearest one lies.
 import { useState } from "preact/hooks";
 import { useStore } from "../parts/context";
 import { Tabs } from "../parts/tabs";
@@ -27,13 +27,13 @@ export function PosePanel() {
     <div class="pose-panel">
       <VerdictView />
       {shown.axes.length > 0 && <Sliders study={shown} />}
-      {shown.kind === "platform" && shown.axes.length > 0 && <NearestView />}
-      {shown.kind === "robot" && shown.axes.length > 0 && <SearchView />}
-      {shown.kind === "robot" && shown.axes.length > 0 && <ModeView />}
       <section class="tabbed">
         <Tabs<Tab> name="Numbers" tabs={TABS} current={tab} onChoose={choose} />
         {tab === "way" ? <Timeline /> : tab === "readings" ? <ReadingsTable /> : <ActuatorsTable />}
       </section>
+      {shown.kind === "platform" && shown.axes.length > 0 && <NearestView />}
+      {shown.kind === "robot" && shown.axes.length > 0 && <SearchView />}
+      {shown.kind === "robot" && shown.axes.length > 0 && <ModeView />}
     </div>
   );
 }

@@ -115,8 +115,9 @@ function Coordinates({ study, pose }: { study: Study; pose: Pose }) {
     else edit({ pose: { ...pose, coordinates: now.map((c, j) => (j === i ? value : c)) } }, `coordinate ${i}`);
   };
   const fault = leading.fault.value;
+  const axes = byPlatform ? study.freedoms : study.axes;
   return (
-    <div class="group wide">
+    <div class={axes.length > 3 ? "group wide many" : "group wide"}>
       <h3>
         <label>
           Move
@@ -131,7 +132,7 @@ function Coordinates({ study, pose }: { study: Study; pose: Pose }) {
           </select>
         </label>
       </h3>
-      {(byPlatform ? study.freedoms : study.axes).map((axis: Axis, i) => (
+      {axes.map((axis: Axis, i) => (
         <AxisSlider
           key={axis.name}
           {...axis}

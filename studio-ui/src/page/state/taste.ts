@@ -40,7 +40,7 @@ export function createTaste(): Taste {
   const single = signal(kept.single !== false);
   const led = signal<Led>(kept.led === "platform" ? "platform" : "actuators");
   const across = signal(share(kept.across, Math.max(0.2, steps(innerWidth) / innerWidth)));
-  const down = signal(share(kept.down, innerWidth > 2 * WIDEST ? Math.min(Math.max(0.62, 1 - BELOW / innerHeight), 0.75) : 0.47));
+  const down = signal(share(kept.down, innerWidth > 2 * WIDEST ? Math.min(Math.max(0.62, 1 - BELOW / innerHeight), 0.75) : 0.42));
   const printed = signal(false);
   addEventListener("beforeprint", () => (printed.value = true));
   addEventListener("afterprint", () => (printed.value = false));

@@ -3,6 +3,7 @@ import { useSignal } from "@preact/signals";
 import type { LocusPart, Polynomial, Study } from "../../../protocol";
 import { useStore } from "../../parts/context";
 import { FaultBox } from "../../parts/fault-box";
+import { useSight } from "../../parts/sight";
 import { Seeks } from "../../pose/nearest-view";
 import { samePose } from "../../state/doc";
 import { rangesOf } from "../../state/touring";
@@ -19,6 +20,7 @@ export function LocusSection({ study }: { study: Study }) {
   const { touring, doc, tour$, pose$ } = useStore();
   const { locus } = touring;
   const now = locus.now.value;
+  const sight = useSight(now.state === "found");
   const slice = rangesOf(study, tour$.value)?.map(({ name }) => name) ?? [];
   const sliced = study.loci.some((pair) => pair.every((name) => slice.includes(name)));
 
@@ -28,7 +30,7 @@ export function LocusSection({ study }: { study: Study }) {
   }
 
   return (
-    <section class="locus" aria-label="Locus">
+    <section class="locus" aria-label="Locus" ref={sight}>
       <h3>The singular poses as a formula</h3>
       {study.no_locus && (
         <p class="tip" data-testid="locus-none">

@@ -5,6 +5,7 @@ import { useStore } from "../../parts/context";
 import { FaultBox } from "../../parts/fault-box";
 import { Icon } from "../../parts/icon";
 import { NumberField } from "../../parts/number-field";
+import { useSight } from "../../parts/sight";
 import { digitsOf } from "../../pose/axis-slider";
 import { Seeks } from "../../pose/nearest-view";
 import { NODES, type Range } from "../../state/doc";
@@ -21,6 +22,7 @@ export function MapSection({ study }: { study: Study }) {
   const measure = measureOf(study, tour$.value);
   const now = map.now.value;
   const shown = map.shown.value;
+  const sight = useSight(shown !== null);
   const words = (range: Range, n: number) =>
     inWords(range, study.ranges.find(({ name }) => name === range.name)?.unit ?? "", n);
 
@@ -44,7 +46,7 @@ export function MapSection({ study }: { study: Study }) {
 
   if (!ranges) return null;
   return (
-    <section class="map" aria-label="Map">
+    <section class="map" aria-label="Map" ref={sight}>
       <h3>Over two coordinates</h3>
       <form
         class="ask"

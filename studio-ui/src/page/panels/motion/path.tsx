@@ -2,6 +2,7 @@
 import { useStore } from "../../parts/context";
 import { FaultBox } from "../../parts/fault-box";
 import { Icon } from "../../parts/icon";
+import { useSight } from "../../parts/sight";
 import { Seeks } from "../../pose/nearest-view";
 import { atHome, samePose } from "../../state/doc";
 import { PathResult } from "./path-result";
@@ -11,6 +12,7 @@ export function PathSection() {
   const { path, change } = touring;
   const { start, to } = tour$.value;
   const now = path.now.value;
+  const sight = useSight(now.state === "found");
   const nowhere = to.trim() === "" && samePose(start ?? atHome(pose$.value), pose$.value);
 
   function go(around = false): void {
@@ -21,7 +23,7 @@ export function PathSection() {
   }
 
   return (
-    <section class="path" aria-label="Path">
+    <section class="path" aria-label="Path" ref={sight}>
       <h3>Along a path</h3>
       <form
         class="ask"

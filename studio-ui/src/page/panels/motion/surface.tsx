@@ -6,6 +6,7 @@ import { show } from "../../actions/picture";
 import { short } from "../../lib/format";
 import { useStore } from "../../parts/context";
 import { FaultBox } from "../../parts/fault-box";
+import { useSight } from "../../parts/sight";
 import { Icon } from "../../parts/icon";
 import { NumberField } from "../../parts/number-field";
 import { digitsOf } from "../../pose/axis-slider";
@@ -21,6 +22,7 @@ export function SurfaceSection({ study }: { study: Study }) {
   const { surface, change } = touring;
   const now = surface.now.value;
   const shown = surface.shown.value;
+  const sight = useSight(shown !== null);
   const standard = boxOf(study);
   const box = standard && (tour$.value.box ?? standard);
   const nodes = tour$.value.fineness ?? finenessOf(study);
@@ -33,7 +35,7 @@ export function SurfaceSection({ study }: { study: Study }) {
   }
 
   return (
-    <section class="surface" aria-label="Singular surface">
+    <section class="surface" aria-label="Singular surface" ref={sight}>
       <h3>Over x, y and z: the singular surface</h3>
       {!box && <Instead study={study} />}
       {box && (

@@ -2,6 +2,7 @@
 import type { ComponentChildren } from "preact";
 import type { Account, Method, Methods } from "../../../protocol";
 import { FaultBox } from "../../parts/fault-box";
+import { useSight } from "../../parts/sight";
 import { Termed } from "../../parts/term";
 import { Seeks } from "../../pose/nearest-view";
 import type { Runner } from "../../state/running";
@@ -23,8 +24,9 @@ interface Props<M extends Method> {
 
 export function Question<M extends "assemblies" | "aspects" | "free" | "boxes" | "certify">({ title, why, name, runner, fields, ask, tone, children }: Props<M>) {
   const now = runner.now.value;
+  const sight = useSight(now.state === "found");
   return (
-    <section class={name} aria-label={title}>
+    <section class={name} aria-label={title} ref={sight}>
       <h3>
         <Termed text={title} />
       </h3>
