@@ -14,7 +14,7 @@ from gcrules.core.version import __version__
 from gcrules.mechanisms.moving_platform import MovingPlatform
 from gcrules.screws.pose import Pose
 
-__all__ = ["Certified", "platform_parts", "pose_parts", "signed", "texts", "write_certificate"]
+__all__ = ["Certified", "certificate_bytes", "platform_parts", "pose_parts", "signed", "texts", "write_certificate"]
 
 
 class Certified(Protocol):
@@ -56,5 +56,10 @@ def write_certificate(answer: Certified, path: str) -> None:
     """
     if not path.lower().endswith((".json", ".json.gz")):
         raise FileError("not a name for a certificate", filename=path, hint="certificates end in .json or .json.gz")
+    write_file(path, certificate_bytes(answer, packed=path.lower().endswith(".gz")), at_once=True)
+
+
+def certificate_bytes(answer: Certified, *, packed: bool) -> bytes:
+    """What such a file holds. Raises as the answer's `certificate`."""
     text = json.dumps(answer.certificate(), separators=(",", ":")).encode() + b"\n"
-    write_file(path, gzip.compress(text, mtime=0) if path.lower().endswith(".gz") else text, at_once=True)
+    return gzip.compress(text, mtime=0) if packed else text

@@ -576,6 +576,16 @@ export interface RepeatArgs {
   args: Record<string, unknown>;
 }
 
+/** Methods whose answers have certificates of their own. */
+export type Checkable = "path" | "map" | "free" | "boxes";
+
+/** A method with its arguments, as for a line that repeats it. */
+export interface CertificateFileArgs {
+  source: Source;
+  what: Checkable;
+  args: Record<string, unknown>;
+}
+
 /** The same with a title, for a report; the source is that of the report. */
 export interface Reported {
   title: string;
@@ -1437,6 +1447,13 @@ export interface CertificateAnswer extends BoxesAnswer {
   check: string;
 }
 
+/** The file of an answer that another program checks. */
+export interface CertificateFile {
+  file: Saved;
+  /** How it is checked again. */
+  check: string;
+}
+
 export interface PartKind {
   name: string;
   form: "point" | "direction" | "number";
@@ -1649,6 +1666,7 @@ export interface Methods {
   free: { args: FreeArgs; result: FreeAnswer; part: never };
   boxes: { args: BoxesArgs; result: BoxesAnswer; part: never };
   certify: { args: CertifyArgs; result: CertificateAnswer; part: never };
+  certificate: { args: CertificateFileArgs; result: CertificateFile; part: never };
   manual: { args: ManualArgs; result: Manual; part: never };
   bench: { args: BenchArgs; result: Bench; part: BenchPart };
   rules: { args: RulesArgs; result: CheckedRules; part: never };

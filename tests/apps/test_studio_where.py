@@ -5,7 +5,10 @@ from __future__ import annotations
 import gzip
 import json
 import re
+import subprocess
+import sys
 from base64 import b64decode
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -15,7 +18,9 @@ import gcrules as gc
 pytest.importorskip("starlette", reason="needs the extra gcrules[studio]")
 
 from apps.studio_client import HOME, Page
-from places import EXAMPLES
+from places import EXAMPLES, ROOT
+
+from gcrules.views.numerals import in_prose
 
 OCTAHEDRAL = {"kind": "example", "name": "octahedral"}
 FILE = str(EXAMPLES / "octahedral.yaml")
@@ -29,8 +34,8 @@ def facts(found: dict[str, Any]) -> dict[str, str]:
 
 
 def told(result: Any) -> str:
-    """The text of a result in one line, for what is wrapped there."""
-    return " ".join(result.text(unicode=True).split())
+    """The text of a result in one line, for what is wrapped there, with its numbers as pages show them."""
+    return in_prose(" ".join(result.text(unicode=True).split()))
 
 
 @pytest.mark.parametrize("pose", [HOME, AWAY], ids=["home", "away"])
@@ -243,3 +248,38 @@ def test_faults_of_certificates(page: Page, more: dict[str, Any], message: str) 
     fault = page.fault("certify", source=OCTAHEDRAL, pose=HOME, **{"over": ["x -1:1"], "boxes": 4_000, **more})
     assert fault["kind"] == "input"
     assert re.search(message, str(fault))
+
+
+SLICE = {"over": ["z -0.2:0.2:9", "roll -20:20:9 deg"], "pose": HOME}
+CHECKED: dict[str, tuple[str, dict[str, Any], str]] = {
+    "free": ("3-rps", {"pose": HOME, "shape": "box"}, "check_free"),
+    "boxes": ("3-rps", {"over": ["z -0.1..0.1", "roll -10..10 deg"], "pose": HOME, "boxes": 2000}, "check_boxes"),
+    "map": ("3-rps", SLICE, "check_map"),
+}
+
+
+@pytest.mark.parametrize("what", CHECKED)
+def test_answers_give_certificates_that_their_programs_accept(page: Page, what: str, tmp_path: Path) -> None:
+    robot, asked, program = CHECKED[what]
+    source = {"kind": "robot", "id": robot}
+    found = page.ask("certificate", source=source, what=what, args={"source": source, **asked})
+    assert f"checkers/{program}.py" in found["check"]
+    file = tmp_path / found["file"]["name"]
+    file.write_bytes(b64decode(found["file"]["data"]))
+    command = [sys.executable, ROOT / "checkers" / f"{program}.py", file]
+    assert subprocess.run(command, capture_output=True, check=False, timeout=300).returncode == 0
+    changed = json.loads(gzip.decompress(file.read_bytes()))
+    changed["title"] += "!"
+    file.write_bytes(gzip.compress(json.dumps(changed).encode()))
+    assert subprocess.run(command, capture_output=True, check=False, timeout=300).returncode != 0
+
+
+def test_a_way_has_no_certificate(page: Page) -> None:
+    """Only that there is none has one."""
+    asked = {"source": OCTAHEDRAL, "goal": {**AWAY, "translation": [0.0, 0.0, -490.0]}, "way": "around"}
+    none = page.ask("path", **asked)
+    assert none["detour"]["outcome"] == "none"
+    found = page.ask("certificate", source=OCTAHEDRAL, what="path", args=asked)
+    assert json.loads(gzip.decompress(b64decode(found["file"]["data"])))["signs"]
+    straight = page.fault("certificate", source=OCTAHEDRAL, what="path", args={"source": OCTAHEDRAL, "goal": AWAY})
+    assert "a way has no certificate" in straight["message"]

@@ -91,6 +91,10 @@ ANSWERS: Mapping[str, tuple[str, Callable[[Any, Any, Args], Any]]] = {
         "gcrules.apps.studio.certificate_view:certificate_view",
         lambda show, subject, args: show(subject, value("certify", subject, args)),
     ),
+    "certificate": (
+        "gcrules.apps.studio.certificate_file:certificate_file",
+        lambda show, subject, args: show(subject, args["what"], args["args"]),
+    ),
     "manual": (
         "gcrules.apps.studio.manual_replay:replayed",
         lambda show, subject, args: show(subject, args["commands"]),

@@ -23,7 +23,7 @@ from gcrules.apps.studio.protocol.motion_views import (
     SurfaceAnswer,
     WaypointsAnswer,
 )
-from gcrules.apps.studio.protocol.report_requests import RepeatArgs, SaveArgs
+from gcrules.apps.studio.protocol.report_requests import CertificateFileArgs, RepeatArgs, SaveArgs
 from gcrules.apps.studio.protocol.rule_views import CheckedRules, PluginsAnswer
 from gcrules.apps.studio.protocol.shape_checks import check_of
 from gcrules.apps.studio.protocol.study_views import Gallery, Hello, Study
@@ -32,6 +32,7 @@ from gcrules.apps.studio.protocol.where_views import (
     AssembliesAnswer,
     BoxesAnswer,
     CertificateAnswer,
+    CertificateFile,
     FreeAnswer,
 )
 from gcrules.core.dataclass import dataclass
@@ -84,6 +85,7 @@ METHODS: Mapping[str, Method] = {
     "free": Method(requests.FreeArgs, FreeAnswer, seconds=300),
     "boxes": Method(requests.BoxesArgs, BoxesAnswer, seconds=600),
     "certify": Method(requests.CertifyArgs, CertificateAnswer, seconds=600),
+    "certificate": Method(CertificateFileArgs, CertificateFile, seconds=600),
     "manual": Method(requests.ManualArgs, answers.Manual),
     "bench": Method(requests.BenchArgs, answers.Bench, seconds=60, folders=True, part=answers.BenchPart),
     "rules": Method(requests.RulesArgs, CheckedRules, seconds=60),

@@ -15,6 +15,8 @@ __all__ = [
     "LONGEST_LINK",
     "LONGEST_NOTE",
     "LONGEST_TITLE",
+    "CertificateFileArgs",
+    "Checkable",
     "NoteJson",
     "RepeatArgs",
     "Repeatable",
@@ -55,6 +57,18 @@ class RepeatArgs(TypedDict):
 
     source: NotRequired[SourceJson]
     what: Repeatable
+    args: Annotated[dict[str, Any], _object]
+
+
+Checkable = Literal["path", "map", "free", "boxes"]
+"""Methods whose answers have certificates of their own."""
+
+
+class CertificateFileArgs(TypedDict):
+    """A method with its arguments, as for a line that repeats it."""
+
+    source: SourceJson
+    what: Checkable
     args: Annotated[dict[str, Any], _object]
 
 

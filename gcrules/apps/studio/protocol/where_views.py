@@ -16,6 +16,7 @@ __all__ = [
     "AssemblyModeView",
     "BoxesAnswer",
     "CertificateAnswer",
+    "CertificateFile",
     "CertifiedPlaceView",
     "FreeAnswer",
     "RangeView",
@@ -123,6 +124,14 @@ class CertificateAnswer(BoxesAnswer):
     bound: float | None
     """What the margin is at least in all boxes that are free, proved."""
     place: CertifiedPlaceView | None
+    file: Saved
+    check: str
+    """How it is checked again."""
+
+
+class CertificateFile(TypedDict):
+    """The file of an answer that another program checks."""
+
     file: Saved
     check: str
     """How it is checked again."""

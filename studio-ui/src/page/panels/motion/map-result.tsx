@@ -2,6 +2,7 @@
 import { useSignal } from "@preact/signals";
 import type { CellStatus, MapAnswer, MapArgs, Measure, Pose } from "../../../protocol";
 import { short } from "../../lib/format";
+import { CertificateButton } from "../../parts/certificate-button";
 import { useStore } from "../../parts/context";
 import { FaultBox } from "../../parts/fault-box";
 import { MARGIN, samePose } from "../../state/doc";
@@ -97,6 +98,7 @@ export function MapResult({ asked, result, measures, again }: Props) {
         {spot ? <Spoken result={result} spot={spot} measure={measures.find(({ name }) => name === asked.measure)} /> : "Point at the map to read it; a click takes the robot there."}
       </p>
       {going.state === "failed" && <FaultBox fault={going.fault} />}
+      <CertificateButton what="map" asked={asked} />
       <Facts facts={result.facts} title="What was computed" />
     </div>
   );

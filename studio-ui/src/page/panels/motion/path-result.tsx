@@ -2,6 +2,7 @@
 import { useSignal } from "@preact/signals";
 import type { Detour, PathAnswer, PathArgs, Pose } from "../../../protocol";
 import { short } from "../../lib/format";
+import { CertificateButton } from "../../parts/certificate-button";
 import { useStore } from "../../parts/context";
 import { Drawing } from "../../parts/drawing";
 import { Icon } from "../../parts/icon";
@@ -45,6 +46,7 @@ export function PathResult({ asked, result }: { asked: PathArgs; result: PathAns
         <Icon name={ICONS[verdict]} size={18} /> {verdict === "close" ? "Close to singular" : verdict === "singular" ? "Singular" : "Regular"}
       </p>
       {detour && <DetourNote detour={detour} show={(k) => lead(nearest(samples, k))} />}
+      {detour?.outcome === "none" && <CertificateButton what="path" asked={asked} />}
       <p class="reason">{result.reason}</p>
       <Plot
         frame={frame}

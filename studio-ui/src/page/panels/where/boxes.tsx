@@ -1,5 +1,6 @@
 // Whole ranges of poses: which part of them is proved free of singular poses, as a map of boxes; or whether all of it is, as a certificate.
 import type { BoxesArgs, Study } from "../../../protocol";
+import { CertificateButton } from "../../parts/certificate-button";
 import { useStore } from "../../parts/context";
 import { Icon } from "../../parts/icon";
 import { samePose } from "../../state/doc";
@@ -63,6 +64,7 @@ export function BoxesSection({ study }: { study: Study }) {
           <Shares result={result} />
           <BoxesPicture result={result} />
           {!samePose(asked.pose, pose$.value) && <Moved />}
+          <CertificateButton what="boxes" asked={asked} />
         </>
       )}
     </Question>

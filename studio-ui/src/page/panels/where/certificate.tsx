@@ -1,6 +1,7 @@
 // A certificate: the margin that is proved, the parts of the volume, the pose that matters most, and the file that can be checked again.
 import type { CertificateAnswer, CertifiedPlace, CertifyArgs } from "../../../protocol";
 import { short } from "../../lib/format";
+import { Checked } from "../../parts/certificate-button";
 import { useStore } from "../../parts/context";
 import { Icon } from "../../parts/icon";
 import { Prose } from "../../parts/prose";
@@ -83,10 +84,7 @@ function Kept({ result: { file, check, answer } }: { result: CertificateAnswer }
       <button type="button" onClick={() => download(made)} data-testid="certify-file">
         <Icon name="take-away" size={15} /> Certificate <span class="size">{sizeOf(made.blob.size)}</span>
       </button>
-      <p>
-        {check.split("`").map((part, i) => (i % 2 ? <code key={i}>{part}</code> : part))}
-        {answer === "undecided" && <> More boxes decide more; so does a smaller range.</>}
-      </p>
+      <Checked text={check}>{answer === "undecided" && <> More boxes decide more; so does a smaller range.</>}</Checked>
     </div>
   );
 }

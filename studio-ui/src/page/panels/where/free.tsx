@@ -1,4 +1,5 @@
 // The largest box, or ball, around the pose on show that is proved free of singular poses.
+import { CertificateButton } from "../../parts/certificate-button";
 import { useStore } from "../../parts/context";
 import { samePose } from "../../state/doc";
 import { Question } from "./section";
@@ -49,6 +50,7 @@ export function FreeSection() {
               ))}
             </tbody>
           </table>
+          <CertificateButton what="free" asked={asked} />
           {!samePose(asked.pose, pose$.value) && <p class="tip">The robot has moved since: this is around the pose that was asked about.</p>}
         </>
       )}
