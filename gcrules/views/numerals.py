@@ -12,7 +12,7 @@ __all__ = ["figure", "in_prose"]
 _RAISED = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
 _WITH_EXPONENT = re.compile(r"(?<![\w.])(\d+(?:\.\d+)?)e([+-]?)0*(\d{1,3})(?![\w])")
 _MINUS = re.compile(r"(?<![\w.)\]+-])-(?=\d)")
-_CODE = re.compile("(`[^`]*`)")
+_CODE = re.compile('(`[^`]*`|"[^"]*")')
 
 
 def figure(value: Fraction | float, digits: int = 4) -> str:
@@ -29,7 +29,7 @@ def figure(value: Fraction | float, digits: int = 4) -> str:
 
 
 def in_prose(text: str) -> str:
-    """A text with its numbers so; what stands between backticks is code, and stays.
+    """A text with its numbers so; what stands between backticks or in quotation marks is code, and stays.
 
     >>> in_prose("loops open by less than 1e-12, z = -3.5e+04 (3-RPS, `x=-1e-3`)")
     'loops open by less than 10⁻¹², z = −3.5 × 10⁴ (3-RPS, `x=-1e-3`)'

@@ -19,6 +19,8 @@ if TYPE_CHECKING:
     from apps.studio_client import Page
     from studio_page import Desk
 
+from gcrules.views.numerals import in_prose
+
 pytest.importorskip("starlette", reason="needs the extra gcrules[studio]")
 
 OCTAHEDRAL = {"kind": "example", "name": "octahedral"}
@@ -133,8 +135,8 @@ def test_a_robot_of_joints(page: Page) -> None:
     words = text_of(html)
     here = gc.pose("3-rps", actuators="q1=0.05, q2=0.1, q3=-0.02", nearest=False)
     assert f"σ = {here.margin:.4g} " in words
-    assert all(f" {name} {value:.4g} " in words for name, value in here.actuator_values.items())
-    assert all(f"{f.value:.4g}" in words for f in here.factors)
+    assert all(in_prose(f" {name} {value:.4g} ") in words for name, value in here.actuator_values.items())
+    assert all(in_prose(f" {f.value:.4g} ") in words for f in here.factors)
     assert "The straight way is free of singular poses, proved" in words
     assert gc.singular_map("3-rps", over).guarantee[1:] in words
     assert all(str(part.form) in words for part in gc.locus("3-rps", "z").parts)

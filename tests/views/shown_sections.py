@@ -7,6 +7,7 @@ from html import unescape
 from typing import Any
 
 from gcrules.views.forms import shown
+from gcrules.views.numerals import in_prose
 from gcrules.views.results.result_account import Facts, Grid, ResultAccount
 
 
@@ -19,13 +20,17 @@ def plain(page: str) -> str:
 
 
 def agrees(page: str, result: Any) -> None:
-    """Whatever a result says is in the page, in the same words."""
+    """Whatever a result says is in the page, in the same words, with numbers as pages show them."""
     told: ResultAccount = shown(result, "account")
     words = plain(page)
 
     def seen(text: str) -> bool:
-        wanted = text.replace("/\\", "∧").replace("`", " ")
+        wanted = in_prose(text.replace("/\\", "∧")).replace("`", " ")
         return " ".join(wanted.split()) in words
+
+    def copied(line: str) -> bool:
+        """What is to be copied is as it is written."""
+        return " ".join(line.split()) in words
 
     assert seen(told.verdict)
     for block in told.blocks:
@@ -34,5 +39,5 @@ def agrees(page: str, result: Any) -> None:
         elif isinstance(block, Grid):
             assert all(seen(cell) for row in block.rows for cell in row)
         else:
-            assert all(map(seen, block.lines))
+            assert all(map(copied if block.numbered else seen, block.lines))
     assert " ".join(result.latex().split()) in words

@@ -171,7 +171,8 @@ def structure_items(a: Analysis) -> list[Item]:
         items.append(KeyValue("no side", odd))
     turned = [leg_text(typed) for typed, right in zip(s.legs, s.oriented, strict=True) if typed != right]
     if turned:
-        items.append(KeyValue("turned", f"{', '.join(turned)} (written platform first; the sign accounts for it)"))
+        said = f"{', '.join(turned)} (read from the other end; the sign accounts for it)"
+        items.append(KeyValue("turned round", said))
     items += _position(a)
     if a.match is None:
         return [*items, KeyValue("class", "none of the catalog")]
