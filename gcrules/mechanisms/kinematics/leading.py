@@ -16,6 +16,7 @@ __all__ = ["leading"]
 _DEPENDENT = 1e-7  # of wrenches with moments in parts of the robot's size, modulo the constraints
 
 
+@lru_cache(maxsize=64)
 def leading(m: Linkage) -> tuple[Actuator, ...]:
     """All actuators, as a rule; where there are more of them than freedoms the first ones, in the order of the file,
     whose wrenches at home are independent of each other and of the constraints, as many as there are freedoms.
@@ -23,7 +24,6 @@ def leading(m: Linkage) -> tuple[Actuator, ...]:
     return _independent(m) if m.robot.redundant else m.actuators
 
 
-@lru_cache(maxsize=64)
 def _independent(m: Linkage) -> tuple[Actuator, ...]:
     scale = np.array([1.0, 1.0, 1.0, m.size, m.size, m.size])
     own = actuations(m, Configurations.of([m.home]))

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from contextlib import suppress
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -89,7 +90,7 @@ class Course:
             found[:, 3:, : starts[1]] = own[:, :3]
         return found / self.weights[:, None]
 
-    @property
+    @cached_property
     def weights(self) -> Floats:
         """What counts as much of each wanted value: 1 rad, and the robot's size."""
         w = self.target
