@@ -276,10 +276,17 @@ def test_cases_are_theorems_of_their_own() -> None:
     assert script.count("exfalso. exact (h_nonzero_0 h_") == 3
 
 
-def test_a_meet_in_another_sequence_has_no_script() -> None:
-    """Coq does not see that it is the same up to a number, which takes exchanges."""
-    found = ProofFile("Meets", (assumed("[efd] == 0", r"incident(e, fd /\ ab)", "turned", rank=3),))
-    assert "in another sequence" in coq.without_script(found)["turned"]
+@pytest.mark.needs("coqc")
+def test_coq_replays_theorems_whose_meets_stand_in_two_sequences(tmp_path: Path) -> None:
+    """That these are the same up to a number takes exchanges of points, and of those that close an extensor."""
+    on_a_line = r"collinear(a, b, x), incident(y, (x \/ de) /\ (x \/ gh))"
+    meets = [
+        assumed("[efd] == 0", r"incident(e, fd /\ ab)", "in the plane", rank=3),
+        assumed(r"collinear(x, y, de /\ (x \/ gh))", on_a_line, "in space"),
+    ]
+    script = without_proofs_of_coordinates(coq_script(meets, "Meets"))
+    done = run(script[: script.index("Print Assumptions")], tmp_path)
+    assert done.returncode == 0, done.stderr
 
 
 def test_cases_of_several_equations_have_no_script() -> None:

@@ -21,7 +21,7 @@ from gcrules.algebra.proofs.relations import Relation, relations
 from gcrules.algebra.proofs.written import Written, number
 from gcrules.core.dataclass import dataclass
 
-__all__ = ["Flat", "Multiple", "flats", "is_plain"]
+__all__ = ["Flat", "Multiple", "flats", "is_plain", "turned"]
 
 _MOST = 1_000  # exchanges
 _SIZE = 1_000  # of coordinates at which expressions are compared
@@ -43,8 +43,11 @@ class Multiple:
         if self.index is None:
             return []
         found = [self.index, number(self.number)]
-        numbers = [place[n] for n in self.order]
-        return [*found, [r.to_json(numbers) for r in self.relations]] if self.relations else found
+        if not self.relations:
+            return found
+        closing = len(self.relations[0].first)  # as many as there are coordinates: the points that close an extensor
+        numbers = [*(place[n] for n in self.order), *(len(place) + k for k in range(closing))]
+        return [*found, [r.to_json(numbers) for r in self.relations]]
 
 
 @dataclass(frozen=True)
@@ -76,6 +79,16 @@ def flats(step: ConstructionStep, construction: Construction) -> tuple[Flat, ...
     if not is_plain(step.within):
         return None
     return tuple(dict.fromkeys(found)) if _lies(step, step.within, construction, found) else None
+
+
+def turned(flat: Flat, name: str, extensor: Expr, construction: Construction) -> Flat | None:
+    """The flat that is the same extensor up to a number, its meets in another sequence; None where no equation says of
+    it that the point is there.
+    """
+    if extensor == flat.extensor:
+        return flat
+    own = _with_relations(ex.join(extensor, Point(name), rank=construction.rank), construction)
+    return None if own is None else Flat(extensor, (own,))
 
 
 def is_plain(e: Expr) -> bool:
@@ -179,12 +192,13 @@ def _alike(e: Expr, c: Construction) -> Iterator[tuple[int, Expr]]:
 
 
 def _quotient(e: Expr, equation: Expr, free: Construction) -> Coefficient:
-    """What an expression is at random points, by what an equation is; 0 for extensors."""
+    """What an expression is at random points, by what an equation is; 0 where that is no number."""
     points = free.rational_points(seed=1, size=_SIZE)
-    if e.step % free.rank or points is None:
+    if points is None:
         return 0
-    value, other = (Evaluator(points, free.rank).value(x)[0] for x in (e, equation))
-    return Fraction(value) / other if other else 0
+    both = (Evaluator(points, free.rank).value(x) for x in (e, equation))
+    found = {Fraction(v) / other if other else Fraction(0) for v, other in zip(*both, strict=True) if v or other}
+    return found.pop() if len(found) == 1 else 0
 
 
 def _free(c: Construction, names: Iterable[str]) -> Construction:

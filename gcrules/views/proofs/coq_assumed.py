@@ -14,8 +14,10 @@ from itertools import chain, product
 from math import lcm
 from typing import Any
 
+from gcrules.algebra.assumptions.construction import Construction
+from gcrules.algebra.proofs.coverage import Flat, turned
 from gcrules.algebra.proofs.sequences import Sequences
-from gcrules.algebra.proofs.theorem import Theorem, with_roles
+from gcrules.algebra.proofs.theorem import PlacedPoint, Theorem, with_roles
 from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import LimitReached
 from gcrules.views.proofs.coq_expressions import derived, multiple
@@ -40,7 +42,13 @@ def assumed_proof(t: Theorem) -> AssumedProof | str:
 def _aligned(t: Theorem) -> Theorem:
     """With meets in the sequence in which they are said not to vanish."""
     wanted = Sequences(t.nonzero, t.meets, t.rank)
-    placed = tuple(replace(p, within=wanted.of(p.within)) for p in t.placed)
+    c = Construction(t.rank, t.order, t.order[: t.ideal])
+    c = replace(c, equations=t.given, meets=t.meets)
+
+    def flats(p: PlacedPoint) -> tuple[Flat, ...]:
+        return tuple(turned(flat, p.name, wanted.of(flat.extensor), c) or flat for flat in p.flats)
+
+    placed = tuple(replace(p, within=wanted.of(p.within), flats=flats(p)) for p in t.placed)
     return t if placed == t.placed else with_roles(replace(t, placed=placed), {})
 
 

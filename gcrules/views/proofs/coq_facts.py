@@ -114,6 +114,7 @@ class Facts:
         data = self.statement.data
         names = [*data["points"], *(p["name"] for p in data["placed"])]
         place = [self.stated.place.get(n, -1) for n in names if n not in self.statement.meets]
+        place += range(len(self.stated.points), len(self.stated.points) + data["rank"])  # those that close extensors
 
         def row(points: Sequence[int]) -> list[int]:
             return [place[i] for i in points]
