@@ -17,12 +17,11 @@ export function sceneOf(study: Study): Scene {
   return { points, base, platform, legs, about, size, unit, entities, limbs: study.robot?.limbs ?? [], ...(recipe && { recipe }) };
 }
 
-/** The entities that the stages up to this one have found; all of them where no stage lists any. */
+/** The entities that the stages up to this one have found; null for all of them, from the condition on. */
 export function foundBy(stages: readonly Stage[], stage: StageId | null): string[] | null {
   const upTo = Math.max(stages.findIndex(({ id }) => id === stage), 0);
   const listed = (part: readonly Stage[]) =>
     part.flatMap(({ items }) => items.flatMap((item) => (item.kind === "entities" ? item.entities : [])));
-  if (listed(stages).length === 0) return null;
   return stages.findIndex(({ id }) => id === "condition") <= upTo ? null : listed(stages.slice(0, upTo + 1));
 }
 
