@@ -329,14 +329,14 @@ def test_on_paper_the_step_is_unfolded_and_whole(sit_down: SitDown) -> None:
 
 def test_another_robot_begins_with_its_verdict(sit_down: SitDown) -> None:
     desk = sit_down(viewport={"width": 1280, "height": 600}).visit().open("robot", "3-rps")
-    below = desk.page.locator(".side .below")
+    below = desk.page.locator(".side .lower")
     below.evaluate("e => e.scrollTo(0, e.scrollHeight)")
     assert below.evaluate("e => e.scrollTop") > 100
     desk.slide("0", 0.1)
     desk.answered()
     assert below.evaluate("e => e.scrollTop") > 100, "the same robot stays where it was"
     desk.open("robot", "delta")
-    desk.page.wait_for_function("() => document.querySelector('.side .below').scrollTop === 0")
+    desk.page.wait_for_function("() => document.querySelector('.side .lower').scrollTop === 0")
 
 
 # --- in space ------------------------------------------------------------------------------------------------------

@@ -330,6 +330,7 @@ def test_the_warning_covers_no_point_in_which_planes_meet(sit_down: Callable[...
                 desk.one("warning-more").click()
             desk.painted()
             assert desk.run(COVERED) == []
+            assert desk.one("warning").bounding_box()["width"] > 150, "it can be read in each place"
             places.add(desk.one("warning").get_attribute("data-place"))
         desk.one("warning-more").click()
         assert desk.run("document.documentElement.scrollWidth") <= width

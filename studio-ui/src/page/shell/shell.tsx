@@ -65,7 +65,7 @@ export function Shell({ store }: { store: Store }) {
           <aside class="side" hidden={!beside} aria-label="Robot and pose">
             {drawn.current && <ViewerPane />}
             {beside && <Splitter share={down} direction="down" label="Height of the picture" />}
-            <div class="below" ref={below}>{beside && <Safe of={study}>{store.client.alone ? <NoNumbers /> : <PosePanel />}</Safe>}</div>
+            <div class="lower" ref={below}>{beside && <Safe of={study}>{store.client.alone ? <NoNumbers /> : <PosePanel />}</Safe>}</div>
           </aside>
         </main>
       </div>

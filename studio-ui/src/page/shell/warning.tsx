@@ -19,9 +19,12 @@ export function Warning({ pane }: { pane: RefObject<HTMLElement | null> }) {
   useEffect(() => {
     if (!movable) space.playing.value = false;
   }, [movable]);
+  const below = useRef<readonly unknown[]>([]); // what was on show when it went below the picture, which is smaller since then
   useLayoutEffect(() => {
     const [shown, picture] = [bar.current, pane.current];
-    if (shown && picture) put(placeOf(place, shown.offsetWidth, shown.offsetHeight, picture.clientWidth, picture.clientHeight, marks));
+    if (!shown || !picture || (place === "below" && below.current[0] === numbers && below.current[1] === open)) return;
+    below.current = [numbers, open];
+    put(placeOf(place, shown.offsetWidth, shown.offsetHeight, picture.clientWidth, picture.clientHeight, marks));
   }, [marks, numbers, open]); // once for what is on show: it is as large in each place
   if (!warns) return null;
   const causes = numbers.causes.flatMap((cause) => cause.split("\n"));
