@@ -26,6 +26,7 @@ __all__ = ["Node", "Stretch", "Way"]
 
 _NARROW = 1e-5  # of the way: how closely a crossing is located
 _SHORTEST = 1 / 4096  # of the way: shorter stretches are not parted for a proof
+_BESIDE = 0.4  # of a stretch: where it is parted if its middle has no sign
 _SIGNS = 400  # stretches that are looked at for changes of sign
 _MOST = 400  # stretches that are looked at for the proof of one way
 
@@ -72,10 +73,10 @@ class Way:
         start = Solution(near[1], self.target, doubt=doubt)
         return goal(self.course, start, near[0], part).configuration
 
-    def between(self, a: Node, b: Node) -> Node | None:
-        """The configuration in the middle of a stretch; None where it is not reached."""
+    def between(self, a: Node, b: Node, share: float = 0.5) -> Node | None:
+        """The configuration in the middle of a stretch, or at another share; None where it is not reached."""
         checkpoint()
-        part = (a[0] + b[0]) / 2
+        part = a[0] + (b[0] - a[0]) * share
         try:
             return part, self._from(a, part)
         except InputError:
@@ -120,6 +121,8 @@ class Way:
             return
         if sign == -1:
             first = self._sign(a, middle)
+            if first == 0 and (beside := self.between(a, b, _BESIDE)):  # the middle is the crossing, within rounding
+                middle, first = beside, self._sign(a, beside)
             yield from self._changes(a, middle) if first != 1 else self._changes(middle, b)
         else:
             yield from self._changes(a, middle)
@@ -146,7 +149,7 @@ class Way:
         found: list[Stretch] = []
         while len(ends):
             checkpoint()
-            order = np.argsort(ends[:, 0] - ends[:, 1], kind="stable")
+            order = np.lexsort((ends[:, 0], ends[:, 0] - ends[:, 1]))  # what is left at last lies side by side
             found += map(tuple, ends[order[most:]].tolist())
             order = order[:most]
             most -= len(order)
