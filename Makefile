@@ -1,4 +1,5 @@
-# Needs Python 3.11 or later, git and make; everything else goes into .venv (and, for the benchmarks, .venv-bench).
+# Needs Python 3.11 or later, git and make; everything else goes into .venv (for the benchmarks into .venv-bench, for
+# JupyterLab into .venv-lab).
 #   make PYTHON=python3.12 test    uses that interpreter instead of the first suitable one on the path
 
 MAKEFLAGS += --no-builtin-rules --no-print-directory
@@ -7,6 +8,7 @@ MAKEFLAGS += --no-builtin-rules --no-print-directory
 PYTHON ?=
 VENV := .venv
 BENCH_VENV := .venv-bench
+LAB_VENV := .venv-lab
 BIN := $(VENV)/bin
 DEMO := build/demo
 SITE := build/site
@@ -18,6 +20,7 @@ PIP_QUIET := --disable-pip-version-check --quiet --quiet
 ready = $(1)/.ready$(if $(PYTHON),-$(subst /,_,$(PYTHON)))
 READY := $(call ready,$(VENV))
 BENCH_READY := $(call ready,$(BENCH_VENV))
+LAB_READY := $(call ready,$(LAB_VENV))
 
 # An environment whose interpreter is gone is made anew.
 runs = $(shell $(1)/bin/python -c 'print("yes")' 2>/dev/null)
@@ -26,6 +29,9 @@ ifneq ($(call runs,$(VENV)),yes)
 endif
 ifneq ($(call runs,$(BENCH_VENV)),yes)
 .PHONY: $(BENCH_READY)
+endif
+ifneq ($(call runs,$(LAB_VENV)),yes)
+.PHONY: $(LAB_READY)
 endif
 
 .PHONY: help
@@ -138,6 +144,11 @@ studio-ui/node_modules/.package-lock.json: studio-ui/package-lock.json
 	@command -v npm > /dev/null || { echo "make: building the page needs Node 20 or later with npm." >&2; exit 1; }
 	cd studio-ui && npm ci --ignore-scripts --no-fund --no-audit --loglevel=error
 
+.PHONY: lab lab-ready
+lab-ready: $(LAB_READY)
+lab: $(READY) lab-ready ## try the widget in a JupyterLab, which gets an environment of its own (needs Chromium)
+	GCRULES_JUPYTERLAB=$(CURDIR)/$(LAB_VENV)/bin/jupyter-lab $(BIN)/python -m pytest -q tests/apps/test_jupyterlab.py
+
 .PHONY: release-check
 release-check: $(READY) ## build sdist and wheel, and try them on every Python here with the oldest and newest packages
 	$(BIN)/python tools/release_check.py --all build/release
@@ -152,7 +163,7 @@ bench-curve: $(BENCH_READY) ## measure normal forms and factoring again, and red
 
 .PHONY: clean
 clean: ## remove the environments and everything generated
-	rm -rf $(VENV) $(BENCH_VENV) studio-ui/node_modules tools/engine/node_modules build dist .coverage .coverage.* .benchmarks .hypothesis .mypy_cache .pytest_cache .ruff_cache
+	rm -rf $(VENV) $(BENCH_VENV) $(LAB_VENV) studio-ui/node_modules tools/engine/node_modules build dist .coverage .coverage.* .benchmarks .hypothesis .mypy_cache .pytest_cache .ruff_cache
 	find . -name __pycache__ -type d -prune -exec rm -rf {} +
 
 $(READY): pyproject.toml
@@ -171,6 +182,12 @@ $(BENCH_READY): pyproject.toml benchmarks/peers.txt
 	  $(BENCH_VENV)/bin/python -m pip $(PIP_QUIET) install "$$peer" < /dev/null \
 	    || echo "make: the peer $$peer does not install here; its benchmarks go without it" >&2; \
 	done
+	@touch $@
+
+$(LAB_READY): pyproject.toml
+	@$(call make-venv,$(LAB_VENV))
+	@echo "make: installing JupyterLab into $(LAB_VENV); this takes a minute or so"
+	@$(LAB_VENV)/bin/python -m pip $(PIP_QUIET) install --editable ".[widget]" "jupyterlab>=4.2,<5"
 	@touch $@
 
 # A warning, a broken link or a load from the network is an error.
