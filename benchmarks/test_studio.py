@@ -202,15 +202,20 @@ SLIDE = """async moves => {
     channel.port2.postMessage(null);
   }));
   for (let k = 1; k <= moves; k++) {
+    let asked = false, stop;
     const changed = new Promise(done => {
       const watch = new MutationObserver(() => { watch.disconnect(); done(performance.now()); });
-      setTimeout(done, 300);  // so near a home that is symmetric, all digits may stay
       watch.observe(value, {characterData: true, childList: true, subtree: true});
+      stop = gcrules.posing.awaited.subscribe(awaited => {  // so near a home that is symmetric, all digits may stay
+        if (asked && !awaited) setTimeout(() => { watch.disconnect(); done(); }, 20);
+      });
     });
     const start = performance.now();
     slider.value = String(rest - k * step);
     slider.dispatchEvent(new Event("input", {bubbles: true}));
+    asked = true;
     const shown = await changed, painted = await frame();
+    stop();
     if (shown) times.push([(shown - start) / 1000, (painted - start) / 1000]);
     await later(8);
   }

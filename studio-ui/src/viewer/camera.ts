@@ -8,7 +8,7 @@ import { centre, cross, distance, dot, length, mix, scale, sub, unit } from "./v
 const [ELEVATION, ABOVE] = [20, 62]; // degrees: of most robots, and of those that lie flat
 const FLAT = 0.02; // how far apart the heights of flat robots are, of the radius
 const SIGN = 0.2; // signs of joints are shorter, of the radius
-const MANY = 60; // ends of rods: arcs have more, and hide each other from everywhere
+const MANY = 56; // ends of rods: of robots with more the joints alone tell, as arcs hide each other from everywhere
 
 export function newCamera(): PerspectiveCamera {
   const camera = new PerspectiveCamera(26, 1, 0.01, 100);

@@ -26,6 +26,8 @@ const steps = (window: number): number => Math.min(WIDEST, window / 2) + Math.ma
 const [WIDEST, WIDE] = [860, 2560];
 /** Pixels that the numbers below the picture need where they stand in columns. */
 const BELOW = 520;
+/** Pixels of a window so low that the picture needs more of it than the way below the sliders. */
+const LOW = 780;
 
 const KEY = "gcrules-studio";
 
@@ -40,7 +42,7 @@ export function createTaste(): Taste {
   const single = signal(kept.single !== false);
   const led = signal<Led>(kept.led === "platform" ? "platform" : "actuators");
   const across = signal(share(kept.across, Math.max(0.2, steps(innerWidth) / innerWidth)));
-  const down = signal(share(kept.down, innerWidth > 2 * WIDEST ? Math.min(Math.max(0.62, 1 - BELOW / innerHeight), 0.75) : 0.42));
+  const down = signal(share(kept.down, innerWidth > 2 * WIDEST ? Math.min(Math.max(0.62, 1 - BELOW / innerHeight), 0.75) : innerHeight < LOW ? 0.47 : 0.42));
   const printed = signal(false);
   addEventListener("beforeprint", () => (printed.value = true));
   addEventListener("afterprint", () => (printed.value = false));
