@@ -8,15 +8,14 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
-from fractions import Fraction
 
 from gcrules.algebra.assumptions.assumed import PositionKind, kinds
 from gcrules.algebra.assumptions.construction import Construction
 from gcrules.algebra.assumptions.nondegeneracy import fewest
 from gcrules.algebra.assumptions.position_kinds import parts
 from gcrules.algebra.bracket import Coefficient, tableau_order
-from gcrules.algebra.evaluate import Evaluator
 from gcrules.algebra.expr import ZERO, Bracket, Expr, Number, Point, Product, mul, points_of, sub
+from gcrules.algebra.proofs.coverage import quotient
 from gcrules.algebra.proofs.multiples import cofactor
 from gcrules.algebra.proofs.theorem import Theorem, asked, placed_theorem
 from gcrules.algebra.prove import difference_of
@@ -25,9 +24,6 @@ from gcrules.core.budget import checkpoint
 from gcrules.core.errors import InputError
 
 __all__ = ["by_cases"]
-
-_SIZE = 1_000  # of coordinates at which expressions are compared
-_TRIES = 5
 
 
 def by_cases(
@@ -108,7 +104,7 @@ class _Cases:
         product = mul(*factors)
         open_ones = [f for f in dict.fromkeys(factors) if f not in self.nonzero]
         for c in (self.anywhere, base):
-            number = _ratio(e, product, c)
+            number = quotient(e, product, c)
             right = mul(Number(number), product)
             if number and self._asks(asked(c)) and c.vanishes(difference_of(e, right, c.rank)):
                 said = self.nonzero if c is base else ()
@@ -155,7 +151,7 @@ class _Cases:
         if e == other:
             return 1
         alike = {*points_of(e)} == {*points_of(other)} and e.step == other.step
-        return _ratio(e, other, self.anywhere) if alike and self._named(e) else 0
+        return quotient(e, other, self.anywhere) if alike and self._named(e) else 0
 
 
 def _of_claim(c: Construction, names: Iterable[str]) -> Construction:
@@ -168,18 +164,6 @@ def _of_claim(c: Construction, names: Iterable[str]) -> Construction:
             wanted |= {*points_of(step.within)}
     loose = tuple(s.name for s in c.steps if s not in kept)
     return replace(c, free=(*c.free, *loose), steps=tuple(reversed(kept)))
-
-
-def _ratio(e: Expr, other: Expr, c: Construction) -> Coefficient:
-    """The same wherever a construction leads."""
-    found: set[Fraction] = set()
-    for seed in range(_TRIES):
-        points = c.rational_points(seed, _SIZE)
-        if points is not None:
-            value, by = (Evaluator(points, c.rank).value(x) for x in (e, other))
-            found |= {Fraction(v) / b if b else Fraction(0) for v, b in zip(value, by, strict=True) if v or b}
-    (ratio,) = found if len(found) == 1 else (Fraction(0),)
-    return ratio.numerator if ratio.denominator == 1 else ratio
 
 
 def _of_points(e: Expr) -> bool:

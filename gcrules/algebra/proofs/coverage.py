@@ -21,10 +21,11 @@ from gcrules.algebra.proofs.relations import Relation, relations
 from gcrules.algebra.proofs.written import Written, number
 from gcrules.core.dataclass import dataclass
 
-__all__ = ["Flat", "Multiple", "flats", "is_plain", "turned"]
+__all__ = ["Flat", "Multiple", "flats", "is_plain", "quotient", "turned"]
 
 _MOST = 1_000  # exchanges
 _SIZE = 1_000  # of coordinates at which expressions are compared
+_TRIES = 5  # positions
 
 
 @dataclass(frozen=True)
@@ -175,7 +176,7 @@ def _with_relations(e: Expr, c: Construction) -> Multiple | None:
     e = substitute(e, c.meets, c.rank)
     free = _free(c, points_of(e))
     for index, equation in _alike(e, c):
-        factor = _quotient(e, equation, free)
+        factor = quotient(e, equation, free)
         terms, other = (free.closed_terms(x, as_defined=True) for x in (e, equation))
         rest = {m: terms.get(m, 0) - factor * other.get(m, 0) for m in {**terms, **other}}
         found = relations(rest, free.at_infinity, _MOST) if factor else None
@@ -191,14 +192,18 @@ def _alike(e: Expr, c: Construction) -> Iterator[tuple[int, Expr]]:
             yield index, equation
 
 
-def _quotient(e: Expr, equation: Expr, free: Construction) -> Coefficient:
-    """What an expression is at random points, by what an equation is; 0 where that is no number."""
-    points = free.rational_points(seed=1, size=_SIZE)
-    if points is None:
-        return 0
-    both = (Evaluator(points, free.rank).value(x) for x in (e, equation))
-    found = {Fraction(v) / other if other else Fraction(0) for v, other in zip(*both, strict=True) if v or other}
-    return found.pop() if len(found) == 1 else 0
+def quotient(e: Expr, other: Expr, construction: Construction) -> Coefficient:
+    """What an expression is, scalar or extensor, by what another one is, at random points to which a construction
+    leads; 0 where that is no number.
+    """
+    found: set[Fraction] = set()
+    for seed in range(_TRIES):
+        points = construction.rational_points(seed, _SIZE)
+        if points is not None:
+            both = (Evaluator(points, construction.rank).value(x) for x in (e, other))
+            found |= {Fraction(v) / by if by else Fraction(0) for v, by in zip(*both, strict=True) if v or by}
+    (ratio,) = found if len(found) == 1 else (Fraction(0),)
+    return ratio.numerator if ratio.denominator == 1 else ratio
 
 
 def _free(c: Construction, names: Iterable[str]) -> Construction:

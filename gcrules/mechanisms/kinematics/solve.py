@@ -84,7 +84,7 @@ def goal(course: Course, start: Solution, at: float, end: float) -> Solution:
     if not far:
         return start
     steps = int(max(1.0, np.ceil(far * course.length / _LONGEST)))
-    if start.doubt is None:
+    if start.doubt is None and can_be_followed(course.m, course.target):
         straight = gone_at_once(course, start.configuration, [*np.linspace(at, end, steps + 1)])
         if straight is not None:
             way, parts = (*start.way, *straight.way), (*start.parts, *straight.parts)
