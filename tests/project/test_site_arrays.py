@@ -62,6 +62,7 @@ CASES: dict[str, _Make] = {
     "ellipsis": lambda np, a: np.array(a)[..., 0],
     "places": lambda np, a: np.array(a)[[2, 0]],
     "negative places": lambda np, a: np.array(a)[np.array([-1, 0]), 1],
+    "places in a tuple": lambda np, a: np.array(a)[1, (2, 0)],
     "two lists of places": lambda np, a: np.array(a)[np.array([[0], [1]]), np.array([2, 0])],
     "places between slices": lambda np, a: np.arange(24).reshape(2, 3, 4)[:, np.array([2, 0]), 1:],
     "places apart": lambda np, a: np.arange(24).reshape(2, 3, 4)[np.array([0, 1]), :, np.array([3, 2])],

@@ -225,7 +225,7 @@ class ndarray:
     def _chosen(self, key):
         """The part that an index names: a view, or a shape with the places of its elements."""
         key = list(key) if isinstance(key, tuple) else [key]
-        key = [array(k) if isinstance(k, list) else k for k in key]
+        key = [array(list(k)) if isinstance(k, list | tuple) else k for k in key]
         key = [p for k in key for p in (nonzero(k) if isinstance(k, ndarray) and k.dtype.kind == "b" else (k,))]
         taken = sum(k is not None and k is not Ellipsis for k in key)
         rest = [slice(None)] * (self.ndim - taken)
