@@ -22,8 +22,6 @@ STRICT = os.environ.get("GCRULES_BENCH_STRICT") == "1"
 BROWSERS = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable")
 SOFTWARE = (
     "--no-sandbox",
-    "--use-gl=angle",
-    "--use-angle=swiftshader",
     "--enable-unsafe-swiftshader",
     "--no-first-run",
     "--disable-dev-shm-usage",

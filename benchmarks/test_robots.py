@@ -12,8 +12,10 @@ import pytest
 import gcrules as gc
 from gcrules.mechanisms.analyze import analyze_robot
 from gcrules.mechanisms.description.discovery import robots
+from gcrules.mechanisms.kinematics.leading import leading
 from gcrules.mechanisms.kinematics.linkage import linkage
-from gcrules.mechanisms.kinematics.solve import free_coordinates
+from gcrules.mechanisms.kinematics.solve import free_coordinates, solve
+from gcrules.mechanisms.kinematics.targets import actuators_target
 from gcrules.mechanisms.load import read_robot
 
 IDS = [one.id for one in robots()]
@@ -53,3 +55,24 @@ def posed(name: str) -> Callable[[], Any]:
 @pytest.mark.parametrize("name", IDS)
 def test_pose(ratio: Callable[..., Any], name: str) -> None:
     ratio(posed(name), {}, within=0.1, rounds=5)
+
+
+@pytest.mark.parametrize("name", ["orthoglide", "3-rrr", "6-rus"])
+def test_along_a_slider(ratio: Callable[..., Any], name: str) -> None:
+    """Twenty poses of one actuator, each proved to lie on home's branch: near the one before, and each from home."""
+    m = linkage(read_robot(name))
+    first, *others = leading(m)
+    far = 0.15 * (1.0 if first.angle else m.size)
+    asked = [actuators_target(m, [-(1 + n / 100) * far, *(0.0 for _ in others)]) for n in range(20)]
+
+    def near() -> list[float]:
+        last, found = None, []
+        for wanted in asked:
+            last = solve(m, wanted, last)
+            found.append(float(last.configuration.platform[2, 3]))
+        return found
+
+    def from_home() -> list[float]:
+        return [float(solve(m, wanted).configuration.platform[2, 3]) for wanted in asked]
+
+    ratio(near, {"each from home": from_home}, agree=lambda a, b: a == pytest.approx(b, abs=1e-9), rounds=3)

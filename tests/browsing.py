@@ -11,17 +11,15 @@ from playwright.sync_api import Browser, sync_playwright
 
 ARGS = (
     "--no-sandbox",
-    "--use-gl=angle",
-    "--use-angle=swiftshader",
     "--enable-unsafe-swiftshader",
-    "--disable-gpu-rasterization",
     "--disable-dev-shm-usage",
     "--disable-background-networking",
     "--disable-component-update",
     "--disable-sync",
     "--no-first-run",
 )
-"""Software rendering, of pages without the GPU that software imitates, which takes longer; nothing that calls home."""
+"""Nothing that calls home. Without a graphics card pages are drawn as Chromium chooses: only the 3D view by the card
+that software imitates, which takes longer."""
 
 
 @contextmanager

@@ -211,6 +211,53 @@ def test_steps_gone_at_once_are_those_gone_one_by_one(name: str, monkeypatch: py
                 assert a == pytest.approx(b, abs=1e-7 * max(1.0, m.size)), "the amounts of each step by its own limbs"
 
 
+@pytest.mark.parametrize("name", IDS)
+def test_what_is_sought_near_a_solution_is_what_is_found_from_home(name: str) -> None:
+    m = machine(name)
+    rng = np.random.default_rng(7)
+    for wanted in random_targets(m, 3):
+        near = None
+        for share in (0.5, 0.52, 0.54, 0.53, 0.2):
+            beside = 0.01 * rng.normal(size=len(wanted.names)) * Course(m, wanted).weights
+            target = Target(wanted.names, share * wanted.values + beside, wanted.driven)
+            try:
+                alone = solve(m, target)
+            except gc.InputError:
+                continue
+            found = solve(m, target, near)
+            assert found.doubt == alone.doubt
+            assert max(c.residual for c in found.way) < 1e-9
+            for n, place in alone.configuration.values.items():
+                assert place == pytest.approx(found.configuration.values[n], abs=1e-7 * max(1.0, m.size)), n
+            for before, after, part in zip((m.home, *found.way), found.way, found.parts, strict=False):
+                there = closed_near(Course(m, target), before, part)
+                for a, b in zip(after.joint_values, there.joint_values, strict=True):
+                    assert a == pytest.approx(b, abs=1e-7 * max(1.0, m.size)), (
+                        "the amounts of each step by its own limbs"
+                    )
+            near = found
+
+
+def test_nothing_is_sought_anew_near_a_solution(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Up to where the 3-RPS robot is nearly singular, parts are halved where the proof needs it."""
+    m = machine("3-rps")
+    near = solve(m, actuators_target(m, [-0.4, 0.0, 0.0]))
+    monkeypatch.setattr(solving, "goal", None)
+    for amount in (-0.44, -0.48, -0.5, -0.51, -0.52, -0.53):
+        near = solve(m, actuators_target(m, [amount, 0.0, 0.0]), near)
+        assert near.doubt is None
+        assert near.parts == tuple(sorted(near.parts))
+
+
+def test_what_is_known_of_another_kind_of_values_is_not_used() -> None:
+    m = machine("delta")
+    driven = solve(m, actuators_target(m, [0.1, 0.1, 0.1]))
+    wanted = coordinates_target(m, {"x": 0.01, "y": 0.0, "z": 0.0})
+    assert solve(m, wanted, driven).iterations == solve(m, wanted).iterations
+    far = actuators_target(m, [0.3, 0.1, 0.1])
+    assert solve(m, far, driven).iterations == solve(m, far).iterations
+
+
 def test_rods_that_spin_are_no_branches() -> None:
     """A rod between two ball joints spins idly: the same actuators and proofs as with a universal joint at its end."""
     spinning, plain = machine("6-pss"), machine("6-pus")

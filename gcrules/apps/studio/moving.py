@@ -126,7 +126,16 @@ def solved(m: Linkage, amounts: tuple[float, ...]) -> Solution:
     """The solution for amounts of the actuators, at home for none; a page asks for the same pose several times. Raises
     InputError where the robot does not assemble.
     """
-    return solution_at(m, actuators=list(amounts) or None)
+    last = _last(m)
+    found = solution_at(m, actuators=list(amounts) or None, near=last[0] if last else None)
+    last[:] = [found]
+    return found
+
+
+@lru_cache(maxsize=8)
+def _last(m: Linkage) -> list[Solution]:
+    """The solution that was asked for last, if any was: the next one is near it as a rule."""
+    return []
 
 
 def freedom_axes(limbs: Limbs, size: float) -> list[Axis]:

@@ -1,5 +1,6 @@
 r"""All steps of a course at once: steps that are too long to be proved are halved together, and all ends are looked at
-together. Most solutions are found so; `solve.goal` goes the others step by step.
+together. Most solutions are found so; `solve.goal` goes the others step by step. Where a way to a target near by is
+known, its steps are sought and proved again beside it, all together.
 
 The screws of each limb are carried along with its links here, not made anew of the names of the file, so that the
 proofs become harder far from the start: what is not proved within some halvings is left to others.
@@ -22,10 +23,12 @@ from gcrules.mechanisms.kinematics.loops import Course, close_loops, loop_gaps
 from gcrules.mechanisms.kinematics.rigid_motions import Floats, lengths
 from gcrules.mechanisms.kinematics.soundness import sound
 
-__all__ = ["Steady", "gone_at_once"]
+__all__ = ["Steady", "gone_at_once", "gone_beside"]
 
 _MOST = 8  # steps of equal length, at first
 _HALVINGS = 5
+_MOST_KEPT = 64  # steps that are tried again beside a course
+_CLOSED = 1e-9  # how far loops may be open, in parts of the robot's size
 _SAME = 1e-6  # of the robot's size, or of a direction's length
 
 
@@ -44,7 +47,6 @@ def gone_at_once(course: Course, start: Configuration, parts: Sequence[float]) -
     """From a configuration, at the first of the parts, through the others; None where that is not proved."""
     if not 1 < len(parts) <= _MOST + 1:
         return None
-    m, target = course.m, course.target
     nodes, iterations = [Configurations.of([start])], 0
     for part in parts[1:]:
         joints = close_loops(course, nodes[-1], course.goal(np.array([part])))
@@ -52,7 +54,36 @@ def gone_at_once(course: Course, start: Configuration, parts: Sequence[float]) -
             return None
         nodes.append(nodes[-1].after(joints.amounts, joints.links))
         iterations += joints.iterations
-    here, there = Configurations.together(nodes[:-1]), Configurations.together(nodes[1:])
+    return _proved(course, start, Configurations.together(nodes[1:]), np.array(parts), iterations)
+
+
+def gone_beside(
+    course: Course, start: Configuration, parts: Sequence[float], way: Sequence[Configuration]
+) -> Steady | None:
+    """From a configuration at the beginning of a course through parts of it, at which the `way` along another course
+    from there, to a target near by, is known: all are sought there together. None where that is not proved, and for a
+    single step, which takes no longer by itself.
+    """
+    if not 1 < len(way) <= _MOST_KEPT:
+        return None
+    home = Configurations.of([start] * len(way))
+    amounts = zip(*(c.joint_values for c in way), start.joint_values, strict=True)
+    guess = [np.stack(several) - before for *several, before in amounts]
+    joints = close_loops(course, home, course.goal(np.array(parts)), guess)
+    if not joints.closed.all():
+        return None
+    there = home.after(joints.amounts, joints.links)
+    return _proved(course, start, there, np.array([0.0, *parts]), joints.iterations)
+
+
+def _proved(
+    course: Course, start: Configuration, there: Configurations, parts: Floats, iterations: int
+) -> Steady | None:
+    """Steps from a configuration, at the first of the parts, to those at the others, halved until they are proved; None
+    where some are not after some halvings, or where the robot has left its family.
+    """
+    m, target = course.m, course.target
+    here = Configurations.together([Configurations.of([start]), there[:-1]])
     ends = np.stack([parts[:-1], parts[1:]])
     reached, places = [there], [ends[1]]
     for halving in range(_HALVINGS + 1):
@@ -94,6 +125,8 @@ def _settled(course: Course, start: Configuration, every: Configurations, parts:
     links = [c.links(a) for c, a in zip(start.chains, amounts, strict=True)]
     values, chains, off = sound(m, start.values, start.chains, links, amounts)
     residual = np.abs(loop_gaps(start.chains, links, np.broadcast_to(start.platform, (number, 4, 4)), m))
+    if not residual.max(initial=0.0) <= _CLOSED:
+        raise NotClosed("the loops do not close")
     named = Configurations(
         tuple(c.placed(np.broadcast_to(c.screws, e.screws.shape)) for c, e in zip(chains, every.chains, strict=True)),
         every.joint_values,

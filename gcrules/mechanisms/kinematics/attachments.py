@@ -21,9 +21,12 @@ Values = Mapping[str, Floats]
 def moved(robot: Robot, own: Mapping[str, tuple[Attachment, ...]], values: Values, links: Sequence[Floats]) -> Values:
     """The places of all names after the links of each limb went as `links` (..., K + 1, 4, 4) say."""
     found: dict[str, Any] = {name: np.array(axis, dtype=float) for name, axis in AXES.items()}
+    ridden = [d.name for d in robot.family.definitions if d.name in own]
+    places = _carried(robot, [(name, own[name][0]) for name in ridden], values, links)
+    places_of = dict(zip(ridden, places, strict=True))
     for d in robot.family.definitions:
-        if d.name in own:
-            found[d.name] = _by(own[d.name][0], d.sort, values[d.name], links)
+        if d.name in places_of:
+            found[d.name] = places_of[d.name]
         elif d.parameters:
             found[d.name] = values[d.name]
         else:
@@ -36,10 +39,19 @@ def _vector(components: Sequence[Any]) -> Floats:
     return np.stack(np.broadcast_arrays(*components), axis=-1).astype(float)
 
 
-def _by(ride: Attachment, sort: str, value: Floats, links: Sequence[Floats]) -> Floats:
-    motion = links[ride.limb][..., ride.link, :, :]
-    turned = (motion[..., :3, :3] @ value[..., None])[..., 0]
-    return np.asarray(turned + motion[..., :3, 3] if sort == "point" else turned)
+def _carried(robot: Robot, rides: Sequence[tuple[str, Attachment]], values: Values, links: Sequence[Floats]) -> Floats:
+    """Where links carry names, (rides, ..., 3)."""
+    if not rides:
+        return np.zeros((0, 3))
+    motions = np.stack([links[r.limb][..., r.link, :, :] for _, r in rides])
+    before = [values[name] for name, _ in rides]
+    if len({v.shape for v in before}) > 1:
+        before = list(np.broadcast_arrays(*before))
+    several = np.stack(before)
+    several = several.reshape(len(rides), *(1,) * (motions.ndim - 1 - several.ndim), *several.shape[1:])
+    turned = (motions[..., :3, :3] @ several[..., None])[..., 0]
+    points = np.array([robot.family.sorts.get(name) == "point" for name, _ in rides])
+    return np.asarray(turned + np.where(points.reshape(-1, *(1,) * (turned.ndim - 1)), motions[..., :3, 3], 0.0))
 
 
 def disagreement(
@@ -48,15 +60,17 @@ def disagreement(
     """For each name how far (rides, ...) the links that carry it carry it from where the first one does: distances
     divided by `size` for points, sines of angles for directions.
     """
+    rides = [(name, ride) for name, several in own.items() for ride in several]
+    places = _carried(robot, rides, values, links)
+    stop = 0
     for name, several in own.items():
-        sort = robot.family.sorts[name]
-        places = [_by(r, sort, values[name], links) for r in several]
-        if sort == "point":
-            yield name, np.array([lengths(p - places[0]) for p in places]) / size
+        start, stop = stop, stop + len(several)
+        here = places[start:stop]
+        if robot.family.sorts[name] == "point":
+            yield name, lengths(here - here[0]) / size
         else:
-            first = np.array(AXES[name], dtype=float) if name in AXES else places[0]
-            length = lengths(first) * lengths(values[name])
-            yield name, np.array([lengths(crossed(first, p)) for p in places]) / length
+            first = np.array(AXES[name], dtype=float) if name in AXES else here[0]
+            yield name, lengths(crossed(first, here)) / (lengths(first) * lengths(values[name]))
 
 
 def residual_of_relations(robot: Robot, values: Values, size: float) -> Iterator[tuple[str, Floats]]:

@@ -124,12 +124,15 @@ class Joints:
     iterations: int
 
 
-def close_loops(course: Course, start: Configurations, goal: Floats) -> Joints:
-    """The joints near each configuration that close the loops and give what is wanted of it, as `Course.goal`."""
+def close_loops(course: Course, start: Configurations, goal: Floats, guess: Sequence[Floats] | None = None) -> Joints:
+    """The joints near each configuration, in which the loops are closed, that close them and give what is wanted of it,
+    as `Course.goal`; near a `guess` of the amounts (N, n) of each limb, if there is one.
+    """
     m, number = course.m, len(start)
     cuts = np.cumsum([len(c.turns) for c in start.chains])[:-1]
     units = units_of(m)
-    whole = np.zeros((number, len(units)))
+    begun = np.zeros((number, len(units))) if guess is None else np.concatenate(guess, axis=1)
+    whole = begun.copy()
     best, residual = np.full(number, np.inf), np.zeros(number)
     closed, far = np.zeros(number, dtype=bool), np.zeros(number, dtype=bool)
     ends = [np.broadcast_to(np.eye(4), (number, c.count, 4, 4)).copy() for c in start.chains]
@@ -140,7 +143,7 @@ def close_loops(course: Course, start: Configurations, goal: Floats) -> Joints:
         iterations += 1
         here = start if len(active) == number else start[active]
         links, there, gaps = ends, start, np.zeros((number, closing))  # at first nothing has moved
-        if iterations:
+        if iterations or guess is not None:
             links, there = here.moved(np.split(whole[active], cuts, axis=1))
             gaps = loop_gaps(here.chains, links, here.platform, m)
         r = np.concatenate([gaps, course.error(goal[active], there.platform, there.joint_values)], axis=1)
@@ -162,7 +165,7 @@ def close_loops(course: Course, start: Configurations, goal: Floats) -> Joints:
         active = active[sound]
         reach = np.abs(change).max(axis=1, initial=0.0, keepdims=True)
         whole[active] += change * units * np.minimum(1.0, _FARTHEST / 2 / np.where(reach > 0, reach, 1.0))
-        far[active] = np.abs(whole[active] / units).max(axis=1) > _FARTHEST
+        far[active] = np.abs((whole[active] - begun[active]) / units).max(axis=1) > _FARTHEST
         active = active[~far[active]]
     return Joints(tuple(np.split(whole, cuts, axis=1)), tuple(ends), residual, closed, far, max(iterations, 0))
 

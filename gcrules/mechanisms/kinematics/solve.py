@@ -17,7 +17,7 @@ from gcrules.core.dataclass import dataclass
 from gcrules.core.english import agreeing, listed
 from gcrules.core.errors import InputError
 from gcrules.mechanisms.conditions.checks import STILL
-from gcrules.mechanisms.kinematics.at_once import gone_at_once
+from gcrules.mechanisms.kinematics.at_once import Steady, gone_at_once, gone_beside
 from gcrules.mechanisms.kinematics.branch import Steps, can_be_followed, follow_branch
 from gcrules.mechanisms.kinematics.configurations import Configurations
 from gcrules.mechanisms.kinematics.failure_reasons import NotClosed, stopped
@@ -32,6 +32,7 @@ from gcrules.screws.pose_text import SHIFTS, TURNS, VECTOR
 __all__ = ["Solution", "beside", "check_moves", "check_target", "closed_near", "free_coordinates", "goal", "solve"]
 
 _LONGEST = 0.25  # of a coordinate, at first: rad, or parts of the robot's size
+_BESIDE = 0.1  # of a coordinate: rad, or parts of the robot's size
 _SHORTEST = 1.0 / 4096
 _SHORTEST_PROOF = 1.0 / 16384
 _SLOWER = 1.2  # how fast steps grow again after one was too long to be proved
@@ -59,11 +60,33 @@ class Solution:
         return len(self.way)
 
 
-def solve(m: Linkage, wanted: Target) -> Solution:
-    """The configuration in which the wanted values are reached. Raises InputError where it does not assemble."""
+def solve(m: Linkage, wanted: Target, near: Solution | None = None) -> Solution:
+    """The configuration in which the wanted values are reached, on the straight way from home; quicker where the
+    solution for values `near` by is known. Raises InputError where it does not assemble.
+    """
     check_target(m, wanted)
     course = Course(m, wanted)
+    if near is not None and near.doubt is None and _is_beside(course, near.target):
+        steady = gone_beside(course, m.home, near.parts, near.way)
+        if steady is not None:
+            return _gone(course, Solution(m.home, wanted), steady)
     return goal(course, Solution(m.home, wanted), 0.0, 1.0)
+
+
+def _is_beside(course: Course, other: Target) -> bool:
+    """Whether a target is near that of a course, and of its kind."""
+    w = course.target
+    if w.start is not None or other.start is not None:
+        return False
+    if (w.names, w.driven, w.whole is None) != (other.names, other.driven, other.whole is None):
+        return False
+    return float(np.abs((w.values - other.values) / course.weights).max(initial=0.0)) <= _BESIDE
+
+
+def _gone(course: Course, start: Solution, steady: Steady) -> Solution:
+    """The solution where a way ends."""
+    way, parts = (*start.way, *steady.way), (*start.parts, *steady.parts)
+    return Solution(way[-1], course.target, start.iterations + steady.iterations, way, parts)
 
 
 def beside(m: Linkage, wanted: Target, here: Configuration) -> Configuration:
@@ -87,8 +110,7 @@ def goal(course: Course, start: Solution, at: float, end: float) -> Solution:
     if start.doubt is None and can_be_followed(course.m, course.target):
         straight = gone_at_once(course, start.configuration, [*np.linspace(at, end, steps + 1)])
         if straight is not None:
-            way, parts = (*start.way, *straight.way), (*start.parts, *straight.parts)
-            return Solution(way[-1], course.target, start.iterations + straight.iterations, way, parts)
+            return _gone(course, start, straight)
     step = far / steps
     done, part, found, growth = 0.0, 0.0, start, 2.0
     while done < far:

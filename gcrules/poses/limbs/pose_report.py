@@ -158,10 +158,14 @@ def _open(found: FirstSingular) -> str:
     return f"at {listed(words)} of the way it is not decided"
 
 
-def solution_at(m: Linkage, at: Any = None, actuators: Any = None, degrees: bool = False) -> Solution:
-    """The configuration in which the loops are closed at what is wanted, as for `target_of`; home where nothing is."""
+def solution_at(
+    m: Linkage, at: Any = None, actuators: Any = None, degrees: bool = False, near: Solution | None = None
+) -> Solution:
+    """The configuration in which the loops are closed at what is wanted, as for `target_of`; home where nothing is.
+    Quicker where the solution for values `near` by is known.
+    """
     wanted = target_of(m, at, actuators, degrees)
-    return solve(m, wanted) if wanted is not None else Solution(m.home, Target((), np.zeros(0), text="home"))
+    return solve(m, wanted, near) if wanted is not None else Solution(m.home, Target((), np.zeros(0), text="home"))
 
 
 def target_of(m: Linkage, at: Any, actuators: Any, degrees: bool = False) -> Target | None:

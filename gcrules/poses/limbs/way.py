@@ -6,8 +6,8 @@ does or is too short. Where the sign changes something is singular; the place is
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from functools import cache, lru_cache
+from collections.abc import Iterator, Mapping, Sequence
+from functools import cache, cached_property, lru_cache
 from itertools import pairwise
 
 import numpy as np
@@ -85,7 +85,15 @@ class Way:
     # --- the sign of the determinant ---
 
     def frames(self, c: Configuration) -> Frames:
-        return _at_home(self.m) if c is self.m.home else self._frames(c)
+        if c is self.m.home:
+            return _at_home(self.m)
+        return self._of_nodes.get(c) or self._frames(c)
+
+    @cached_property
+    def _of_nodes(self) -> Mapping[Configuration, Frames]:
+        nodes = [c for _, c in self.nodes]
+        several = frames(self.m, Configurations.of(nodes), self.m.centre)
+        return {c: several[k : k + 1] for k, c in enumerate(nodes)}
 
     def signs(self) -> tuple[tuple[Stretch, ...], float | None]:
         """The short stretches in which the determinant changes its sign, and the first place where that cannot be
