@@ -137,7 +137,8 @@ def _settled(course: Course, start: Configuration, every: Configurations, parts:
         before = Configurations.together([Configurations.of([start]), named[:-1]])
         first = {n: np.broadcast_to(v, (number, 3)) for n, v in values.items()}
         first = {n: np.concatenate([start.values[n][None], v[:-1]]) for n, v in first.items()}
-        joint_values = _amounts(course, before, first, values, parts)
+        grown = [b - a for a, b in zip(before.joint_values, every.joint_values, strict=True)]
+        joint_values = _amounts(course, before, grown, first, values, parts)
     return tuple(
         Configuration(
             {name: v if v.ndim == 1 else v[k] for name, v in values.items()},
@@ -151,12 +152,16 @@ def _settled(course: Course, start: Configuration, every: Configurations, parts:
     )
 
 
-def _amounts(course: Course, here: Configurations, before: Values, after: Values, parts: Floats) -> tuple[Floats, ...]:
+def _amounts(
+    course: Course, here: Configurations, grown: Sequence[Floats], before: Values, after: Values, parts: Floats
+) -> tuple[Floats, ...]:
     """The amounts from home after steps to parts of a course, by the limbs where each begins, `here`, as these are made
-    of the names, whose places are those `before` and `after` it. Raises NotClosed where the steps lead elsewhere.
+    of the names, whose places are those `before` and `after` it. They are about those by which the screws that are
+    carried along have `grown`; what spins idly, by the least amounts. Raises NotClosed where the steps lead elsewhere.
     """
     m = course.m
-    joints = close_loops(course, here, course.goal(parts))
+    spins = any(len(c.turns) > rank for c, rank in zip(m.home.chains, m.ranks, strict=True))
+    joints = close_loops(course, here, course.goal(parts), None if spins else grown)
     places = moved(m.robot, m.attachments, before, joints.links)
     off = [
         lengths(places[n] - v) / (m.size if m.robot.family.sorts.get(n) == "point" else lengths(v))

@@ -157,10 +157,8 @@ def _rows(kind: JointKind, g: Geometry) -> Sequence[Floats]:
     """The twists of a joint; those of one configuration from plain numbers, with which NumPy is slow."""
     several = any(np.ndim(v) > 1 for v in g.values())
     parts = {part: (v.T if several else v.tolist()) if isinstance(v, np.ndarray) else v for part, v in g.items()}
-    rows = kind.rows(FLOATS, parts)
-    if several:
-        return [np.stack(np.broadcast_arrays(*row), axis=-1).astype(float) for row in rows]
-    return list(np.array(rows, dtype=float))
+    made = FLOATS.matrix(kind.rows(FLOATS, parts))
+    return [made[..., k, :] for k in range(made.shape[-2])]
 
 
 def geometry_of(joint: JointSpec, values: Values) -> dict[str, Any]:
