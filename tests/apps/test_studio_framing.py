@@ -96,3 +96,28 @@ def test_robots_that_lie_flat_open_from_above(sit_down: Callable[..., Desk], nam
     desk.page.wait_for_function(LINKED)
     desk.painted()
     assert low < desk.run(ELEVATION) < high
+
+
+SOFTWARE = """() => {
+  const gl = document.createElement("canvas").getContext("webgl2");
+  const unmasked = gl.getExtension("WEBGL_debug_renderer_info")?.UNMASKED_RENDERER_WEBGL;
+  return /swiftshader|llvmpipe/i.test(gl.getParameter(unmasked ?? gl.RENDERER)); }"""
+FINENESS = """() => {
+  const canvas = document.querySelector("[data-testid=viewer] canvas");
+  return canvas.width / canvas.clientWidth; }"""
+MOVED = """async () => {
+  gcrules.edit({pose: {translation: [0, 0, 40], quaternion: [1, 0, 0, 0]}});
+  await new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)));
+  const canvas = document.querySelector("[data-testid=viewer] canvas");
+  return canvas.width / canvas.clientWidth; }"""
+
+
+def test_without_a_graphics_card_a_moving_picture_is_coarse_and_a_still_one_fine(
+    sit_down: Callable[..., Desk],
+) -> None:
+    desk = sit_down().visit().open("example", "octahedral")
+    if not desk.run(SOFTWARE):
+        pytest.skip("there is a graphics card")
+    desk.page.wait_for_function(f"() => ({FINENESS})() === 2")
+    assert desk.run(MOVED) == 1
+    desk.page.wait_for_function(f"() => ({FINENESS})() === 2")

@@ -73,6 +73,20 @@ class Copies {
 }
 const SWATCH = new Color();
 
+const REST = 200; // milliseconds
+
+let software: boolean | undefined;
+
+/** Whether programs do what a graphics card would. */
+function isSoftware(): boolean {
+  if (software !== undefined) return software;
+  const context = document.createElement("canvas").getContext("webgl2");
+  const unmasked = context?.getExtension("WEBGL_debug_renderer_info")?.UNMASKED_RENDERER_WEBGL;
+  software = Boolean(context && /swiftshader|llvmpipe|softpipe|software|basic render/i.test(String(context.getParameter(unmasked ?? context.RENDERER))));
+  context?.getExtension("WEBGL_lose_context")?.loseContext();
+  return software;
+}
+
 export class WebGLPainter {
   readonly world = new World();
   private readonly renderer: WebGLRenderer;
@@ -88,17 +102,22 @@ export class WebGLPainter {
   private split: Tree<Face> | null = null;
   private first = new Map<Piece<Face>, number>();
 
+  private readonly slow = isSoftware();
+  private fine = false;
+  private rest = 0;
+
   /** Throws where there is no WebGL. */
   constructor(canvas: HTMLCanvasElement) {
-    const context = canvas.getContext("webgl2", { antialias: true, alpha: true });
+    const wanted: WebGLContextAttributes = { antialias: !this.slow, alpha: true };
+    const context = canvas.getContext("webgl2", wanted);
     if (!context) throw new Error("no WebGL");
-    this.renderer = new WebGLRenderer({ canvas, context, antialias: true, alpha: true });
+    this.renderer = new WebGLRenderer({ canvas, context, ...wanted });
     this.renderer.setClearColor(0x000000, 0);
     const rod = new CylinderGeometry(1, 1, 1, 14, 1);
     this.legs = new Copies(this.world, rod, new MeshLambertMaterial());
     this.lines = new Copies(this.world, rod.clone(), new MeshBasicMaterial());
-    this.balls = new Copies(this.world, new SphereGeometry(1, 24, 16), new MeshBasicMaterial());
-    this.rims = new Copies(this.world, new SphereGeometry(1, 24, 16), new MeshBasicMaterial({ side: BackSide }));
+    this.balls = new Copies(this.world, new SphereGeometry(1, 16, 10), new MeshBasicMaterial());
+    this.rims = new Copies(this.world, new SphereGeometry(1, 16, 10), new MeshBasicMaterial({ side: BackSide }));
     this.heads = new Copies(this.world, new ConeGeometry(1, 1, 20), new MeshBasicMaterial());
     this.faces = new Mesh(
       new BufferGeometry(),
@@ -112,8 +131,27 @@ export class WebGLPainter {
   }
 
   resize(width: number, height: number): void {
-    this.renderer.setPixelRatio(Math.min(window.devicePixelRatio || 1, 2));
+    this.renderer.setPixelRatio(this.fineness);
     this.renderer.setSize(width, height, false);
+  }
+
+  private get fineness(): number {
+    return this.fine ? 2 : Math.min(window.devicePixelRatio || 1, 2);
+  }
+
+  /** Without a graphics card a pixel has one sample while the drawing moves; at rest it is drawn finer. */
+  private refine(camera: PerspectiveCamera): void {
+    clearTimeout(this.rest);
+    this.rest = window.setTimeout(() => {
+      this.sharpen(true);
+      this.renderer.render(this.world, camera);
+    }, REST);
+  }
+
+  private sharpen(fine: boolean): void {
+    if (fine === this.fine) return;
+    this.fine = fine;
+    this.renderer.setPixelRatio(this.fineness);
   }
 
   load(model: Model, muted: string): void {
@@ -186,10 +224,13 @@ export class WebGLPainter {
     this.veil.sort(camera.position.toArray() as Vec3);
     // the light comes from over the viewer's left shoulder
     this.lamp.position.set(-0.5, 0.8, 1).applyQuaternion(camera.quaternion).add(this.lamp.target.position);
+    this.sharpen(false);
     this.renderer.render(this.world, camera);
+    if (this.slow) this.refine(camera);
   }
 
   dispose(): void {
+    clearTimeout(this.rest);
     for (const copies of [this.legs, this.lines, this.balls, this.rims, this.heads]) copies.dispose();
     this.veil.dispose();
     this.faces.geometry.dispose();
