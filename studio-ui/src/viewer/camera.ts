@@ -16,14 +16,6 @@ export function newCamera(): PerspectiveCamera {
   return camera;
 }
 
-/** Where to stand so that the whole robot is seen from a direction, within a share of the height around its middle. */
-export function fitted(camera: PerspectiveCamera, model: Model, direction: Vec3, share: number): Stand {
-  const half = (camera.fov * Math.PI) / 360;
-  const narrow = Math.atan(Math.tan(half) * Math.min(share, camera.aspect));
-  const far = (1.03 * model.reach) / Math.sin(narrow);
-  return { eye: mix(model.middle, sum(model.middle, unit(direction)), far), target: model.middle };
-}
-
 const sum = (a: Vec3, b: Vec3): Vec3 => [a[0] + b[0], a[1] + b[1], a[2] + b[2]];
 
 /** The direction of a standard view, seen from the middle. From the top x goes to the right and y up. */

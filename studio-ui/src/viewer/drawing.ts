@@ -3,7 +3,7 @@ import type { Veil } from "./mesh";
 import { blend, colourOf, entityRole, legible, type Role } from "./palette";
 import type { Outline } from "./solids";
 import type { Highlight, Layer, Scene, Theme, Vec3 } from "./types";
-import { along, distance, mix, sub, unit } from "./vectors";
+import { add, along, distance, mix, sub, unit } from "./vectors";
 
 export interface Face extends Outline {
   colour: string;
@@ -72,8 +72,8 @@ export interface Model {
   /** A ball around all joints. */
   middle: Vec3;
   radius: number;
-  /** What the camera is fitted to: the joints with the entities around them. */
-  reach: number;
+  /** What the camera is fitted to: all that is drawn, of what goes on far away the part near the robot. */
+  frame: readonly Vec3[];
 }
 
 export interface State {
@@ -106,11 +106,19 @@ export class Drawing implements Model {
   readonly middle: Vec3;
   readonly radius: number;
 
-  get reach(): number {
-    const corners = [...this.faces.flatMap((f) => f.corners), ...this.rods.flatMap((r) => [r.a, r.b])];
-    const robot = Math.min(1.45 * this.radius, Math.max(this.radius, ...corners.map((c) => distance(c, this.middle))));
-    const farthest = this.veil?.corners.reduce((far, c) => Math.max(far, distance(c, this.middle)), 0) ?? 0;
-    return Math.max(robot, Math.min(0.85 * farthest, SIZES.far * this.radius));
+  get frame(): Vec3[] {
+    const corners = [...this.faces.flatMap((f) => f.corners), ...this.rods.flatMap((r) => [r.a, r.b]), ...this.cones.map((c) => c.tip)];
+    const balls = this.balls.flatMap(({ at, outer }) => ([-outer, outer] as const).flatMap((s) => ([[s, 0, 0], [0, s, 0], [0, 0, s]] as Vec3[]).map((u) => add(at, u))));
+    const drawn = [...corners, ...balls].map((p) => this.within(p, 1.45));
+    const veil = (this.veil?.corners ?? []).map((p) => this.within(mix(this.middle, p, 0.85), SIZES.far));
+    const all = [...drawn, ...veil];
+    return all.length ? all : [this.middle];
+  }
+
+  /** A place, or where the way to it leaves the ball of so many radii around the robot. */
+  private within(p: Vec3, radii: number): Vec3 {
+    const away = distance(p, this.middle);
+    return mix(this.middle, p, Math.min(1, (radii * this.radius) / (away || 1)));
   }
 
   constructor(readonly scene: Scene, readonly state: State) {

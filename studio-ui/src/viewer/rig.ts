@@ -1,8 +1,9 @@
 // The camera in the user's hands: orbit and zoom by pointer or keys, standard views, and the flight from one to another.
 import { MathUtils, Spherical, Vector3 } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
-import { between, clip, directionOf, fitted, newCamera, stand } from "./camera";
+import { between, clip, directionOf, newCamera, stand } from "./camera";
 import type { Model } from "./drawing";
+import { framed, holds, type Pane } from "./framing";
 import { sightOf, type Sight } from "./sight";
 import type { Options, Stand, Vec3, View } from "./types";
 import { along, distance, sub, unit } from "./vectors";
@@ -25,6 +26,7 @@ export class Rig {
   /** Whether the drawing is to be fitted when it is next made, and whether parts of it are still to come. */
   private due = false;
   private awaiting = false;
+  private wider = false;
   /** Whether someone has chosen the view since another robot came. */
   private chosen = false;
 
@@ -56,9 +58,15 @@ export class Rig {
     return { eye: this.camera.position.toArray() as Vec3, target: this.orbit.target.toArray() as Vec3 };
   }
 
-  /** The share of the height, around its middle, that nothing covers; most of it, where more is covered. */
-  private get free(): number {
-    return Math.max(1 - (2 * (this.options.covered?.() ?? 0)) / this.height, 0.6);
+  /** Of what covers the picture no more is left free than leaves most of it. */
+  private get pane(): Pane {
+    const { width, height, camera } = this;
+    const free = Math.max(1 - (2 * (this.options.covered?.() ?? 0)) / height, 0.6);
+    return { width, height, free, fov: camera.fov, letter: this.sight.letter };
+  }
+
+  private fitted(model: Model, direction: Vec3): Stand {
+    return framed(model.frame, direction, model.middle, this.pane);
   }
 
   /** Until someone chooses a view, the drawing is fitted to each size that the picture gets. */
@@ -81,13 +89,21 @@ export class Rig {
     this.awaiting = false;
   }
 
-  /** At once to where the whole drawing is seen, if that is due. */
+  /** More is drawn than before: all of it is to be seen, unless someone has chosen the view. */
+  widen(): void {
+    this.wider = !this.chosen;
+  }
+
+  /** At once to where the whole drawing is seen, if that is due; in a flight, if more is drawn and is not all in sight. */
   fit(model: Model): void {
-    if (!this.due) return;
-    this.due = false;
-    this.flight = null;
-    this.size = model.radius;
-    this.go(fitted(this.camera, model, this.from ?? directionOf("iso", model), this.free));
+    const wider = this.wider;
+    this.wider = false;
+    if (this.due) {
+      this.due = false;
+      this.flight = null;
+      this.size = model.radius;
+      this.go(this.fitted(model, this.from ?? directionOf("iso", model)));
+    } else if (wider && !this.flight && !holds(model.frame, this.stand, this.pane)) this.view("fit", model);
   }
 
   /** At once to where one stood before. */
@@ -110,7 +126,7 @@ export class Rig {
   view(name: View, model: Model): void {
     const { eye, target } = this.stand;
     this.chosen ||= name !== "fit";
-    const to = fitted(this.camera, model, name === "fit" ? sub(eye, target) : directionOf(name, model), this.free);
+    const to = this.fitted(model, name === "fit" ? sub(eye, target) : directionOf(name, model));
     if (calm()) this.go(to);
     else this.flight = { from: this.stand, to, start: performance.now() };
     this.changed();

@@ -98,6 +98,7 @@ class Stage implements Viewer, Reach {
   }
 
   update(part: Partial<Scene>): void {
+    if (part.entities?.some(({ id }) => !this.scene.entities.some((e) => e.id === id))) this.rig.widen();
     this.scene = { ...this.scene, ...part };
     if (part.surface !== undefined || part.grips !== undefined) this.surface.describe(this.scene);
     if (part.pose) this.given = part.pose;

@@ -1,0 +1,49 @@
+// Where to stand so that what is drawn fills the picture: its outline as it is projected, not a ball around it.
+import type { Stand, Vec3 } from "./types";
+import { add, cross, dot, scale, sub, unit } from "./vectors";
+
+/** What there is of the picture. */
+export interface Pane {
+  width: number;
+  height: number;
+  /** The share of the height, around its middle, that nothing covers. */
+  free: number;
+  /** The angle from the upper edge to the lower one, in degrees. */
+  fov: number;
+  /** How much larger labels are than in a picture of the usual size. */
+  letter: number;
+}
+
+/** Pixels beside and above what is drawn, for labels; of small pictures a share of the side. */
+const [BESIDE, ABOVE, LARGEST] = [44, 30, 0.09];
+
+/** The stand nearest to some places, seen from a direction, from which all of them are in the pane. */
+export function framed(places: readonly Vec3[], direction: Vec3, middle: Vec3, pane: Pane): Stand {
+  const back = unit(direction);
+  const right = unit(cross([0, 0, 1], back));
+  const up = cross(back, right);
+  const [wide, high] = slopes(pane);
+  const flat = places.map((p) => sub(p, middle)).map((p) => [dot(p, right), dot(p, up), dot(p, back)] as const);
+  // a place is inside one edge of the pane if the eye is far enough along that edge's normal: the farthest of them counts
+  const edge = (axis: 0 | 1, sign: number, slope: number) => flat.reduce((far, p) => Math.max(far, sign * p[axis] + slope * p[2]), -Infinity);
+  const [east, west, north, south] = [edge(0, 1, wide), edge(0, -1, wide), edge(1, 1, high), edge(1, -1, high)];
+  const away = Math.max((east + west) / (2 * wide), (north + south) / (2 * high));
+  const target = add(middle, add(scale(right, (east - west) / 2), scale(up, (north - south) / 2)));
+  return { eye: add(target, scale(back, away)), target };
+}
+
+/** Half the width and half the height of what may be filled at the distance 1. */
+function slopes({ width, height, free, fov, letter }: Pane): [number, number] {
+  const focus = height / 2 / Math.tan((fov * Math.PI) / 360);
+  const inside = (side: number, pad: number) => side / 2 - Math.min(pad * letter, LARGEST * side);
+  return [inside(width, BESIDE) / focus, inside(free * height, ABOVE) / focus];
+}
+
+/** Whether all places are in the pane as it is seen from a stand. */
+export function holds(places: readonly Vec3[], { eye, target }: Stand, pane: Pane): boolean {
+  const back = unit(sub(eye, target));
+  const right = unit(cross([0, 0, 1], back));
+  const up = cross(back, right);
+  const [wide, high] = slopes({ ...pane, letter: 0 });
+  return places.map((p) => sub(p, eye)).every((p) => Math.abs(dot(p, right)) <= -wide * dot(p, back) && Math.abs(dot(p, up)) <= -high * dot(p, back));
+}
