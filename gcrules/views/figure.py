@@ -19,7 +19,7 @@ def figure(a: Analysis | RobotAnalysis) -> Drawing:
     if isinstance(a, Analysis):
         return robot_figure(a) if a.platform else graph_figure(a)
     if not a.robot.limbs and a.lines is not None:
-        return graph_figure(a.lines)
+        return graph_figure(a.lines, bodies=False)
     if a.robot.home is None:
         raise InputError(f"{a.robot.id} has no home configuration to be drawn in", hint="its file gives one as `home`")
     return draw_robot(a)

@@ -6,6 +6,7 @@ import os
 import subprocess
 import sys
 import xml.etree.ElementTree as ET
+from collections.abc import Iterable
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 from fractions import Fraction
@@ -16,6 +17,7 @@ from typing import Any, NamedTuple
 
 import pytest
 
+import gcrules as gc
 from gcrules.algebra.certificate import Certificate
 from gcrules.algebra.language.legs_text import legs_text
 from gcrules.algebra.language.syntax import parse
@@ -160,6 +162,19 @@ def test_names_of_a_graph_stay_apart_and_inside(length: int) -> None:
     assert len(boxes) == 6
     assert all(not overlap(a, b) for a, b in combinations(boxes, 2))
     assert all(left >= 0 and right <= drawn.width for left, _, right, _ in boxes)
+
+
+def test_lines_that_stand_for_limbs_are_of_no_bodies() -> None:
+    """Points such as S1 and r1 of a pencil belong to neither the base nor the platform."""
+    lines, legs = gc.analyze("3-rps").lines, gc.analyze("ab af cb cd ed ef")
+    shapes = graph_figure(lines, bodies=False).shapes
+    assert not _words(shapes) & {"platform", "base"}
+    assert len({s.fill for s in shapes if isinstance(s, Circle)}) == 1
+    assert {"platform", "base"} <= _words(graph_figure(legs).shapes)
+
+
+def _words(shapes: Iterable[Any]) -> set[str]:
+    return {"".join(run.text for run in s.runs) for s in shapes if isinstance(s, Text)}
 
 
 @pytest.mark.parametrize("sides", [("", ""), ("abc", "def")], ids=["unknown", "legs within a body"])

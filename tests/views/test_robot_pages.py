@@ -43,7 +43,7 @@ from gcrules.views.robots import picture as robot_picture
 from gcrules.views.robots import robot_drawing
 from gcrules.views.robots import scene as robot_scene
 from gcrules.views.robots import symbols as robot_symbols
-from gcrules.views.robots.joint_chain import DrawnJoint
+from gcrules.views.robots.drawn_limb import DrawnJoint
 from gcrules.views.robots.robot_drawing import draw_robot, draw_singular, robot_thumbnail
 from gcrules.views.robots.symbols import sign
 

@@ -14,7 +14,8 @@ from gcrules.mechanisms.load import read_robot
 from gcrules.views.drawing.bsp import dot, minus
 from gcrules.views.drawing.solids import center, outline
 from gcrules.views.drawing.viewpoint import View, choose_view
-from gcrules.views.robots.joint_chain import DrawnLimb, unit_vector, upright
+from gcrules.views.robots.drawn_limb import DrawnLimb, unit_vector
+from gcrules.views.robots.joint_chain import upright
 from gcrules.views.robots.scene import Scene, scene
 
 KNOWN = ["delta", "4-ruu", "exechon", "tricept", "3-rrr-spherical", "agile-eye", "orthoglide"]

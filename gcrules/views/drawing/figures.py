@@ -38,8 +38,9 @@ __all__ = [
 Coordinates = Mapping[str, Sequence[int | Fraction]]
 
 
-def graph_figure(a: Analysis, *, key: bool = True) -> Drawing:
-    """The schematic of the legs with the entities marked; `key` adds a legend.
+def graph_figure(a: Analysis, *, key: bool = True, bodies: bool = True) -> Drawing:
+    """The schematic of the legs with the entities marked; `key` adds a legend. The `bodies` are told apart, unless the
+    legs are lines that stand for the limbs of a robot, whose points belong to neither.
 
     Lines that are built from points are left out, and so are entities in other ranks than 4. Raises InputError where
     no leg is left.
@@ -48,7 +49,7 @@ def graph_figure(a: Analysis, *, key: bool = True) -> Drawing:
     if not s.joined:
         raise InputError("no leg joins two joints, so there is no graph of the legs to draw")
     entities = [e for part in _entities(a) for e in part] if s.rank == 4 else []
-    return draw_graph(s.joined, s.base, s.platform, entities, key=key)
+    return draw_graph(s.joined, s.base, s.platform, entities, key=key, bodies=bodies)
 
 
 def robot_figure(a: Analysis, at: Coordinates | None = None, *, key: bool = True) -> Drawing:

@@ -42,18 +42,21 @@ def draw_graph(
     entities: Sequence[EntityLike] = (),
     *,
     key: bool = True,
+    bodies: bool = True,
 ) -> Drawing:
     """A schematic of the legs; the order within each row is chosen for few crossings.
 
     `base` and `platform` hold the points of the two bodies; where a leg does not run from one to the other (or both are
     empty) the points stand on a circle instead. Each entity is an area around its points, a line is dashed. Entities
-    with other points are left out of the picture but not of the legend (`key`).
+    with other points are left out of the picture but not of the legend (`key`). Without `bodies` the two rows are no
+    more than rows, as of lines that stand for the limbs of a robot: they have no names, and all points look alike.
     """
     layered = bool(legs) and all((a in base) != (b in base) and (a in platform) != (b in platform) for a, b in legs)
     at = _rows(legs, base, platform) if layered else _circle(legs)
     xs, ys = [x for x, _ in at.values()], [y for _, y in at.values()]
     margin = max(_MARGIN, widest_name(at) / 2 + 6)
-    left = margin + (46 if layered else 0)
+    named = layered and bodies
+    left = margin + (46 if named else 0)
     shift = (left - min(xs), _MARGIN - min(ys))
     at = {name: (x + shift[0], y + shift[1]) for name, (x, y) in at.items()}
     entries = entity_entries(entities) if key else []
@@ -63,9 +66,9 @@ def draw_graph(
     shapes = [
         *_areas(at, entities),
         *_strokes(at, legs, entities),
-        *_joints(at, platform),
+        *_joints(at, platform if bodies else ()),
         *_labels(at, legs, layered, bool(entities)),
-        *(_row_names(at, base, platform) if layered else ()),
+        *(_row_names(at, base, platform) if named else ()),
         *legend(entries, width - side - 12, 12),
     ]
     return Drawing(width, height, tuple(shapes), f"Leg graph: {legs_text(legs)}")

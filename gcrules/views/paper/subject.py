@@ -143,7 +143,7 @@ class Subject:
             yield Figure(robot_figure(self.lines, key=False), f"{title}{_coloured(self.lines)}")
         else:
             try:
-                drawn = graph_figure(self.lines, key=False)
+                drawn = graph_figure(self.lines, key=False, bodies=a is None)
                 yield Figure(drawn, f"{title}: the graph of its legs{_coloured(self.lines)}")
             except InputError:  # no line joins two joints
                 return

@@ -38,8 +38,8 @@ from gcrules.views.report.standing_sections import (
     view_html,
 )
 from gcrules.views.results.robot import CONDITION, FACTORS, factor_kind, leading_sentences, sections
+from gcrules.views.robots.drawn_limb import unit_vector
 from gcrules.views.robots.entities import DrawnFlat, entities
-from gcrules.views.robots.joint_chain import unit_vector
 from gcrules.views.robots.limb_views import limb_views
 from gcrules.views.robots.linkage_view import linkage_view
 from gcrules.views.robots.robot_drawing import draw_robot
@@ -190,7 +190,7 @@ def _header(a: RobotAnalysis) -> str:
 def _figures(a: RobotAnalysis, standing: Standing | None, *, home: bool, live: bool) -> str:
     graph = ""
     if a.lines is not None and a.lines.structure.joined and a.lines.structure.rank == 4:
-        drawing = graph_figure(a.lines, key=False).svg()
+        drawing = graph_figure(a.lines, key=False, bodies=False).svg()
         graph = f"<figure>{drawing}<figcaption>The equivalent lines as a graph</figcaption></figure>"
     robot = ""
     if home:

@@ -1,7 +1,7 @@
 r"""The skeleton of a robot as its links carry it, for pages that move the robot without a server.
 
 A drawing makes a skeleton anew in each configuration, from all names. Most of its places ride on one link all the same,
-and those within a telescope divide the way between two such places in one ratio; a rail goes with its carriage. Which
+and those within a telescope divide the way between two such places in one ratio. Which
 link it is, is found by comparing the drawings of a few configurations near home, in the unit of home.
 """
 
@@ -87,7 +87,7 @@ class _Carriers:
         signs = [np.array(at) for at in zip(*([s["at"] for s in one["signs"]] for one in drawn), strict=True)]
         carriages = [at for at, sign in zip(signs, home["signs"], strict=True) if sign["kind"] == "carriage"]
         strokes: list[CarriedStroke] = [
-            {"ends": self._rail(ends, carriages) if s["look"] == "rail" else self._ends(ends), "look": s["look"]}
+            {"ends": self._ends(ends, carriages if s["look"] == "rail" else ()), "look": s["look"]}
             for ends, s in zip(self.strokes, home["strokes"], strict=True)
         ]
         ends = [end for stroke in strokes for end in stroke["ends"]]
@@ -109,15 +109,15 @@ class _Carriers:
             "base": [self._corner(np.array(p), ends) for p in zip(*(d["base"] for d in drawn), strict=True)],
         }
 
-    def _ends(self, stroke: Floats) -> list[CarriedPlace]:
-        return [self._place(stroke[:, 0]), self._place(stroke[:, 1])]
-
-    def _rail(self, rail: Floats, carriages: Sequence[Floats]) -> list[CarriedPlace]:
-        """By the link of the carriage on it: drawings may have it change sides."""
-        for at in carriages:
-            if _share(rail[0], at[0]) is not None and (link := self._link(at)):
-                return [_carried([link], [1.0], [end]) for end in rail[0]]
-        raise LookupError
+    def _ends(self, stroke: Floats, carriages: Sequence[Floats]) -> list[CarriedPlace]:
+        """Of a stroke; of bars that turn and are drawn as a rail, those of the carriage on it."""
+        try:
+            return [self._place(stroke[:, 0]), self._place(stroke[:, 1])]
+        except LookupError:
+            for at in carriages:
+                if _share(stroke[0], at[0]) is not None and (link := self._link(at)):
+                    return [_carried([link], [1.0], [end]) for end in stroke[0]]
+            raise
 
     def _corner(self, corner: Floats, ends: Sequence[CarriedPlace]) -> CarriedPlace:
         """Of a corner of a body: the end of a stroke that is there at home, else what carries it."""

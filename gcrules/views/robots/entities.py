@@ -13,7 +13,7 @@ from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.mechanisms.description.relations import AXES
 from gcrules.poses.limbs.exact_values import Values, lines_at
 from gcrules.views.drawing.bsp import XYZ, cross, dot
-from gcrules.views.robots.joint_chain import unit_vector
+from gcrules.views.robots.drawn_limb import unit_vector
 
 __all__ = ["DrawnFlat", "common_normal", "entities", "far_directions"]
 

@@ -9,7 +9,7 @@ from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.mechanisms.lines.wrenches import WrenchLine
 from gcrules.views.drawing.bsp import XYZ, dot, minus
 from gcrules.views.drawing.solids import center
-from gcrules.views.robots.joint_chain import DrawnLimb, unit_vector
+from gcrules.views.robots.drawn_limb import DrawnLimb, unit_vector
 
 __all__ = ["REACH", "force", "forces"]
 

@@ -13,7 +13,7 @@ from gcrules.views.drawing.bsp import XYZ, cross, dot
 from gcrules.views.drawing.drawing import XY, Circle, Run, Shape, Stroke, Text, name_runs
 from gcrules.views.drawing.labels import Label, place_labels
 from gcrules.views.drawing.viewpoint import View
-from gcrules.views.robots.joint_chain import unit_vector
+from gcrules.views.robots.drawn_limb import unit_vector
 from gcrules.views.robots.symbols import basis
 
 __all__ = ["SKY", "Far", "infinity_shapes"]

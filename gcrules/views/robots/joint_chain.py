@@ -7,21 +7,23 @@ link on a smaller one than the link before.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import field
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import pairwise, product
 from math import atan2, cos, dist, sin
 from typing import SupportsFloat
 
 from gcrules.core.dataclass import dataclass
+from gcrules.core.errors import InputError
 from gcrules.mechanisms.description.family import Family
 from gcrules.mechanisms.description.limb_file import BASE, PLATFORM, JointSpec, LimbSpec, Subchain
 from gcrules.mechanisms.description.relations import Term, Values
+from gcrules.mechanisms.robot import Robot
 from gcrules.views.drawing.bsp import XYZ, cross, dot, minus
 from gcrules.views.drawing.frame import Unit
 from gcrules.views.drawing.solids import center
+from gcrules.views.robots.drawn_limb import DrawnJoint, DrawnLimb, Rail, Rod, plus, unit_vector
 
-__all__ = ["DrawnJoint", "DrawnLimb", "Rod", "bodies", "chains", "plus", "unit_vector", "upright"]
+__all__ = ["bodies", "chains", "upright"]
 
 _SHELL = 0.22  # from the sphere of one link to that of the next
 _FOOT, _HEAD = 0.14, 0.16  # from the first and the last sphere to base and platform
@@ -31,62 +33,31 @@ _SLEEVE = 0.42  # where on a link its sleeve is
 _TUBE = 0.62  # how much of a limb that only guides is a tube
 
 
-@dataclass(frozen=True, slots=True)
-class DrawnJoint:
-    """A joint where it is drawn, with unit vectors along its axes."""
-
-    kind: str
-    at: XYZ
-    axes: tuple[XYZ, ...] = ()
-    driven: bool = False
-
-
-@dataclass(frozen=True, slots=True)
-class Rod:
-    """A link, a `bar` (thinner), a `tube` (thicker), a `rail` or an `axis` from one place to another."""
-
-    start: XYZ
-    end: XYZ
-    look: str = "link"
-
-
-@dataclass
-class DrawnLimb:
-    """A limb in space, or one of its chains: its joints, its strokes, and its first and last place; from which body it
-    leads to which; `normals` are those of its parallelograms and arcs, `around` is the point through which all its axes
-    pass, `spheres` are the radii on which its links move about it.
-    """
-
-    limb: LimbSpec
-    joints: tuple[JointSpec, ...]
-    start: str = BASE
-    end: str = PLATFORM
-    places: list[DrawnJoint] = field(default_factory=list)
-    strokes: list[Rod] = field(default_factory=list)
-    normals: list[XYZ] = field(default_factory=list)
-    foot: XYZ = (0.0, 0.0, 0.0)
-    head: XYZ = (0.0, 0.0, 0.0)
-    around: XYZ | None = None
-    spheres: tuple[float, ...] = ()
-
-
-def plus(p: XYZ, u: XYZ, s: float = 1.0) -> XYZ:
-    """p + s·u."""
-    return p[0] + s * u[0], p[1] + s * u[1], p[2] + s * u[2]
-
-
-def unit_vector(v: XYZ) -> XYZ:
-    """The unit vector along a vector that is not zero."""
-    length = dot(v, v) ** 0.5 or 1.0
-    return v[0] / length, v[1] / length, v[2] / length
-
-
-def chains(
-    family: Family, limbs: Sequence[LimbSpec], values: Values, own: Unit | None = None
-) -> tuple[Unit, list[DrawnLimb]]:
+def chains(robot: Robot, values: Values, own: Unit | None = None) -> tuple[Unit, list[DrawnLimb]]:
     """All limbs in a configuration (Cartesian coordinates of all names), in a unit of its `own` or in that of the ball
-    around it.
+    around it. Rails lie as they do at home, where the robot has one: they do not change sides while it moves.
     """
+    there = _home(robot)
+    if there is None or there == values:
+        return _made(robot, values, own, {})
+    rails = {(c.limb.name, c.start, c.end): tuple(c.rails) for c in _made(robot, there, None, {})[1] if c.rails}
+    return _made(robot, values, own, rails)
+
+
+def _home(robot: Robot) -> Values | None:
+    """Of robots with slides; None where it is not known."""
+    if robot.home is None or not any(j.kind in ("P", "C") for limb in robot.limbs for j in limb.joints):
+        return None
+    try:
+        return robot.values_at()
+    except InputError:
+        return None
+
+
+def _made(
+    robot: Robot, values: Values, own: Unit | None, rails: Mapping[tuple[str, str, str], tuple[Rail, ...]]
+) -> tuple[Unit, list[DrawnLimb]]:
+    family, limbs = robot.family, robot.limbs
     unit = own or _ball_around(family, limbs, values)
     firsts = [limb.joints[0].points for limb in limbs if len(limb.joints) > 1]
     ground = [unit.place(values[names[0]]) for names in firsts if names]
@@ -94,7 +65,16 @@ def chains(
     found: list[DrawnLimb] = []
     for limb in limbs:
         parts = [
-            _Builder(unit, family, values, limb, part, joints, center(ground) if ground else None, opposite).chain()
+            _Builder(
+                unit,
+                values,
+                limb,
+                part,
+                joints,
+                center(ground) if ground else None,
+                opposite,
+                rails.get((limb.name, part.start, part.end), ()),
+            ).chain()
             for part, joints in limb.parts
         ]
         _join_bodies(parts)
@@ -185,13 +165,13 @@ class _Builder:
     """Makes the chain of one limb, joint by joint."""
 
     unit: Unit
-    family: Family
     values: Values
     limb: LimbSpec
     part: Subchain
     joints: tuple[JointSpec, ...]
     ground: XYZ | None  # the middle of the first joints of other limbs
     opposite: bool  # whether limbs around a point begin on the other side of it
+    rails: tuple[Rail, ...]  # those at home, the first one drawn first
 
     def chain(self) -> DrawnLimb:
         joints = self.joints
@@ -264,21 +244,35 @@ class _Builder:
             return self._column(made, slides[0], at)
         for k, j in enumerate(reversed(slides)):
             axis = self._direction(j.directions[0])
-            low, high = _RAIL, _RAIL
-            if away is not None and abs(dot(axis, away)) > 0.8:
-                low, high = (0.08, 1.5 * _RAIL) if dot(axis, away) < 0 else (1.5 * _RAIL, 0.08)
-            if k < len(slides) - 1:
-                low, high = (_RAIL, 0.1) if not self._outwards(at, axis) else (0.1, _RAIL)
-            ends = plus(at, axis, -low), plus(at, axis, high)
+            rail = self._rail(made, at, axis, away, last=k == len(slides) - 1)
+            ends = plus(at, axis, -rail.low), plus(at, axis, rail.high)
             made.strokes.append(Rod(*ends, "rail"))
             made.places.append(DrawnJoint("carriage", at, (axis,), bool(j.actuated)))
-            at = self._grounded(ends)
+            at = ends[rail.grounded]
         return at
+
+    def _rail(self, made: DrawnLimb, at: XYZ, axis: XYZ, away: XYZ | None, *, last: bool) -> Rail:
+        """The rail at home, or one that lies as is best here: short before the link that goes on along it, long to the
+        side on which the next one stands.
+        """
+        if len(made.rails) < len(self.rails):
+            made.rails.append(self.rails[len(made.rails)])
+            return made.rails[-1]
+        low, high = _RAIL, _RAIL
+        if away is not None and abs(dot(axis, away)) > 0.8:
+            low, high = (0.08, 1.5 * _RAIL) if dot(axis, away) < 0 else (1.5 * _RAIL, 0.08)
+        if not last:
+            low, high = (_RAIL, 0.1) if not self._outwards(at, axis) else (0.1, _RAIL)
+        ends = plus(at, axis, -low), plus(at, axis, high)
+        made.rails.append(Rail(low, high, ends.index(self._grounded(ends))))
+        return made.rails[-1]
 
     def _column(self, made: DrawnLimb, j: JointSpec, at: XYZ) -> XYZ:
         """A slide right under the only joint that has a place."""
         axis = self._direction(j.directions[0])
-        foot = self._grounded((plus(at, axis, -0.75), plus(at, axis, 0.75)))
+        ends = plus(at, axis, -0.75), plus(at, axis, 0.75)
+        made.rails.append(self.rails[0] if self.rails else Rail(0.75, 0.75, ends.index(self._grounded(ends))))
+        foot = ends[made.rails[0].grounded]
         self._slide(made, j, foot, at)
         return foot
 

@@ -11,8 +11,8 @@ from gcrules.views.drawing.bsp import XYZ
 from gcrules.views.drawing.drawing import Circle, Polygon, Run, Shape, Stroke, Text, mapped, name_runs, text_width
 from gcrules.views.drawing.frame import Frame
 from gcrules.views.drawing.viewpoint import View
+from gcrules.views.robots.drawn_limb import DrawnJoint
 from gcrules.views.robots.entities import DrawnFlat
-from gcrules.views.robots.joint_chain import DrawnJoint
 from gcrules.views.robots.lines import DrawnMotion, entity_role_of
 from gcrules.views.robots.picture import CONSTRAINT_DASH
 from gcrules.views.robots.scene import Scene

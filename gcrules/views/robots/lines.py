@@ -17,9 +17,9 @@ from gcrules.views.drawing.frame import Frame
 from gcrules.views.drawing.labels import Label, place_labels
 from gcrules.views.drawing.scene_pieces import Look
 from gcrules.views.drawing.solids import center, outline, patch, stretched, tetrahedron, through_ball
+from gcrules.views.robots.drawn_limb import plus, unit_vector
 from gcrules.views.robots.entities import DrawnFlat
 from gcrules.views.robots.infinity_view import Far
-from gcrules.views.robots.joint_chain import plus, unit_vector
 from gcrules.views.robots.picture import body_pieces, dot_at, piece_shapes
 from gcrules.views.robots.scene import HEIGHT, TOP, WIDTH, Scene
 from gcrules.views.robots.symbols import arrow, turn_arrow

@@ -16,8 +16,9 @@ from gcrules.views.drawing.frame import Frame
 from gcrules.views.drawing.labels import Box, Label, place_labels
 from gcrules.views.drawing.scene_pieces import Look
 from gcrules.views.drawing.solids import center, outline
+from gcrules.views.robots.drawn_limb import DrawnLimb, plus, unit_vector
 from gcrules.views.robots.forces import REACH, force
-from gcrules.views.robots.joint_chain import DrawnLimb, plus, unit_vector, upright
+from gcrules.views.robots.joint_chain import upright
 from gcrules.views.robots.scene import HEIGHT, TOP, WIDTH, Scene, joint_names
 from gcrules.views.robots.symbols import SIGN, arrow, basis, couple, sign
 

@@ -15,9 +15,9 @@ from gcrules.views.drawing.bsp import XYZ, cross, dot
 from gcrules.views.drawing.drawing import Drawing, Run, Shape, Stroke, Text, mapped, scaled, without_text
 from gcrules.views.drawing.figures import free_name
 from gcrules.views.drawing.solids import flat_normal
+from gcrules.views.robots.drawn_limb import plus, unit_vector
 from gcrules.views.robots.entities import DrawnFlat, common_normal, entities, far_directions
 from gcrules.views.robots.infinity_view import SKY, infinity_shapes
-from gcrules.views.robots.joint_chain import plus, unit_vector
 from gcrules.views.robots.legend import SAMPLE, SIZE, Entry, entry_rows, entry_width, robot_legend
 from gcrules.views.robots.lines import (
     DrawnMotion,

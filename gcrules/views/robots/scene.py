@@ -16,8 +16,9 @@ from gcrules.views.drawing.frame import Frame, Unit, framed
 from gcrules.views.drawing.palette import entity_role
 from gcrules.views.drawing.solids import center, flat_normal
 from gcrules.views.drawing.viewpoint import View, choose_view
+from gcrules.views.robots.drawn_limb import DrawnLimb, plus, unit_vector
 from gcrules.views.robots.forces import REACH, forces
-from gcrules.views.robots.joint_chain import DrawnLimb, bodies, chains, plus, unit_vector, upright
+from gcrules.views.robots.joint_chain import bodies, chains, upright
 
 __all__ = ["HEIGHT", "TOP", "WIDTH", "Scene", "joint_names", "scene", "sketched_from"]
 
@@ -64,7 +65,7 @@ class Scene:
 def scene(a: RobotAnalysis, values: Values, normals: Sequence[XYZ] = ()) -> Scene:
     """Place the robot in space and choose the viewpoint; `normals` are those of planes not to be seen edge on."""
     robot = a.robot
-    unit, made = chains(robot.family, robot.limbs, values)
+    unit, made = chains(robot, values)
     points: dict[str, XYZ] = {}
     ideal: dict[str, XYZ] = {}
     for name, p in lines_at(robot.family, a.structure, values).items():
@@ -88,7 +89,7 @@ def scene(a: RobotAnalysis, values: Values, normals: Sequence[XYZ] = ()) -> Scen
 
 def sketched_from(robot: Robot, values: Values) -> View:
     """From where the links and joints of a robot alone are seen best, at the elevation of sketches."""
-    _, made = chains(robot.family, robot.limbs, values)
+    _, made = chains(robot, values)
     normals = [*_normals(bodies(made)[0]), *(n for c in made for n in c.normals)]
     return _view(robot.family.plane, _joints(made), made, normals, (), (_SKETCHED,))
 

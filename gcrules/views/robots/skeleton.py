@@ -15,14 +15,14 @@ __all__ = ["skeleton", "unit_at"]
 
 def unit_at(robot: Robot, values: Mapping[str, Sequence[float]]) -> Unit:
     """The ball around the robot, by whose radius its signs are measured, where names have these coordinates."""
-    return chains(robot.family, robot.limbs, values)[0]  # type: ignore[arg-type]  # floats do as well
+    return chains(robot, values)[0]  # type: ignore[arg-type]  # floats do as well
 
 
 def skeleton(robot: Robot, values: Mapping[str, Sequence[float]], own: Unit | None = None) -> SkeletonView:
     """Strokes of the limbs, signs of their joints and corners of the bodies, where names have these coordinates; in a
     unit of its `own` where it is not the ball around the robot there.
     """
-    unit, made = chains(robot.family, robot.limbs, values, own)  # type: ignore[arg-type]  # floats do as well
+    unit, made = chains(robot, values, own)  # type: ignore[arg-type]  # floats do as well
 
     def at(p: XYZ) -> Vec3:
         return [m + unit.radius * c for m, c in zip(unit.middle, p, strict=True)]

@@ -17,7 +17,7 @@ from gcrules.views.drawing.bsp import XYZ, cross, dot
 from gcrules.views.drawing.drawing import XY, Circle, Polygon, Shape, Stroke
 from gcrules.views.drawing.frame import Frame
 from gcrules.views.drawing.legend import convex_hull
-from gcrules.views.robots.joint_chain import DrawnJoint, plus, unit_vector
+from gcrules.views.robots.drawn_limb import DrawnJoint, plus, unit_vector
 
 __all__ = ["SIGN", "arrow", "basis", "couple", "sign", "turn_arrow"]
 

@@ -1,14 +1,14 @@
 // The camera: where it looks from, fitted to the robot, and its way from one view to another.
 import { PerspectiveCamera, Vector3 } from "three";
 import { planeOf } from "./bsp";
-import type { Model } from "./drawing";
+import type { Model, Rod } from "./drawing";
 import type { Stand, Vec3, View } from "./types";
 import { centre, cross, distance, dot, length, mix, scale, sub, unit } from "./vectors";
 
 const [ELEVATION, ABOVE] = [20, 62]; // degrees: of most robots, and of those that lie flat
 const FLAT = 0.02; // how far apart the heights of flat robots are, of the radius
 const SIGN = 0.2; // signs of joints are shorter, of the radius
-const MANY = 56; // ends of rods: of robots with more the joints alone tell, as arcs hide each other from everywhere
+const STRAIGHT = 0.9; // the cosine between strokes that go on from one to the other, as those of arcs do
 
 export function newCamera(): PerspectiveCamera {
   const camera = new PerspectiveCamera(26, 1, 0.01, 100);
@@ -32,8 +32,7 @@ function telling(model: Model): Vec3 {
   const around = (at: Vec3) => scale(sub(at, model.middle), 1 / model.radius);
   const joints = model.tags.filter((t) => t.look === "joint").map((t) => around(t.at));
   const rods = model.rods.filter((r) => r.solid);
-  const ends = distinct(rods.flatMap((r) => [r.a, r.b]).map(around));
-  const places = ends.length > MANY ? joints : distinct([...joints, ...ends]);
+  const places = distinct([...joints, ...endsOf(rods).map(around)]);
   const long = rods.filter((r) => distance(r.a, r.b) > SIGN * model.radius); // no axes of hinges, which stand across
   const heights = [...joints, ...long.flatMap((r) => [r.a, r.b]).map(around)].map((p) => p[2]);
   const elevation = rods.length > 2 && Math.max(...heights) - Math.min(...heights) < FLAT ? ABOVE : ELEVATION;
@@ -62,6 +61,19 @@ function telling(model: Model): Vec3 {
   }
   return best!.eye;
 }
+
+/** Ends of rods, but not the places within arcs, where one stroke goes on in the next. */
+function endsOf(rods: readonly Rod[]): Vec3[] {
+  const ways = new Map<string, { at: Vec3; away: Vec3[] }>();
+  for (const { a, b } of rods)
+    for (const [at, other] of [[a, b], [b, a]] as const) {
+      const found = ways.get(keyOf(at)) ?? { at, away: [] };
+      ways.set(keyOf(at), { at, away: [...found.away, unit(sub(other, at))] });
+    }
+  return [...ways.values()].flatMap(({ at, away }) => (away.length === 2 && dot(away[0]!, away[1]!) < -STRAIGHT ? [] : [at]));
+}
+
+const keyOf = (p: Vec3): string => p.map((c) => c.toPrecision(6)).join(" ");
 
 /** Each place once. */
 const distinct = (places: readonly Vec3[]): Vec3[] => [...new Map(places.map((p) => [p.map((c) => c.toFixed(3)).join(" "), p])).values()];
