@@ -1,4 +1,5 @@
 // The pure parts of the page. `npm test` bundles this file and runs it with Node.
+import "./framing";
 import { strict as assert } from "node:assert";
 import test from "node:test";
 import { digitsOf } from "../src/page/pose/axis-slider";

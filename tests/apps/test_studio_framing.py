@@ -62,6 +62,40 @@ def test_a_robot_opens_with_all_its_links_in_sight(sit_down: Callable[..., Desk]
     whole(sit_down(viewport={"width": 1100, "height": 720}).visit().open("robot", name))
 
 
+@pytest.mark.parametrize("size", [(1440, 900), (2560, 1080), (390, 844), (320, 640)], ids=str)
+@pytest.mark.parametrize("name", ["delta", "gough-stewart", "capaman", "3-rrr"])
+def test_robots_fill_panes_of_any_shape(sit_down: Callable[..., Desk], name: str, size: tuple[int, int]) -> None:
+    """All of it is seen, and it reaches to within a tenth of the pane and the room of its labels."""
+    desk = sit_down(viewport={"width": size[0], "height": size[1]}).visit().open("robot", name)
+    desk.page.wait_for_function(LINKED)
+    desk.painted()
+    found = desk.run(DRAWN)
+    wide, high = found["right"] - found["left"], found["bottom"] - found["top"]
+    assert wide <= found["width"]
+    assert high <= found["height"]
+    assert max(wide / found["width"], high / found["height"]) > 0.7
+
+
+def test_entities_that_come_are_seen_whole(sit_down: Callable[..., Desk]) -> None:
+    """The steps come to the planes, which reach beyond the robot; a view that was chosen is kept."""
+    desk = sit_down(viewport={"width": 1440, "height": 900}).visit().open("class", "6-3.2")
+    desk.painted()
+    desk.step("planes")
+    desk.painted()
+    found = desk.run(DRAWN)
+    assert found["left"] >= 0
+    assert found["right"] <= found["width"]
+    assert found["top"] >= 0
+    assert found["bottom"] <= found["height"]
+    desk.step("structure")
+    desk.one("view-top").click()
+    desk.painted()
+    before = desk.run("gcrules.space.viewer.value.stand")
+    desk.step("planes")
+    desk.painted()
+    assert desk.run("gcrules.space.viewer.value.stand") == before
+
+
 def test_a_view_that_was_chosen_stays(sit_down: Callable[..., Desk]) -> None:
     desk = sit_down().visit().open("robot", "agile-eye")
     whole(desk)

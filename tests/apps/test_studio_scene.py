@@ -228,6 +228,7 @@ def test_joints_are_dragged_in_the_picture_as_if_typed(desk: Desk) -> None:
     desk.one("plan").wait_for()
     desk.run("gcrules.edit({pose: {translation: [20, 0, 30], quaternion: [0.8, 0.6, 0, 0]}})")
     desk.answered()
+    desk.one("view-fit").click()  # all joints are in sight, so that the view rests
     desk.painted()
     for name in ("b", "a"):
         wanted = drag(desk, grip(desk, f"joint {name}"), 36, -24)

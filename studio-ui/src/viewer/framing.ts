@@ -17,19 +17,24 @@ export interface Pane {
 /** Pixels beside and above what is drawn, for labels; of small pictures a share of the side. */
 const [BESIDE, ABOVE, LARGEST] = [44, 30, 0.09];
 
-/** The stand nearest to some places, seen from a direction, from which all of them are in the pane. */
-export function framed(places: readonly Vec3[], direction: Vec3, middle: Vec3, pane: Pane): Stand {
+/** The stand nearest to some places, seen from a direction, from which all of them are in the pane; it looks at their depth's middle. */
+export function framed(places: readonly Vec3[], direction: Vec3, pane: Pane): Stand {
   const back = unit(direction);
   const right = unit(cross([0, 0, 1], back));
   const up = cross(back, right);
   const [wide, high] = slopes(pane);
-  const flat = places.map((p) => sub(p, middle)).map((p) => [dot(p, right), dot(p, up), dot(p, back)] as const);
+  const flat = places.map((p) => [dot(p, right), dot(p, up), dot(p, back)] as const);
   // a place is inside one edge of the pane if the eye is far enough along that edge's normal: the farthest of them counts
-  const edge = (axis: 0 | 1, sign: number, slope: number) => flat.reduce((far, p) => Math.max(far, sign * p[axis] + slope * p[2]), -Infinity);
+  const edge = (axis: 0 | 1 | 2, sign: number, slope: number) => flat.reduce((far, p) => Math.max(far, sign * p[axis] + slope * p[2]), -Infinity);
   const [east, west, north, south] = [edge(0, 1, wide), edge(0, -1, wide), edge(1, 1, high), edge(1, -1, high)];
-  const away = Math.max((east + west) / (2 * wide), (north + south) / (2 * high));
-  const target = add(middle, add(scale(right, (east - west) / 2), scale(up, (north - south) / 2)));
-  return { eye: add(target, scale(back, away)), target };
+  const [front, rear] = [edge(2, 1, 0), -edge(2, -1, 0)];
+  const deep = front - rear;
+  // what hides behind one place is seen from a distance all the same
+  const least = front + (deep > 1e-9 * Math.abs(front) ? 0.2 * deep : 1);
+  const away = Math.max((east + west) / (2 * wide), (north + south) / (2 * high), least);
+  const axis = add(scale(right, (east - west) / 2), scale(up, (north - south) / 2));
+  const at = (depth: number): Vec3 => add(axis, scale(back, depth));
+  return { eye: at(away), target: at((front + rear) / 2) };
 }
 
 /** Half the width and half the height of what may be filled at the distance 1. */

@@ -25,7 +25,9 @@ export class Rig {
   private turned: Vec3 = [0, 0, 0];
   /** Whether the drawing is to be fitted when it is next made, and whether parts of it are still to come. */
   private due = false;
+  private resized = false;
   private awaiting = false;
+  private met = new Set<string>();
   private wider = false;
   /** Whether someone has chosen the view since another robot came. */
   private chosen = false;
@@ -66,21 +68,22 @@ export class Rig {
   }
 
   private fitted(model: Model, direction: Vec3): Stand {
-    return framed(model.frame, direction, model.middle, this.pane);
+    return framed(model.frame, direction, this.pane);
   }
 
-  /** Until someone chooses a view, the drawing is fitted to each size that the picture gets. */
+  /** Until someone chooses a view, the drawing is fitted to each size that the picture gets, from where it is looked at. */
   resize(width: number, height: number): void {
-    this.due ||= !this.chosen && (width !== this.width || height !== this.height);
+    this.resized ||= !this.chosen && (width !== this.width || height !== this.height);
     [this.width, this.height] = [width, height];
     this.camera.aspect = width / height;
     this.camera.updateProjectionMatrix();
   }
 
   /** Another robot: it is fitted when it is first drawn. */
-  expect(): void {
+  expect(entities: readonly string[]): void {
     this.due = this.awaiting = true;
     this.chosen = false;
+    this.met = new Set(entities);
   }
 
   /** All of it has come: it is fitted once more, unless the view was chosen meanwhile. */
@@ -89,27 +92,28 @@ export class Rig {
     this.awaiting = false;
   }
 
-  /** More is drawn than before: all of it is to be seen, unless someone has chosen the view. */
-  widen(): void {
-    this.wider = !this.chosen;
+  /** Entities are drawn: those that were not before are to be seen, unless someone has chosen the view. */
+  widen(entities: readonly string[]): void {
+    this.wider ||= !this.chosen && entities.some((id) => !this.met.has(id));
+    entities.forEach((id) => this.met.add(id));
   }
 
   /** At once to where the whole drawing is seen, if that is due; in a flight, if more is drawn and is not all in sight. */
   fit(model: Model): void {
-    const wider = this.wider;
-    this.wider = false;
-    if (this.due) {
-      this.due = false;
+    const { due, resized, wider } = this;
+    this.due = this.resized = this.wider = false;
+    if (due || resized) {
+      const { eye, target } = this.stand;
       this.flight = null;
       this.size = model.radius;
-      this.go(this.fitted(model, this.from ?? directionOf("iso", model)));
+      this.go(this.fitted(model, due ? (this.from ?? directionOf("iso", model)) : sub(eye, target)));
     } else if (wider && !this.flight && !holds(model.frame, this.stand, this.pane)) this.view("fit", model);
   }
 
   /** At once to where one stood before. */
   take(to: Stand, model: Model): void {
     this.flight = null;
-    this.due = false;
+    this.due = this.resized = false;
     this.chosen = true;
     this.size = model.radius;
     this.go(to);
@@ -150,6 +154,11 @@ export class Rig {
   /** The user takes over. */
   halt(): void {
     this.flight = null;
+  }
+
+  /** What is moved by hand in this view is not to jump. */
+  keep(): void {
+    this.chosen = true;
   }
 
   turn(azimuth: number, polar: number): void {

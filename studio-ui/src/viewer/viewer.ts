@@ -92,13 +92,13 @@ class Stage implements Viewer, Reach {
     this.asked = null;
     this.pointed = null;
     this.hand.forget();
-    this.rig.expect();
+    this.rig.expect(scene.entities.map(({ id }) => id));
     this.surface.describe(scene);
     this.changed();
   }
 
   update(part: Partial<Scene>): void {
-    if (part.entities?.some(({ id }) => !this.scene.entities.some((e) => e.id === id))) this.rig.widen();
+    if (part.entities) this.rig.widen(part.entities.map(({ id }) => id));
     this.scene = { ...this.scene, ...part };
     if (part.surface !== undefined || part.grips !== undefined) this.surface.describe(this.scene);
     if (part.pose) this.given = part.pose;
@@ -254,9 +254,8 @@ class Stage implements Viewer, Reach {
     this.frame = 0;
     if (this.pending) this.tell(false);
     if (this.swings) this.changed();
-    const model = this.fresh(now);
+    const [model, { about }] = [this.fresh(now), this.scene];
     if (this.rig.advance(now, model.radius)) this.request();
-    const { about } = this.scene;
     this.gizmo?.place(this.held ? poseOf(this.held, about) : this.platform, about);
     const { sight, labels, pointers } = this.shot();
     this.easel.paint(this.rig.camera, sight);
@@ -320,7 +319,7 @@ class Stage implements Viewer, Reach {
   get chosen(): Grip | null {
     return this.scene.grips?.find(({ id }) => id === this.scene.chosen) ?? null;
   }
-  /** The grip that has the handles: the chosen one, if it can do what they do. */
+  /** The grip that has the handles, if it can do what they do. */
   private get held(): Grip | null {
     return this.mode === "rotate" && !this.chosen?.turn ? null : this.chosen;
   }
@@ -342,6 +341,7 @@ class Stage implements Viewer, Reach {
   }
 
   gripMoved(id: string, place: Place): void {
+    this.rig.keep();
     this.moving = { id, place };
     this.options.onGrip?.(id, place, false);
   }
@@ -355,7 +355,7 @@ class Stage implements Viewer, Reach {
     const { sight } = this.rig;
     const point = pointAt(this.posed(), sight, x, y, reach);
     if (point) return { point };
-    const entity = this.hidden.has("entities") ? null : entityAt(this.fresh(), this.split, sight, x, y);
+    const entity = !this.hidden.has("entities") && entityAt(this.fresh(), this.split, sight, x, y);
     return entity ? { entity } : {};
   }
 

@@ -78,7 +78,8 @@ function keepInSight({ pose$, study }: Store, viewer: Viewer, element: HTMLEleme
   let wasSeen = true;
   function rest(): void {
     const seen = inSight(viewer, element, study.peek()?.platform ?? []);
-    if (wasSeen && !seen && !held()) viewer.setView("fit");
+    if (held() || element.matches(":active")) timer = window.setTimeout(rest, REST); // not under a hand
+    else if (wasSeen && !seen) viewer.setView("fit");
     else wasSeen = seen;
   }
   const stop = effect(() => {
