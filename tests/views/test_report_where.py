@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import gzip
+import json
 import re
+from base64 import b64decode
 from collections.abc import Callable
-from html import unescape
+from html import escape, unescape
 from pathlib import Path
 from typing import Any
 
@@ -15,6 +18,7 @@ from views.shown_pages import Shown, open_from_file
 from views.shown_sections import agrees, plain
 
 import gcrules as gc
+from gcrules.views.report.answer_sections import answers_html
 
 OCTAHEDRAL = str(EXAMPLES / "octahedral.yaml")
 ROBOTS = {"six legs": OCTAHEDRAL, "joints in space": "3-rps", "joints in a plane": "3-rpr"}
@@ -36,6 +40,35 @@ ANSWERS: dict[str, tuple[dict[str, Any], Callable[[str], Any]]] = {
 def test_a_section_says_what_the_result_says(question: str, robot: str) -> None:
     asked, function = ANSWERS[question]
     agrees(gc.report(robot, interactive=False, **asked), function(robot))
+
+
+CERTIFIED: dict[str, Callable[[], Any]] = {
+    "map": lambda: gc.singular_map(OCTAHEDRAL, ["x -490:490:5", "z -490:490:5"]),
+    "free": lambda: gc.free_region(OCTAHEDRAL),
+    "boxes": lambda: gc.box_map(OCTAHEDRAL, ["x -10:10"]),
+    "plan": lambda: gc.plan(OCTAHEDRAL, *WAYS["six legs, none"][1]),
+}
+
+
+@pytest.mark.parametrize("kind", CERTIFIED)
+def test_a_report_carries_the_certificate_of_an_answer(kind: str) -> None:
+    answer = CERTIFIED[kind]()
+    [section] = answers_html(gc.analyze(OCTAHEDRAL), [answer], "centroid", live=False)
+    assert f"<code>python checkers/check_{kind}.py FILE</code>" in section
+    [(name, data)] = re.findall(r'download="([^"]+)" href="data:application/gzip;base64,([^"]+)"', section)
+    assert name.endswith(f"-{kind}.json.gz")
+    assert json.loads(gzip.decompress(b64decode(data))) == answer.certificate()
+
+
+def test_a_report_says_why_no_program_checks_an_answer() -> None:
+    way, driven = gc.plan(OCTAHEDRAL, *WAYS["six legs"][1]), gc.free_region("3-rpr", over="actuators")
+    [section] = answers_html(gc.analyze(OCTAHEDRAL), [way], "centroid", live=False)
+    assert "Checking it again" not in section
+    [section] = answers_html(gc.analyze("3-rpr"), [driven], "centroid", live=False)
+    with pytest.raises(gc.GcrulesError) as fault:
+        driven.certificate()
+    assert escape(fault.value.message) in section
+    assert "download=" not in section
 
 
 @pytest.mark.parametrize("robot", ROBOTS.values(), ids=ROBOTS)

@@ -12,18 +12,10 @@ from gcrules.apps.studio.subject import Subject
 from gcrules.apps.studio.values import value
 from gcrules.core.errors import InputError
 from gcrules.core.files import file_name
-from gcrules.poses.certificate_files import Certified, certificate_bytes
-from gcrules.poses.plans.report import Plan
+from gcrules.poses.certificate_files import certificate_bytes
+from gcrules.views.results.checkers import certified, check_of, kind_of
 
 __all__ = ["certificate_file"]
-
-_CHECKS: Mapping[str, tuple[str, str]] = {
-    "path": ("check_plan.py", "computes the signs again that no way can change"),
-    "map": ("check_map.py", "decides every cell anew"),
-    "free": ("check_free.py", "proves the region anew, box by box"),
-    "boxes": ("check_boxes.py", "proves the boxes anew, one by one"),
-}
-"""Of each method the program that checks its answers, and what this does."""
 
 
 def certificate_file(subject: Subject, what: str, args: Mapping[str, Any]) -> CertificateFile:
@@ -31,21 +23,16 @@ def certificate_file(subject: Subject, what: str, args: Mapping[str, Any]) -> Ce
     for answers that have none, LimitReached where no program can check them.
     """
     found = value(what, subject, METHODS[what].check(args, "args"))
-    program, does = _CHECKS[what]
-    packed = certificate_bytes(_certified(found.plan if what == "path" else found), packed=True)
+    answer = found.plan if what == "path" else found
+    if not certified(answer):
+        raise InputError("a way has no certificate", hint="only that there is none has one")
+    packed = certificate_bytes(answer, packed=True)
     return {
         "file": {
-            "name": file_name(f"{subject.title} {what}", "json.gz"),
+            "name": file_name(f"{subject.title} {kind_of(answer)}", "json.gz"),
             "mime": "application/gzip",
             "data": b64encode(packed).decode(),
             "binary": True,
         },
-        "check": f"`python checkers/{program} FILE` {does}; `gcrules checkers` writes the program.",
+        "check": check_of(answer),
     }
-
-
-def _certified(found: Any) -> Certified:
-    if found is None or (isinstance(found, Plan) and found.outcome != "none"):
-        raise InputError("a way has no certificate", hint="only that there is none has one")
-    certified: Certified = found
-    return certified

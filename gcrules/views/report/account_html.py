@@ -30,10 +30,12 @@ _STYLE = re.compile(r"<style\b.*?</style>", re.DOTALL)
 _CODE = re.compile("`([^`]*)`")
 
 
-def account_section(result: Any, title: str, *further: str) -> str:
-    """A section with the whole account of a result; what is `further` stands after the answer."""
+def account_section(result: Any, title: str, *further: str, last: str = "") -> str:
+    """A section with the whole account of a result; what is `further` stands after the answer, what is `last` after the
+    account.
+    """
     told: ResultAccount = shown(result, "account")
-    return section_html(title, told.verdict, *further, blocks_html(told.blocks), latex_html(result))
+    return section_html(title, told.verdict, *further, blocks_html(told.blocks), last, latex_html(result))
 
 
 def section_html(title: str, verdict: str, *parts: str, kind: str = "") -> str:

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from base64 import b64encode
-from html import escape
 from typing import Any
 
 from gcrules.core.english import listed
@@ -24,15 +22,13 @@ from gcrules.views.report.account_html import (
     section_html,
     words_html,
 )
+from gcrules.views.report.carried_files import MOST, carried_html
 from gcrules.views.report.leads import lead_html, pose_step
 from gcrules.views.results.certificate import captioned, check, seen
 from gcrules.views.results.result_account import ResultAccount
 from gcrules.views.robots.pose_picture import waypoint_picture
 
 __all__ = ["certificate_html"]
-
-_MOST = 3_000_000
-"""Bytes of a certificate that a page carries."""
 
 
 def certificate_html(c: Certificate, m: SixLegs | Limbs, *, live: bool) -> str:
@@ -77,14 +73,13 @@ def _checking(c: Certificate) -> str:
     """How it is checked again, and the file, which the page carries."""
     words = f"<p>{words_html(check(c))}</p>"
     data = c.to_bytes(packed=True)
-    if len(data) > _MOST:
+    if len(data) > MOST:
         file = (
             "<p>The file is too large to be a part of this page; <code>gcrules certify … -o FILE</code> writes it.</p>"
         )
     else:
-        name = escape(file_name(c.task.mechanism.title, "json.gz"))
-        link = f'<a download="{name}" href="data:application/gzip;base64,{b64encode(data).decode()}">{name}</a>'
-        file = f"<p>This page carries it, {len(data) / 1000:.3g} kB: {link}</p>"
+        name = file_name(c.task.mechanism.title, "json.gz")
+        file = f"<p>{carried_html(name, 'application/gzip', data)}</p>"
     more = "" if c.verdict != "undecided" else f"<p>{_MORE}</p>"
     return f"<h3>Checking it again</h3>{words}{file}{more}"
 

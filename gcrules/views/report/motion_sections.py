@@ -15,6 +15,7 @@ from gcrules.poses.maps.report import SingularMap
 from gcrules.poses.paths.report import PathReport
 from gcrules.views.forms import shown
 from gcrules.views.report.account_html import NO_PICTURE, account_section, facts_html, inline_svg, map_figure
+from gcrules.views.report.carried_files import checking_html
 from gcrules.views.report.leads import path_lead
 from gcrules.views.results.box_map import leaves_nothing, seen
 from gcrules.views.results.map import account
@@ -75,7 +76,8 @@ def map_html(r: SingularMap, m: SixLegs | Limbs, *, live: bool, title: str = "")
     facts = account(r)
     proof = f'<p class="proof">{escape(as_sentence(r.guarantee))}</p>'
     head = f"<h2>{escape(title)}</h2>"
-    return f'<section class="motion">{head}{proof}{_picture(r)}{facts_html(facts)}</section>'
+    again = checking_html(r, r.grid.title)
+    return f'<section class="motion">{head}{proof}{_picture(r)}{facts_html(facts)}{again}</section>'
 
 
 def _picture(m: SingularMap) -> str:
@@ -95,7 +97,13 @@ def _picture(m: SingularMap) -> str:
 
 def boxes_html(r: BoxMap, m: SixLegs | Limbs, *, live: bool) -> str:
     """The sentence that says what is proved of whole ranges, the picture, and how much is free and what is not."""
-    return account_section(r, f"Whole ranges of {listed([a.name for a in r.axes])}", _boxes_picture(r), _more(r))
+    return account_section(
+        r,
+        f"Whole ranges of {listed([a.name for a in r.axes])}",
+        _boxes_picture(r),
+        _more(r),
+        last=checking_html(r, r.task.mechanism.title),
+    )
 
 
 def _boxes_picture(r: BoxMap) -> str:

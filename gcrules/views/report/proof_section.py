@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from base64 import b64encode
 from html import escape
 
 from gcrules.conditions.analysis import Analysis
@@ -11,6 +10,7 @@ from gcrules.core.english import counted
 from gcrules.core.files import file_name
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.mechanisms.proofs import proof_file_or_none
+from gcrules.views.report.carried_files import carried_html
 
 __all__ = ["proof_html"]
 
@@ -27,9 +27,7 @@ def proof_html(a: Analysis | RobotAnalysis) -> str:
     if len(data) > _MOST:
         link = "The file is too large to be a part of this page; <code>--certificate FILE</code> writes it."
     else:
-        name = escape(file_name(file.title, "proof.json"))
-        href = f"data:application/json;base64,{b64encode(data).decode()}"
-        link = f'This page carries it, {len(data) / 1000:.3g} kB: <a download="{name}" href="{href}">{name}</a>'
+        link = carried_html(file_name(file.title, "proof.json"), "application/json", data)
     without = "".join(f"<p>Not proved there: {escape(str(one))}.</p>" for one in file.left_out)
     return (
         f"<h2>Proofs that others check</h2><p>{counted(len(file.theorems), 'theorem')} in a proof file, SHA-256 digest"

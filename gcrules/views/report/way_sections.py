@@ -10,6 +10,7 @@ from gcrules.poses.plans.report import Plan
 from gcrules.poses.regions.report import FreeRegion
 from gcrules.views.forms import shown
 from gcrules.views.report.account_html import account_section, blocks_html, figure_card, latex_html, section_html
+from gcrules.views.report.carried_files import checking_html
 from gcrules.views.report.leads import path_lead
 from gcrules.views.results.plan import waypoint_margins, waypoint_text
 from gcrules.views.results.result_account import ResultAccount
@@ -51,7 +52,9 @@ def plan_html(r: Plan, m: SixLegs | Limbs, *, live: bool) -> str:
         plot = f'<figure class="plot">{shown(r, "svg")}<figcaption>{words}</figcaption></figure>'
         view = path_lead(r.path, m) if live else ""
     title = "A way out" if r.end_margin is not None or r.goal is None else "A way from pose to pose"
-    return section_html(title, told.verdict, pictures, plot, view, blocks_html(told.blocks), latex_html(r))
+    return section_html(
+        title, told.verdict, pictures, plot, view, blocks_html(told.blocks), checking_html(r, r.title), latex_html(r)
+    )
 
 
 def _pose_cards(r: Plan, m: SixLegs | Limbs) -> list[str]:
@@ -69,4 +72,4 @@ def free_region_html(r: FreeRegion, m: SixLegs | Limbs, *, live: bool) -> str:
     """The sentence that says what is proved, the ranges of the coordinates, and where the proof ended."""
     words = "The range of each coordinate, and the pose at which the proof ended."
     picture = f'<figure class="plot">{shown(r, "svg")}<figcaption>{words}</figcaption></figure>'
-    return account_section(r, f"A {r.shape} free of singular poses", picture)
+    return account_section(r, f"A {r.shape} free of singular poses", picture, last=checking_html(r, r.title))

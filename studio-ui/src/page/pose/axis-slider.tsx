@@ -23,7 +23,7 @@ export function AxisSlider({ name, label, unit, value, low, high, step, testid, 
   const spoken = `${plain(value, digits)} ${unit === "°" || unit === "deg" ? "degrees" : unit}`;
   return (
     <div class="axis">
-      <span class="name" aria-hidden="true">
+      <span class="name" aria-hidden="true" title={name.length > 2 ? name : undefined}>
         {name}
       </span>
       <input
