@@ -9,6 +9,7 @@ import pytest
 pytest.importorskip("starlette", reason="needs the extra gcrules[studio]")
 pytest.importorskip("playwright", reason="needs the extra gcrules[dev]")
 
+from places import ROOT
 from studio_page import Desk
 
 pytestmark = pytest.mark.browser
@@ -155,3 +156,19 @@ def test_without_a_graphics_card_a_moving_picture_is_coarse_and_a_still_one_fine
     desk.page.wait_for_function(f"() => ({FINENESS})() === 2")
     assert desk.run(MOVED) == 1
     desk.page.wait_for_function(f"() => ({FINENESS})() === 2")
+
+
+def test_long_names_of_actuators_leave_the_way_where_it_is(sit_down: Callable[..., Desk]) -> None:
+    """Each takes one line, its end left out in the page and told where it is pointed at."""
+    text = (ROOT / "plugins/6-rus/robot.yaml").read_text(encoding="utf-8")
+    tops = []
+    for name in ("leg %", "the very long arm of the machine with the number %"):
+        desk = sit_down(viewport={"width": 1440, "height": 900}).visit()
+        desk.run("text => gcrules.open({kind: 'file', name: 'r.yaml', text})", text.replace("leg %", name))
+        desk.page.wait_for_function("() => gcrules.loaded.value.state === 'ready'")
+        desk.answered()
+        desk.painted()
+        tops.append(desk.one("tab-way").bounding_box()["y"])
+        assert desk.page.locator(".axis .name").first.get_attribute("title") == f"q1, {name.replace('%', '1')}"
+        assert desk.run("document.documentElement.scrollWidth <= innerWidth")
+    assert tops[0] == tops[1] < 820

@@ -63,7 +63,8 @@ def test_a_map_comes_coarse_and_is_refined(desk: Desk, kind: str, name: str, nod
     assert desk.one("map-picture").locator("path").count() == len(found["curves"]) > 0
     field = desk.one("map-picture").locator("svg").bounding_box()
     assert field == desk.one("map-picture").locator("canvas").bounding_box(), "curves lie on their cells"
-    assert desk.text("map-fixed") == {"octahedral": "fixed: y = 0, no rotation", "3-rps": "fixed: pitch = 0°"}[name]
+    others = {"octahedral": "y = 0, no rotation", "3-rps": "pitch = 0°"}[name]
+    assert desk.text("map-fixed") == f"Everywhere in this map: {others}."
     legend = desk.text("map-legend")
     kinds = {kind for row in found["status"] for kind in row}
     for kind, words in {"free": "proved free", "crossed": "crossed", "undecided": "not decided"}.items():
@@ -93,7 +94,9 @@ def test_the_map_shows_where_the_robot_is(desk: Desk) -> None:
         assert part == pytest.approx(min(max((at[0] - low) / (high - low), 0), 1), abs=0.01)
     assert desk.one("map-elsewhere").count() == 0
     desk.run("gcrules.edit({pose: {translation: [80, 0, 30], quaternion: [1, 0, 0, 0]}})")
-    assert desk.text("map-elsewhere").startswith("The robot is not in this map: z = 30 mm, no rotation.")
+    assert desk.text("map-elsewhere").startswith(
+        "The robot is not in this map, as it stands at another place: z = 30 mm, no rotation."
+    )
     desk.one("map-again").click()
     desk.one("map-elsewhere").wait_for(state="detached")
     assert desk.text("map-fixed") == "fixed: z = 30 mm, no rotation"

@@ -82,12 +82,12 @@ export function MapResult({ asked, result, measures, again }: Props) {
       </Plot>
       {fixed && (
         <p class="fixed" data-testid="map-fixed">
-          fixed: {fixed}
+          Everywhere in this map: {fixed}.
         </p>
       )}
       {elsewhere && (
         <p class="elsewhere" data-testid="map-elsewhere">
-          The robot is not in this map: {here.fixed}.{" "}
+          The robot is not in this map, as it stands at another place: {here.fixed}.{" "}
           <button type="button" data-testid="map-again" onClick={again}>
             Map where it is
           </button>
