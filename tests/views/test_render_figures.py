@@ -30,7 +30,7 @@ from gcrules.rules.catalog.file import load
 from gcrules.rules.condition import Condition
 from gcrules.views.drawing.drawing import Circle, Drawing, Polygon, Run, Stroke, Text, name_runs, text_width
 from gcrules.views.drawing.drawing_files import save
-from gcrules.views.drawing.figures import graph_figure, incidence_in_words, robot_figure, thumbnail
+from gcrules.views.drawing.figures import graph_figure, incidence_in_words, robot_figure, shown_entities, thumbnail
 from gcrules.views.drawing.graph import count_crossings, draw_graph, layered_order
 from gcrules.views.drawing.labels import Label, label_box, overlap, place_labels
 from gcrules.views.drawing.legend import rounded
@@ -171,6 +171,16 @@ def test_lines_that_stand_for_limbs_are_of_no_bodies() -> None:
     assert not _words(shapes) & {"platform", "base"}
     assert len({s.fill for s in shapes if isinstance(s, Circle)}) == 1
     assert {"platform", "base"} <= _words(graph_figure(legs).shapes)
+
+
+@pytest.mark.parametrize("name", ["orthoglide", "3-upu", "3-uru", "3-puu"])
+def test_lines_that_are_joined_with_constructions_are_entities(name: str) -> None:
+    """Of ((xyz ∧ A1B1) ∨ A2B2) ∧ A3B3 all three lines are drawn, in the order in which they are written."""
+    condition = gc.analyze(name).lines.condition
+    found = [e.points for e in shown_entities(condition) if e.kind == "line"]
+    legs = [p for p in found if p[0].startswith("A")]
+    assert [p[0] for p in legs] == ["A1", "A2", "A3"]
+    assert all(f"{a}{b}" in str(condition.expression) for a, b in found)
 
 
 def _words(shapes: Iterable[Any]) -> set[str]:

@@ -116,6 +116,8 @@ def _joins(e: Expr, hidden: Sequence[Expr]) -> Iterator[tuple[str, tuple[str, ..
             children = [c for c in children if str(c) not in parts]
     for child in children:
         yield from _joins(child, hidden)
+    if isinstance(e, Join) and len(names) == 2:  # a line that is joined with what is constructed
+        yield "line", names
 
 
 def named_lines(a: Analysis) -> list[tuple[str, Expr]]:
