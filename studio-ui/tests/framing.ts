@@ -6,7 +6,7 @@ import { framed, holds, type Pane } from "../src/viewer/framing";
 import { sightOf } from "../src/viewer/sight";
 import type { Vec3 } from "../src/viewer/types";
 
-const PANES: Pane[] = [[480, 215], [800, 400], [300, 640], [60, 40], [1600, 300]].map(([width, height]) => ({ width: width!, height: height!, free: 1, fov: 26, letter: 1 }));
+const PANES: Pane[] = [[480, 215], [800, 400], [300, 640], [60, 40], [1600, 300]].map(([width, height]) => ({ width: width!, height: height!, covered: [0, 0], fov: 26, letter: 1 }));
 const SHAPES: Record<string, Vec3[]> = {
   wide: [[-1, -2, 0], [1.2, 1.8, 0.2], [0, -1, 0.5]],
   tall: [[0, 0, 0], [0.9, 0, 4], [-0.8, 0.6, 2], [0.3, -0.7, 1]],
@@ -43,9 +43,10 @@ test("what is drawn touches the margins of the picture, and is in its middle", (
 });
 
 test("more of the edges is left free where something covers them", () => {
-  const pane = { ...PANES[1]!, free: 0.6 };
+  const pane = { ...PANES[1]!, covered: [80, 20] };
   const { y } = seen(SHAPES.tall!, [0, -1, 0], pane);
-  assert.ok(y[0] >= 0.2 * pane.height && y[1] <= 0.8 * pane.height);
+  assert.ok(y[0] > 80 + 29.9 && y[1] < pane.height - 20 - 29.9, "labels have their room too");
+  assert.ok(y[0] + pane.height - y[1] < 100 + 60.1, "and no more is left free");
 });
 
 test("it is known whether all is in the picture", () => {

@@ -57,6 +57,13 @@ def test_the_pieces_are_the_whole(data: st.DataObject) -> None:
     assert without_spaces("".join(tex for tex, _ in latex_parts(e))) == without_spaces(latex(e))
 
 
+def test_what_is_constructed_comes_piece_by_piece() -> None:
+    """Each plane and line of it is a piece, which a page can colour."""
+    found = list(latex_parts(parse(r"xyz /\ ((xyz /\ ab) \/ cd) /\ ef")))
+    assert [str(e) for _, e in found] == ["xyz", "xyz", "ab", "cd", "ef"]
+    assert [tex for tex, _ in found][2:4] == [r"{}\wedge ab)", r"{}\vee cd)"]
+
+
 def test_a_sum_that_is_taken_away_stays_in_parentheses_piece_by_piece() -> None:
     e = parse("[abcd]**2 - ([abce] - [abcf])")
     assert [tex for tex, _ in latex_parts(e)] == ["{[abcd]}^{2}", "{}-([abce] - [abcf])"]

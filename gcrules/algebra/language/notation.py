@@ -91,7 +91,7 @@ def terms(e: Expr) -> list[Term]:
 
 def parts(e: Expr) -> Iterator[tuple[Term, Expr]]:
     """The signs in pieces after which a line may end, each with the expression that it shows: terms, operands of a
-    meet, and in products what stands in parentheses, piece by piece; brackets side by side are one piece.
+    meet or join, and in products what stands in parentheses, piece by piece; brackets side by side are one piece.
     """
     match e:
         case Sum(terms=terms) if _is_sum(e):
@@ -106,9 +106,30 @@ def parts(e: Expr) -> Iterator[tuple[Term, Expr]]:
             yield from _product_parts(factors)
         case Meet(args=args):
             for i, a in enumerate(args):
-                yield (*[Mark("∧")] * bool(i), *_wrapped(a, (Point,))), a
+                yield from _operand((Mark("∧"),) * bool(i), a, (Point,))
+        case Join(args=args) if not _side_by_side(e):
+            before: Term = ()
+            for is_point, run in groupby(args, _named):
+                together = tuple(run)
+                if is_point:
+                    yield (*before, _points(together)), Join(together) if len(together) > 1 else together[0]
+                for a in () if is_point else together:
+                    yield from _operand(before, a, ())
+                    before = (Mark("∨"),)
+                before = (Mark("∨"),)
         case _:
             yield signs(e), e
+
+
+def _operand(before: Term, e: Expr, bare: tuple[type[Expr], ...]) -> Iterator[tuple[Term, Expr]]:
+    """What is joined or met, with the sign before it; of what is constructed itself the pieces, in parentheses."""
+    if not isinstance(e, Meet | Join) or _side_by_side(e):
+        yield (*before, *_wrapped(e, bare)), e
+        return
+    inner = list(parts(e))
+    for i, (term, part) in enumerate(inner):
+        opened, closed = [Mark("(")] * (not i), [Mark(")")] * (i == len(inner) - 1)
+        yield (*before * (not i), *opened, *term, *closed), part
 
 
 def _whole(e: Expr) -> tuple[Term, Expr]:

@@ -49,7 +49,7 @@ def latex_parts(e: Expr) -> Iterator[tuple[str, Expr]]:
         yield (_LEADS[first] + _spelled(term[1:]) if first in _LEADS else _spelled(term)), part
 
 
-_LEADS = {"+": "{}+", "−": "{}-", "∧": r"{}\wedge "}
+_LEADS = {"+": "{}+", "−": "{}-", "∧": r"{}\wedge ", "∨": r"{}\vee "}
 
 
 def latex_lines(e: Expr, width: int = 60) -> list[str]:

@@ -60,11 +60,13 @@ export class Rig {
     return { eye: this.camera.position.toArray() as Vec3, target: this.orbit.target.toArray() as Vec3 };
   }
 
-  /** Of what covers the picture no more is left free than leaves most of it. */
+  /** Where more is covered than leaves most of the picture, the rest of it is drawn upon. */
   private get pane(): Pane {
     const { width, height, camera } = this;
-    const free = Math.max(1 - (2 * (this.options.covered?.() ?? 0)) / height, 0.6);
-    return { width, height, free, fov: camera.fov, letter: this.sight.letter };
+    const most = (side: number): number => Math.min(side, 0.3 * height);
+    const [above, below] = this.options.covered?.() ?? [0, 0];
+    const covered = [most(above), most(below)] as const;
+    return { width, height, covered, fov: camera.fov, letter: this.sight.letter };
   }
 
   private fitted(model: Model, direction: Vec3): Stand {

@@ -127,8 +127,8 @@ export interface Options {
   onMarks?(boxes: readonly (readonly [number, number, number, number])[]): void;
   renderer?: "auto" | "svg";
   theme?: Theme;
-  /** How many CSS pixels of the upper edge the host covers now; standard views and fits leave them free. */
-  covered?(): number;
+  /** How many CSS pixels the host covers now from above and from below; standard views and fits leave them free. */
+  covered?(): readonly [above: number, below: number];
   /** Whether the wheel zooms at any time, or only once the view was clicked, so that the page around it scrolls. */
   wheel?: "always" | "focused";
   /** Handles and keys that move the platform; on unless false. */

@@ -27,7 +27,7 @@ export function connect(element: HTMLElement, store: Store): () => void {
       else if (robot) store.leading.to(pose);
       else store.edit({ pose }, "hand");
     },
-    covered: () => element.parentElement?.querySelector<HTMLElement>(".warning:not(.below)")?.offsetHeight ?? 0,
+    covered: () => [coveredBy(".warning.top", element), coveredBy(".warning.bottom", element)],
     onMarks(boxes) {
       if (JSON.stringify(boxes) !== JSON.stringify(space.marks.peek())) space.marks.value = boxes;
     },
@@ -69,6 +69,8 @@ export function connect(element: HTMLElement, store: Store): () => void {
     viewer.dispose();
   };
 }
+
+const coveredBy = (what: string, element: HTMLElement): number => element.parentElement?.querySelector<HTMLElement>(what)?.offsetHeight ?? 0;
 
 const REST = 500; // milliseconds without a move
 
