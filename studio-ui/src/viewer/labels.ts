@@ -29,7 +29,7 @@ const DIRECTIONS = Array.from({ length: 16 }, (_, k): [number, number] => [
   Math.cos((Math.PI * k) / 8),
   Math.sin((Math.PI * k) / 8),
 ]);
-const GAPS = [2, 8, 16];
+const GAPS = [2, 8, 16, 30];
 const EDGE = 2; // pixels between a label and the side of the picture
 
 /** One place for each wish, in order; discs are (x, y, radius), strokes pairs of ends; boxes are taken already. */
@@ -56,7 +56,7 @@ export function placed(
         const y = within(wish.y + dy * reach, wish.y, wish.height / 2, height);
         const box: Box = [x - wish.width / 2, y - wish.height / 2, x + wish.width / 2, y + wish.height / 2];
         const wished = (dx * wish.toward[0] + dy * wish.toward[1]) / size;
-        const texts = taken.reduce((sum, other) => sum + overlap(box, other, 1.5), 0);
+        const texts = taken.reduce((sum, other) => sum + overlap(box, other, 3), 0);
         let cost = 7 * (1 - wished) + 1.4 * gap + 8 * texts;
         for (const [cx, cy, r] of discs) cost += 3 * overlap(box, [cx - r, cy - r, cx + r, cy + r], 1);
         for (const stroke of strokes) cost += 0.9 * inside(box, stroke);
