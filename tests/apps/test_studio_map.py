@@ -99,7 +99,7 @@ def test_the_map_shows_where_the_robot_is(desk: Desk) -> None:
     )
     desk.one("map-again").click()
     desk.one("map-elsewhere").wait_for(state="detached")
-    assert desk.text("map-fixed") == "fixed: z = 30 mm, no rotation"
+    assert desk.text("map-fixed") == "Everywhere in this map: z = 30 mm, no rotation."
     assert desk.faults == []
 
 
