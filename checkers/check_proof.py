@@ -1,26 +1,26 @@
 #!/usr/bin/env python3
 r"""Check the theorems of a proof file of gcrules: python checkers/check_proof.py FILE.json
 
-It needs Python alone and shares no code with gcrules. It prints each claim as it reads it, expands both sides by the
-definitions, subtracts multiples of the file's relations, and says yes only where nothing is left. All it relies on:
+It needs Python alone and no code of gcrules, prints each claim as it reads it, expands both sides by the definitions,
+subtracts multiples of the file's relations, and says yes only where nothing is left. It relies on:
 
-* a bracket of rank d is the determinant of the homogeneous coordinates of d points: it changes its sign where two of
-  them change places, vanishes where two are the same, and where all are at infinity (last coordinate 0);
-* the join of points is their exterior product, a bracket that of full step;
+* the join of points is their exterior product; that of d points in rank d, a bracket, is the determinant of homogeneous
+  coordinates, which changes sign with each exchange and vanishes where all are at infinity (last coordinate 0);
 * the meet of A = a1 ... ak and B of step h is the sum over all splits of A into d - h points P and the others Q, in
   their order: sign [P B] Q (the Grassmann-Cayley algebra of Doubilet, Rota and Stein);
 * the superbracket of six lines is the determinant of their coordinates 12, 13, 14, 23, 24, 34: its formula in brackets,
   which changes sign with a line's ends, is compared with it at all choices of basis lines; in the plane it is a meet;
 * the exchange relation: [S][T] is the sum of all products in which the first k points of S change places with k of T;
-* an extensor of step k is zero exactly when its brackets with any d - k further points are zero.
+* joins and meets of points, and of sums that are points or hyperplanes, are extensors; one of step k is zero exactly
+  when its brackets with any d - k further points are zero.
 
 Under assumptions (`given`: what vanishes, `nonzero`: what does not) both sides are claimed to be equal wherever these
 hold. Points are placed one after the other: X on an extensor W, which is the join of parts P, is the sum of a scalar
 times P, or of P ^ R with a join R of fresh finite ones; so they are expanded. Every position is reached, since X lies
-on W and W is not zero:
+on W and W is not zero, or since X - W is a multiple of something given, where X is `equal` to W:
 * X lies on F where F v X vanishes as it stands or is a multiple of something given, or where all of F v X lies on an
   extensor that is not zero and has no room for it; on A ^ B where it lies on both, and on A v R where it lies on A;
-  X may be auxiliary: a meet of others (`meets`), as which it is read there, and which the claim does not name;
+  X may be auxiliary: it is read there as an expression in others (`meets`), and the claim does not name it;
 * a part of a join, meet or bracket that is not zero is not zero; (S v R) ^ T is not zero for some R where T is not, and
   S joined with points of T up to the step that R leaves is not;
 * where W joins free points that, as X, were not bound before, W may be zero: dependent positions of them and X are an
@@ -210,10 +210,8 @@ class Reader:
     def closed(self, e):
         """An expression as one polynomial; an extensor of step k is closed by d - k further points."""
         step, value = self.read(e)
-        further, total = tuple(range(len(self.points), len(self.points) + self.rank - step)), {}
-        for row, p in value.items():
-            total = plus(total, times(p, self.row(row + further)) if step else p)
-        return total
+        further = tuple(range(len(self.points), len(self.points) + self.rank - step))
+        return reduce(plus, (times(p, self.row(row + further)) if step else p for row, p in value.items()), {})
 
     def without(self, rest, relations):
         """A polynomial minus multiples of exchange relations."""
@@ -243,18 +241,20 @@ class Reader:
         e = self.open(e)
         return [e] if isinstance(e, str) or e[0] != operation else [x for p in e[1:] for x in self.args(p, operation)]
 
-    def plain(self, e):
-        """Whether an expression is made of points by joins and meets."""
+    def plain(self, e, fresh=()):
+        """Whether it is made by joins and meets of points and of sums that are points or hyperplanes."""
         e = self.open(e)
-        return isinstance(e, str) or (e[0] in ("join", "meet") and all(map(self.plain, e[1:])))
+        flat = e[0] in ("sum", "product") and self.read(e)[0] in (1, self.rank - 1) and not self.names(e) & {*fresh}
+        return isinstance(e, str) or flat or (e[0] in ("join", "meet") and all(self.plain(p, fresh) for p in e[1:]))
 
     def key(self, e):
-        """The same for joins and for meets of the same parts in any sequence."""
+        """The same for joins and for meets of the same parts in any sequence, and for sums that are multiples."""
         e = self.open(self.meets.get(e, e) if isinstance(e, str) else e)
-        if not isinstance(e, list) or e[0] == "number":
-            return str(e)
-        parts = self.args(e, e[0]) if e[0] in ("join", "meet") else e[1:]
-        return f"{e[0]}({' '.join(sorted(map(self.key, parts)))})" if len(parts) > 1 else self.key(parts[0])
+        if isinstance(e, list) and e[0] in ("join", "meet"):
+            parts = self.args(e, e[0])
+            return f"{e[0]}({' '.join(sorted(map(self.key, parts)))})" if len(parts) > 1 else self.key(parts[0])
+        terms = sorted((row, m, Fraction(c)) for row, p in self.read(e)[1].items() for m, c in p.items())
+        return str([(row, m, c / terms[0][2]) for row, m, c in terms])
 
 
 class Positions:
@@ -265,25 +265,26 @@ class Positions:
         self.given = [reader.closed(e) for e in theorem["given"]]
         self.alive = [part for e in theorem["nonzero"] if reader.read(e)[1] for part in self.parts(e)]
         self.scalars, self.places, seen, before = 0, {}, set(), {*theorem["points"]}
-        placed = [(p["name"], [*p["fresh"]], reader.open(p["on"]), p["flats"]) for p in theorem["placed"]]
+        placed = [(p["name"], [*p["fresh"]], reader.open(p["on"]), p) for p in theorem["placed"]]
         finite, meets = {*theorem["points"][reader.ideal :]} - {*reader.meets}, [*reader.meets.values()]
         known = [*theorem["claim"], *theorem["given"], *theorem["nonzero"], *meets, *theorem["points"][: reader.ideal]]
         used = Counter(n for e in (*known, *(on for _, _, on, _ in placed)) for n in reader.names(e))
         expect(not any(reader.names(e) & {*reader.meets} for e in known), "an auxiliary point is named")
-        expect(all(reader.plain(e) and reader.read(e)[0] == 1 for e in meets), "an auxiliary point that is none")
+        expect(all(reader.read(e)[0] == 1 for e in meets), "an auxiliary point that is none")
         expect(not any(reader.names(e) & {*theorem["any"]} for e in theorem["nonzero"] + meets), "not zero for all")
-        for name, fresh, on, flats in placed:
+        for name, fresh, on, p in placed:
             self.fresh, own, points = fresh, reader.names(on), reader.args(on)
             expect(own <= before and {*fresh} <= finite - seen, f"{name} is placed too early")
             inside = Counter(n for part in points for n in reader.names(part))
             expect(all(used[f] == inside[f] < 2 for f in fresh) and len({*fresh}) == len(fresh), "not fresh")
-            self.flats = {reader.key(flat["flat"]) for flat in flats if self.lies_on(name, flat)}
-            expect(self.lies(on), f"{name} need not lie on {reader.text(on)}", NotProved)
-            dense = own <= finite - seen and len(points) == len(own) and all(isinstance(n, str) for n in points)
+            self.flats = {reader.key(flat["flat"]) for flat in p["flats"] if self.lies_on(name, flat)}
+            same, difference = "equal" in p, ["sum", name, ["product", ["number", -1], on]]
+            there = reader.read(on)[0] == 1 and self.vanishes(difference, *p["equal"]) if same else self.lies(on)
+            expect(there, f"{name} need not {'equal' if same else 'lie on'} {reader.text(on)}", NotProved)
+            dense = same or (own <= finite - seen and sorted(map(str, points)) == sorted(own))
             expect(dense or self.not_zero(on), f"{name}: {reader.text(on)} may vanish", NotProved)
-            seen |= {name, *own, *fresh}
-            before.add(name)
-            self.places[name] = self.place(on, [f for f in fresh if f not in own])
+            seen, before = {*seen, name, *own, *fresh}, {*before, name}
+            self.places[name] = self.place(on, [f for f in fresh if f not in own], same)
 
     def parts(self, e):
         """An expression and the parts of it that are not zero where it is not."""
@@ -305,8 +306,9 @@ class Positions:
         expect(all(isinstance(n, str) for n in points) and self.not_zero(room), "a room that may vanish")
         expect(len(points) < sum(r.read(part)[0] for part in r.args(joined)), "there is room")
         for part, why in zip(others, because, strict=True):
-            expect(isinstance(part, str) or len(points) == r.rank - 1, "an extensor on what is no hyperplane")
-            expect(self.vanishes(["join" if isinstance(part, str) else "meet", part, room], *why), "it is not there")
+            how = "join" if r.read(part)[0] == 1 else "meet"
+            expect(how == "join" or len(points) == r.rank - 1, "an extensor on what is no hyperplane")
+            expect(self.vanishes([how, part, room], *why), "it is not there")
         return True
 
     def lies(self, e):
@@ -324,21 +326,19 @@ class Positions:
         kept = [part for part in first if part not in self.fresh]
         loose = {*self.fresh}.intersection(part for part in first if isinstance(part, str))
         missing = r.rank - len(loose) - sum(r.read(part)[0] for part in kept)
-        if len(met) < 2 or not loose or len(first) > len(kept) + len(loose) or missing < 0 or not self.not_zero(other):
-            return False
-        ends = combinations([part for part in r.args(other) if isinstance(part, str)], missing)
-        return any(self.not_zero(["join", *kept, *some]) for some in ends)
+        fits = len(met) > 1 and loose and len(first) == len(kept) + len(loose) and missing >= 0 and self.not_zero(other)
+        ends = [part for part in r.args(other) if isinstance(part, str)]
+        return fits and any(self.not_zero(["join", *kept, *some]) for some in combinations(ends, missing))
 
-    def place(self, on, fresh):
+    def place(self, on, fresh, equal):
         """How a point is written, for the reader of the claim."""
-        terms, fresh = [], list(fresh)
-        expect(self.reader.plain(on), "a point on what is not made by joins and meets")
-        for part in self.reader.args(on):
+        terms = []
+        expect(equal or self.reader.plain(on, self.fresh), "a point on what is not made by joins and meets")
+        for part in [on] if equal else self.reader.args(on):
             step = self.reader.read(part)[0]
             new = [fresh.pop(0) for _ in range(self.reader.rank - step + 1 if step > 1 else 0)]
-            scaled = not new and not self.reader.names(part).intersection(self.fresh)
-            scalar = {((self.scalars,),): 1} if scaled else {(): 1}
-            terms.append((["meet", part, ["join", *new]] if new else part, scalar))
+            scaled = not (new or equal or self.reader.names(part).intersection(self.fresh))
+            terms.append((["meet", part, ["join", *new]] if new else part, {((self.scalars,),) if scaled else (): 1}))
             self.scalars += 1
         return lambda r: r.sum([r.join([(0, {(): scalar}), r.read(e)]) for e, scalar in terms])
 

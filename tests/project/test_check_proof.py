@@ -86,6 +86,13 @@ ANSWERS: dict[str, Callable[[], Any]] = {
     "cases": lambda: gc.prove("[abc][abd] == 0", rank=3, given="[abc]**2 [abd]**3 == 0"),
     "cases in cases": lambda: gc.prove("[abc][abd][cde] == 0", rank=3, given="[abc][ade] == 0, [abd][ace] == 0"),
     "a factor that does not vanish": lambda: gc.prove("[abd] == 0", rank=3, given=NO_KIND),
+    "a point that is a sum": lambda: gc.prove("[abq] == [abc]", rank=3, given="p == a + b, q == p + c"),
+    "a point that is a meet": lambda: gc.prove(r"p ab == 0", rank=3, given=r"2 p == ab /\ cd"),
+    "a point that is zero": lambda: gc.prove(
+        "[pab] == 0", rank=3, given="p == [abc] d - 2 [abd] c, collinear(a, b, c)"
+    ),
+    "a line through a sum": lambda: gc.prove("[abd] == -2 [cbd]", rank=3, given="collinear(d, b, 2 c + a)"),
+    "a plane that is a sum": lambda: gc.prove("[abcd] == [abce]", given="[abcd] == [abce]"),
     "one point said twice": lambda: gc.prove("be == 0", rank=3, given="fb == 0, fe == 0"),
 }
 NO_KIND = "collinear(c, d, e), incident(a, be), [bed][bac] == -[bea][bdc]"
@@ -179,6 +186,9 @@ SEEDS = (
     lambda: gc.prove("[pabc] == 0", given="incident(p, ab)"),
     lambda: gc.prove("[bde][bcd] == 0", rank=3, given="collinear(a, b, d), [bcd][abe] == [abd][bce]"),
     lambda: gc.prove("[abc][abd][cde] == 0", rank=3, given="[abc][ade] == 0, [abd][ace] == 0"),
+    lambda: gc.prove("[pab] == 0", rank=3, given=r"p == ab /\ cd"),
+    lambda: gc.prove("[acp] == 2 [bcp]", rank=3, given="collinear(p, c, a - 2 b)"),
+    lambda: gc.prove("[abc][aef] == [abd][aef]", rank=3, given="[abc] == [abd]"),
 )
 MENELAUS = "incident(d, bc), incident(e, ca), incident(f, ab), collinear(d, e, f)"
 PAPPUS = "collinear(a, b, c), collinear(a', b', c')"

@@ -2,73 +2,25 @@
 
 from __future__ import annotations
 
-import json
-import subprocess
-import sys
 from pathlib import Path
 from typing import Any
 
 import pytest
-from places import ROOT
-
-CHECKER = ROOT / "checkers" / "check_proof.py"
-
-Changes = dict[str, Any]
-
-
-def points(text: str) -> list[str]:
-    return text.split()
-
-
-def join(*parts: Any) -> list[Any]:
-    return ["join", *parts]
-
-
-def meet(*parts: Any) -> list[Any]:
-    return ["meet", *parts]
-
-
-def bracket(*parts: Any) -> list[Any]:
-    return ["bracket", *parts]
-
-
-def number(value: Any) -> list[Any]:
-    return ["number", value]
-
-
-def twice_c(first: str, second: str) -> list[Any]:
-    return ["sum", ["product", bracket(*first), "c"], ["product", bracket(*second), "c"]]
-
-
-def flat(extensor: Any, *because: list[Any], room: Any = None) -> Changes:
-    return {"flat": extensor, "room": room, "because": list(because)}
-
-
-def placed(name: str, on: Any, *flats: Changes, fresh: str = "") -> Changes:
-    return {"name": name, "on": on, "fresh": [*fresh], "flats": list(flats)}
-
-
-def on_line(name: str, index: int = 0, on: Any = ("join", "a", "b"), **more: Any) -> Changes:
-    """A point on a line, of which the assumption with this index speaks."""
-    return placed(name, list(on), flat(list(on), [index, 1]), **more)
-
-
-def theorem(names: str, *claim: Any, rank: int = 3, **more: Any) -> Changes:
-    two = claim if len(claim) == 2 else (*claim, number(0))
-    plain = {"name": "attack", "rank": rank, "points": points(names), "ideal": 0, "definitions": [], "relations": []}
-    return {**plain, "claim": list(two), **more}
-
-
-def assumed(names: str, *claim: Any, given: list[Any], placed: list[Changes], **more: Any) -> Changes:
-    return theorem(names, *claim, **{"any": [], "given": given, "nonzero": [], "placed": placed, **more})
-
-
-def run(tmp_path: Path, *theorems: Any, **head: Any) -> subprocess.CompletedProcess[str]:
-    file = tmp_path / "proofs.json"
-    data = {"format": "gcrules proof", "version": 1, "theorems": list(theorems), **head}
-    file.write_text(json.dumps(data), encoding="utf-8")
-    return subprocess.run([sys.executable, str(CHECKER), str(file)], capture_output=True, text=True, check=False)
-
+from project.forged import (
+    Changes,
+    assumed,
+    bracket,
+    flat,
+    join,
+    meet,
+    number,
+    on_line,
+    placed,
+    refused,
+    run,
+    theorem,
+    twice_c,
+)
 
 ABX, ABY, ADX, ADY = (bracket(*names) for names in ("abx", "aby", "adx", "ady"))
 X_ON_AB = on_line("x")
@@ -342,7 +294,7 @@ ATTACKS: dict[str, tuple[Changes, str]] = {
             placed=[placed("m", "c", flat("c", [])), placed("x", "m", flat("m", []))],
             meets=[["m", twice_c("abf", "baf")]],
         ),
-        "that is none",
+        "may vanish",
     ),
     "an auxiliary point for all points": (
         assumed("a b c", bracket(*"abc"), given=[bracket(*"abo")], placed=[M_ON_AB], meets=[["m", "o"]], any=["o"]),
@@ -469,10 +421,7 @@ ATTACKS: dict[str, tuple[Changes, str]] = {
 
 @pytest.mark.parametrize(("attack", "reason"), ATTACKS.values(), ids=ATTACKS)
 def test_nothing_false_is_proved(attack: Changes, reason: str, tmp_path: Path) -> None:
-    done = run(tmp_path, attack, **({"version": 2} if reason == "version" else {}))
-    assert done.returncode in (1, 2), done.stdout
-    assert "proved, called" not in done.stdout.replace("NOT PROVED, called", "")
-    assert reason in done.stdout + done.stderr
+    refused(tmp_path, attack, reason, **({"version": 2} if reason == "version" else {}))
 
 
 TRUE: dict[str, tuple[Changes, str]] = {

@@ -50,6 +50,9 @@ NOT_RUN = {
         'gcrules prove "[bde][bcd] == 0" --rank 3 --given "collinear(a, b, d), [bcd][abe] == [abd][bce]" '
         "--certificate kinds.json",
     ): "tests/project/test_check_proof.py checks proofs",
+    ("docs/proofs.md", 'gcrules prove "[pab] == 0" --rank 3 --given "p == ab /\\ cd" --certificate meet.json'): (
+        "tests/project/test_check_proof.py checks proofs"
+    ),
     ("docs/proofs.md", "proved, called 'claim' in the file:"): (
         "tests/project/test_check_proof.py reads what it prints"
     ),

@@ -289,6 +289,51 @@ def test_coq_replays_theorems_whose_meets_stand_in_two_sequences(tmp_path: Path)
     assert done.returncode == 0, done.stderr
 
 
+def with_sums() -> list[Theorem]:
+    """Points that are said to be equal to an expression, and those on lines and planes through sums."""
+    return [
+        assumed("[pab] == 0", r"p == ab /\ cd", "a meet", rank=3),
+        assumed("[apq] == 0", "p == [abc] d - 2 [abd] c, q == p + a", "sums", rank=3),
+        assumed("p == a + b", "p == a + b, incident(q, cp)", "the point itself", rank=3),
+        assumed("[abcq] == 0", "incident(p, ab), q == p - c", "in space"),
+        assumed("[abd] == -2 [cbd]", "collinear(d, b, 2 c + a)", "a line through a sum", rank=3),
+        assumed("[abcp] == 3 [abdp]", "coplanar(p, a, b, c - 3 d)", "a plane through a sum"),
+        assumed("[abc] == [abd]", "[abc] == [abd]", "a line that is a sum", rank=3),
+        assumed("[abcd] == [abce]", "[abcd] == [abce]", "a plane that is a sum"),
+    ]
+
+
+def test_a_point_that_is_equal_to_an_expression_is_written_as_that() -> None:
+    script = coq_script(with_sums()[:1], "A meet")
+    assert "(p + ((number plane (-1)) · ((a ∨ b) ∧ (c ∨ d)))) = number plane 0 ->" in script
+    assert "refine (equal_to plane _ _ h_1 _ _ _)." in script
+    halves = ProofFile("Halves", (assumed("[pab] == 0", r"2 p == ab /\ cd", "half a meet", rank=3),))
+    assert coq.without_script(halves) == {"half a meet": "it holds under assumptions of which fractions are used"}
+
+
+@pytest.mark.needs("coqc")
+def test_coq_replays_theorems_with_sums(tmp_path: Path) -> None:
+    script = without_proofs_of_coordinates(coq_script(with_sums(), "Sums"))
+    done = run(script[: script.index("Print Assumptions")], tmp_path)
+    assert done.returncode == 0, done.stderr
+
+
+@pytest.mark.needs("coqc")
+@pytest.mark.parametrize(
+    ("said", "instead"),
+    [("(number plane (-1)) · ((a", "(number plane (1)) · ((b"), ("= (number plane (0))", "= (number plane (1))")],
+    ids=["another assumption", "another claim"],
+)
+def test_coq_refuses_a_point_that_is_equal_to_another_expression(said: str, instead: str, tmp_path: Path) -> None:
+    script = without_proofs_of_coordinates(coq_script(with_sums()[:1], "A meet"))
+    start, end = script.index("Theorem a_meet"), script.index("Proof.", script.index("Theorem a_meet"))
+    assert said in script[start:end]
+    done = run(script[:start] + script[start:end].replace(said, instead) + script[end:], tmp_path)
+    assert done.returncode != 0
+    line = int(re.search(r'File "./theorems.v", line ([0-9]+)', done.stderr)[1])
+    assert line > script[:start].count("\n"), done.stderr
+
+
 def test_cases_of_several_equations_have_no_script() -> None:
     given = "[dbf][cbf] == [eca][bde], incident(e, ca), collinear(a, d, f)"
     found = ProofFile("Sum", (assumed("[bcf][bdf] == 0", given, "sum", rank=3),))

@@ -3,6 +3,7 @@ r"""Why a construction reaches every position that satisfies the assumptions, in
 A point X that is constructed on an extensor W lies there at every such position, since it lies on flats F of which W is
 made by meets and joins. F ∨ X = 0 is an equation of the assumptions, or it has more points than there is room for on an
 extensor on which all of them lie. An auxiliary point is a meet of others, so that F ∨ X may vanish as it stands.
+A point that is said to be equal to an expression W is placed as W, since X − W = 0 is an equation.
 """
 
 from __future__ import annotations
@@ -15,13 +16,13 @@ from gcrules.algebra import expr as ex
 from gcrules.algebra.assumptions.construction import Construction, ConstructionStep
 from gcrules.algebra.bracket import Coefficient, Terms
 from gcrules.algebra.evaluate import Evaluator
-from gcrules.algebra.expr import Bracket, Expr, Join, Meet, Point, Product, points_of
+from gcrules.algebra.expr import Bracket, Expr, Join, Meet, Point, Product, Sum, points_of
 from gcrules.algebra.parts import substitute
 from gcrules.algebra.proofs.relations import Relation, relations
 from gcrules.algebra.proofs.written import Written, number
 from gcrules.core.dataclass import dataclass
 
-__all__ = ["Flat", "Multiple", "flats", "is_plain", "quotient", "turned"]
+__all__ = ["Flat", "Multiple", "equal", "flats", "is_plain", "quotient", "turned"]
 
 _MOST = 1_000  # exchanges
 _SIZE = 1_000  # of coordinates at which expressions are compared
@@ -77,9 +78,15 @@ def flats(step: ConstructionStep, construction: Construction) -> tuple[Flat, ...
     where they are not found.
     """
     found: list[Flat] = []
-    if not is_plain(step.within):
+    if not is_plain(step.within, construction.rank):
         return None
     return tuple(dict.fromkeys(found)) if _lies(step, step.within, construction, found) else None
+
+
+def equal(step: ConstructionStep, construction: Construction) -> Multiple | None:
+    """Why a point equals the expression of its step, by one equation; None where none says so."""
+    difference = ex.sub(Point(step.name), step.within, rank=construction.rank)
+    return _multiple(difference, construction) or _with_relations(difference, construction)
 
 
 def turned(flat: Flat, name: str, extensor: Expr, construction: Construction) -> Flat | None:
@@ -92,9 +99,13 @@ def turned(flat: Flat, name: str, extensor: Expr, construction: Construction) ->
     return None if own is None else Flat(extensor, (own,))
 
 
-def is_plain(e: Expr) -> bool:
-    """Whether an expression is made of points by joins and meets, and so is an extensor."""
-    return isinstance(e, Point) or (isinstance(e, Join | Meet) and all(map(is_plain, e.args)))
+def is_plain(e: Expr, rank: int) -> bool:
+    """Whether an expression is made by joins and meets of points and hyperplanes, and so is an extensor; sums of points
+    are points, and sums of hyperplanes are hyperplanes.
+    """
+    if isinstance(e, Join | Meet):
+        return all(is_plain(a, rank) for a in e.args)
+    return isinstance(e, Point) or (isinstance(e, Sum | Product) and e.step in (1, rank - 1))
 
 
 def _lies(step: ConstructionStep, within: Expr, c: Construction, found: list[Flat]) -> bool:

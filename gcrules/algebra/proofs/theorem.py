@@ -12,7 +12,7 @@ from gcrules.algebra.bracket import Coefficient, Monomial
 from gcrules.algebra.expand import MAX_TERMS
 from gcrules.algebra.expr import Expr, Point, Sum, points_of
 from gcrules.algebra.letters import conic_of, letter_of, marked
-from gcrules.algebra.proofs.coverage import Flat, flats, is_plain
+from gcrules.algebra.proofs.coverage import Flat, Multiple, equal, flats
 from gcrules.algebra.proofs.relations import MAX_RELATIONS, Relation, relations
 from gcrules.algebra.proofs.sequences import Sequences
 from gcrules.algebra.proofs.written import Written
@@ -29,12 +29,15 @@ _SHORT = 5_000  # exchanges within which every order is tried before longer proo
 
 @dataclass(frozen=True)
 class PlacedPoint:
-    """A constructed point, the extensor that it is on, fresh points of its step, and flats that show that."""
+    """A constructed point, the extensor that it is on, fresh points of its step, and flats that show that; or the
+    expression that it is `equal` to, and why.
+    """
 
     name: str
     within: Expr
     fresh: tuple[str, ...]
     flats: tuple[Flat, ...]
+    equal: Multiple | None = None
 
     def expressions(self) -> Iterator[Expr]:
         """All that are named."""
@@ -49,6 +52,7 @@ class PlacedPoint:
             "on": written.of(self.within),
             "fresh": list(self.fresh),
             "flats": [flat.to_json(written, place) for flat in self.flats],
+            **({"equal": self.equal.to_json(place)} if self.equal else {}),
         }
 
 
@@ -155,11 +159,13 @@ def asked(c: Construction) -> tuple[Expr, ...]:
 def _placed(c: Construction) -> Iterator[PlacedPoint]:
     if c.meets and not c.nonzero:
         raise InputError("that all six points of a conic are reached is an argument of density, which is not written")
-    if any(not is_plain(e) for e in c.meets.values()):
-        raise InputError("an auxiliary point is a meet with a sum of points")
     for step in c.steps:
-        if isinstance(step.within, Sum) and step.fresh:
+        if isinstance(step.within, Sum) and step.within.step == 1 and step.fresh:
             raise InputError(f"proof files do not know how {_called(step.name)} is placed on a conic or a quadric")
+        why = equal(step, c) if step.exact else None
+        if why is not None:
+            yield PlacedPoint(step.name, step.within, (), (), why)
+            continue
         found = None if step.exact else flats(step, c)
         if found is None:
             there = "where it is placed" if any(map(marked, points_of(step.within))) else f"on {step.within}"
@@ -213,7 +219,11 @@ def with_roles(t: Theorem, roles: Mapping[str, str]) -> Theorem:
     places = {by: name for name, by in roles.items()}
     free = tuple(places.get(n, n) for n in t.order if n not in fresh)
     steps = tuple(
-        step_on(Within(p.name, p.within, (), tuple(n for n in p.fresh if n in points_of(p.within))), t.rank)
+        step_on(
+            Within(p.name, p.within, (), tuple(n for n in p.fresh if n in points_of(p.within))),
+            t.rank,
+            exact=p.equal is not None,
+        )
         for p in placed
     )
     c = Construction(t.rank, free, free[: t.ideal], steps)

@@ -634,6 +634,86 @@ Proof.
   rewrite <- space_scalar_value in S. exact (K _ a p y S).
 Qed.
 
+(* ---- points on a line of the plane, or a plane of space, that is a sum of such *)
+
+Lemma plane_is_line : forall E : extensor plane, pure plane 2 E -> exists p12 p13 p23,
+  E = Extensor3 0 0 0 0 p12 p13 p23 0.
+Proof.
+  intros [a a1 a2 a3 a12 a13 a23 a123] H. exists a12, a13, a23. cbn in H. decompose [and] H. clear H.
+  repeat match goal with H : _ <> _ -> _ |- _ =>
+    (let E := type of H in let N := fresh in
+     match E with ?k <> ?n -> _ => assert (N : k <> n) by lia end; specialize (H N); clear N) || clear H end.
+  repeat match goal with H : _ /\ _ |- _ => destruct H end. subst. reflexivity.
+Qed.
+
+Lemma space_is_plane : forall E : extensor space, pure space 3 E -> exists f123 f124 f134 f234,
+  E = Extensor4 0 0 0 0 0 0 0 0 0 0 0 f123 f124 f134 f234 0.
+Proof.
+  intros [a a1 a2 a3 a4 a12 a13 a14 a23 a24 a34 a123 a124 a134 a234 a1234] H. exists a123, a124, a134, a234.
+  cbn in H. decompose [and] H. clear H.
+  repeat match goal with H : _ <> _ -> _ |- _ =>
+    (let E := type of H in let N := fresh in
+     match E with ?k <> ?n -> _ => assert (N : k <> n) by lia end; specialize (H N); clear N) || clear H end.
+  repeat match goal with H : _ /\ _ |- _ => destruct H end. subst. reflexivity.
+Qed.
+
+Lemma hyperplane_of_plane : forall (E : extensor plane) (x y : vector plane), pure plane 2 E ->
+  scale plane (top plane (E ∨ y)) x = E ∧ (x ∨ y) + (E ∨ x) ∧ y.
+Proof.
+  intros E [] [] H. destruct (plane_is_line E H) as (p12 & p13 & p23 & ->). cbn. apply plane_equal; ring.
+Qed.
+
+Lemma hyperplane_of_space : forall (E : extensor space) (x y : vector space), pure space 3 E ->
+  scale space (top space (E ∨ y)) x = E ∧ (x ∨ y) + (E ∨ x) ∧ y.
+Proof.
+  intros E [] [] H. destruct (space_is_plane E H) as (f123 & f124 & f134 & f234 & ->). by_coordinates.
+Qed.
+
+Lemma plane_scaled_point : forall x (p : vector plane), exists q : vector plane, scale plane x p = q.
+Proof. intros x [a b c]. exists (Vector3 (x * a) (x * b) (x * c)). cbn. apply plane_equal; ring. Qed.
+
+Lemma on_hyperplane_of_plane : forall (E : extensor plane) (x : vector plane),
+  pure plane 2 E -> E <> number plane 0 -> E ∨ x = number plane 0 ->
+  forall A B : extensor plane, (forall a b : vector plane, point plane x = E ∧ (a ∨ b) -> A = B) -> A = B.
+Proof.
+  intros E x P N L A B K. destruct (plane_decided A B) as [T|no]; [exact T|]. exfalso. apply N.
+  rewrite number_0 in *. apply (closing_zero plane 1 2); [exact P | reflexivity |].
+  intros l Hl. destruct l as [|y [|]]; try discriminate. cbn [span fold_right]. rewrite join_one_r.
+  destruct (decided (top plane (E ∨ y)) 0) as [w|w]; [exact w|]. exfalso. apply no.
+  pose proof (hyperplane_of_plane E x y P) as S. rewrite L in S.
+  rewrite (linear_zero plane _ (meet_linear_l plane _)), plus_zero_r in S.
+  apply (divided plane _ _ _ w) in S. rewrite <- meet_scale_r, <- join_scale_l in S.
+  destruct (plane_scaled_point (inverse (top plane (E ∨ y))) x) as [a Ea]. rewrite Ea in S.
+  exact (K a y S).
+Qed.
+
+Lemma on_hyperplane_of_space : forall (E : extensor space) (x : vector space),
+  pure space 3 E -> E <> number space 0 -> E ∨ x = number space 0 ->
+  forall A B : extensor space, (forall a b : vector space, point space x = E ∧ (a ∨ b) -> A = B) -> A = B.
+Proof.
+  intros E x P N L A B K. destruct (space_decided A B) as [T|no]; [exact T|]. exfalso. apply N.
+  rewrite number_0 in *. apply (closing_zero space 1 3); [exact P | reflexivity |].
+  intros l Hl. destruct l as [|y [|]]; try discriminate. cbn [span fold_right]. rewrite join_one_r.
+  destruct (decided (top space (E ∨ y)) 0) as [w|w]; [exact w|]. exfalso. apply no.
+  pose proof (hyperplane_of_space E x y P) as S. rewrite L in S.
+  rewrite (linear_zero space _ (meet_linear_l space _)), plus_zero_r in S.
+  apply (divided space _ _ _ w) in S. rewrite <- meet_scale_r, <- join_scale_l in S.
+  destruct (space_scaled_point (inverse (top space (E ∨ y))) x) as [a Ea]. rewrite Ea in S.
+  exact (K a y S).
+Qed.
+
+(* ---- points that are said to be equal to an expression *)
+
+Lemma equal_to : forall (G : geometry) (X W : extensor G), X + number G (-1) · W = number G 0 ->
+  forall A B : extensor G, (X = W -> A = B) -> A = B.
+Proof.
+  intros G X W H A B K. apply K. rewrite number_0 in H. unfold number in H. rewrite join_scale_l, join_one_l in H.
+  rewrite <- (plus_zero_r G X). replace (zero G) with (plus G (scale G (whole (-1)) W) W) at 1.
+  - rewrite plus_assoc, H. apply plus_zero.
+  - rewrite <- (scale_1 G W) at 2. rewrite <- scale_add. rewrite <- whole_1, <- whole_add.
+    change (-1 + 1)%Z with 0%Z. rewrite whole_0. apply scale_0.
+Qed.
+
 (* ---- points on two lines of space that meet: E ∨ a is a plane through the line E *)
 
 Lemma space_lines_split : forall (E F : extensor space) (a p : vector space), pure space 2 E -> pure space 2 F ->

@@ -155,7 +155,7 @@ def _theorem(name: str, t: dict[str, Any]) -> str:
             f"Definition {derived(name, 'right')} := {expressions.data(right)}.",
             *relations,
             "",
-            f"Theorem {name} : {variables}{at_infinity}{lets}  {expressions.statement(left)}",
+            f"Theorem {name} : {variables}{at_infinity}{lets}  {expressions.side(left)}",
             f"  = {expressions.statement(right)}.",
             "Proof.",
             f"  {f'intros {together}. ' if points else ''}intros.",

@@ -48,7 +48,7 @@ def _aligned(t: Theorem) -> Theorem:
     def flats(p: PlacedPoint) -> tuple[Flat, ...]:
         return tuple(turned(flat, p.name, wanted.of(flat.extensor), c) or flat for flat in p.flats)
 
-    placed = tuple(replace(p, within=wanted.of(p.within), flats=flats(p)) for p in t.placed)
+    placed = tuple(p if p.equal else replace(p, within=wanted.of(p.within), flats=flats(p)) for p in t.placed)
     return t if placed == t.placed else with_roles(replace(t, placed=placed), {})
 
 
@@ -94,7 +94,7 @@ class AssumedProof:
     def text(self, name: str) -> str:
         """The theorem with its proof."""
         s, stated, factor = self.statement, self.statement.stated, self.factor
-        sides = [stated.statement(multiple(e, factor // own)) for e, own in map(stated.whole, s.claim)]
+        sides = [stated.side(multiple(e, factor // own)) for e, own in map(stated.whole, s.claim)]
         cases = [(v, derived(name, f"case_{n}")) for n, v in enumerate(self.variants)]
         return "\n".join(
             [
@@ -152,6 +152,9 @@ class _Step:
 def _step(facts: Facts, p: dict[str, Any], on: Any, first: int) -> _Step:
     """How a point is placed; scalars have numbers from `first` on."""
     s, tree, name, fresh = facts.statement, facts.tree, p["name"], tuple(p["fresh"])
+    if "equal" in p:
+        fact = facts.multiple_of_given(["sum", name, ["product", ["number", -1], on]], *p["equal"])
+        return _Step(name, f"equal_to {s.space} _ _ {fact} _ _ _", on, ())
     if tree.names(on).intersection(fresh):
         return _on_meeting_lines(facts, name, on, fresh)
     parts = tree.args(on)
@@ -169,6 +172,8 @@ def _step(facts: Facts, p: dict[str, Any], on: Any, first: int) -> _Step:
     if set(steps) == {1}:
         return _Step(name, f"on_{count}_of_{s.space} {rest}", combination(s.rank, parts, scalars), scalars)
     line = ["meet", parts[-1], ["join", *fresh]]
+    if steps == [s.rank - 1]:
+        return _Step(name, f"on_hyperplane_of_{s.space} {rest}", line, (), fresh)
     if (s.rank, steps) == (4, [2]):
         return _Step(name, f"on_line_of_space {rest}", line, (), fresh)
     if (s.rank, steps) == (4, [1, 2]):

@@ -78,7 +78,7 @@ class CasesProof:
             [
                 *(part.text(own) for part, own in zip(self.parts, names, strict=True)),
                 "",
-                *s.opening(name, list(map(s.stated.statement, s.claim))),
+                *s.opening(name, list(map(s.stated.side, s.claim))),
                 *s.numbering(),
                 f"  assert ({equal} : {says(self.product, '=')}).",
                 f"  {{ rewrite <- {h}given_{self.given}. symmetry. apply {self._applied(names[0], self.parts[0])}. }}",

@@ -88,6 +88,11 @@ class Expressions:
             return f"(superbracket {' '.join(written)})"
         return f"({_SIGNS[kind].join(written)})"
 
+    def side(self, e: Any) -> str:
+        """An expression on points, as a side of an equation: of a point the extensor that it is."""
+        written = self.statement(e)
+        return f"({written} : extensor {geometry(self.rank)})" if isinstance(e, str) and e in self.place else written
+
     def data(self, e: Any) -> str:
         """An expression as it is computed with."""
         if isinstance(e, str):

@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from fractions import Fraction
+from functools import reduce
+from itertools import combinations, product
 from typing import Any
 
 from gcrules.algebra.proofs.theorem import Theorem
@@ -100,9 +103,7 @@ class Statement:
 
     def says(self, e: Any, sign: str) -> str:
         """That an expression vanishes (=), or that it does not (<>)."""
-        text = self.stated.statement(e)
-        typed = f"({text} : extensor {self.space})" if isinstance(e, str) else text
-        return f"{typed} {sign} number {self.space} 0"
+        return f"{self.stated.side(e)} {sign} number {self.space} 0"
 
 
 class Tree:
@@ -134,18 +135,44 @@ class Tree:
         return [e] if isinstance(e, str) or e[0] != operation else [x for p in e[1:] for x in self.args(p, operation)]
 
     def key(self, e: Any, *, turned: bool = True) -> str:
-        """The same for joins of the same parts in any sequence, and for meets unless they may not be `turned`."""
+        """The same for joins of the same parts in any sequence, and for meets unless they may not be `turned`; for sums
+        that are the same or the negative.
+        """
         if isinstance(e, str) or e[0] == "number":
             return str(e)
+        if e[0] in ("sum", "product"):
+            terms = sorted(self._terms(e).items())
+            sign = -1 if terms and terms[0][1] < 0 else 1
+            return str([(parts, str(sign * c)) for parts, c in terms])
         parts = self.args(e, e[0]) if e[0] in ("join", "meet") else e[1:]
         keys = [self.key(part, turned=turned) for part in parts]
         shown = sorted(keys) if turned or e[0] != "meet" else keys
         return f"{e[0]}({' '.join(shown)})" if len(keys) > 1 else keys[0]
 
+    def _terms(self, e: Any) -> dict[tuple[str, ...], Fraction]:
+        """A sum as products of parts with their numbers; joins and brackets of points are in one sequence."""
+        if isinstance(e, str):
+            return {(e,): Fraction(1)}
+        if e[0] == "number":
+            return {(): Fraction(e[1])}
+        if e[0] in ("join", "bracket") and all(isinstance(part, str) for part in e[1:]):
+            sign = (-1) ** sum(x > y for x, y in combinations(e[1:], 2))
+            return {(str([e[0], *sorted(e[1:])]),): Fraction(sign)}
+        if e[0] not in ("sum", "product"):
+            return {(str(e),): Fraction(1)}
+        found = map(self._terms, e[1:])
+        if e[0] == "product":
+            return reduce(_times, found)
+        return _collected(item for terms in found for item in terms.items())
+
     def step(self, e: Any) -> int:
-        """Of joins and meets."""
+        """Of joins and meets, and of sums of such."""
         if isinstance(e, str):
             return 1
+        if e[0] in ("number", "power", "bracket", "superbracket"):
+            return 0
+        if e[0] == "sum":
+            return self.step(e[1])
         steps = [self.step(p) for p in e[1:]]
         return sum(steps) - (self.rank * (len(steps) - 1) if e[0] == "meet" else 0)
 
@@ -159,6 +186,20 @@ class Tree:
         """An expression and the parts of it that are not zero where it is not."""
         inside = e[1:] if isinstance(e, list) and e[0] in ("join", "bracket", "meet", "product") else []
         return [["join", *inside] if e[0] == "bracket" else e, *(x for part in inside for x in self.parts(part))]
+
+
+def _times(
+    terms: dict[tuple[str, ...], Fraction], others: dict[tuple[str, ...], Fraction]
+) -> dict[tuple[str, ...], Fraction]:
+    both = product(terms.items(), others.items())
+    return _collected((tuple(sorted((*parts, *more))), c * k) for (parts, c), (more, k) in both)
+
+
+def _collected(terms: Iterable[tuple[tuple[str, ...], Fraction]]) -> dict[tuple[str, ...], Fraction]:
+    total: dict[tuple[str, ...], Fraction] = {}
+    for parts, c in terms:
+        total[parts] = total.get(parts, Fraction(0)) + c
+    return {parts: c for parts, c in total.items() if c}
 
 
 def joined(parts: Iterable[Any]) -> Any:
