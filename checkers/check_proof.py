@@ -26,8 +26,8 @@ on W and W is not zero, or since X - W is a multiple of something given, where X
 * where W joins free points that, as X, were not bound before, W may be zero: dependent positions of them and X are an
   irreducible variety in which those with W not zero are dense, and later points add linear spaces of one dimension.
 Or there are `cases`, each a theorem: the first says that a product equals what vanishes, so that one of its factors
-does. Each factor that may has one more, which assumes this factor and no more than what is assumed, and claims the
-same, or that something vanishes that does not.
+does, for all points that it adds. Each factor that may, and is not the difference of the sides, has one more, which
+assumes this factor and no more than what is assumed, and claims the same, or that something vanishes that does not.
 
 Exit codes: 0 all theorems are proved, 1 one is not (its name, and what is left), 2 the file is no proof file.
 """
@@ -71,14 +71,12 @@ def in_order(points):
 
 
 @cache
-def splits(length, first):
-    """Sign, places of the first part, places of the rest, of every split."""
+def splits(length, first):  # sign, places of the first part, places of the rest, of every split
     chosen = ((c, tuple(i for i in range(length) if i not in c)) for c in combinations(range(length), first))
     return [(in_order(c + rest)[0], c, rest) for c, rest in chosen]
 
 
-def plus(a, b, factor=1):
-    """Of polynomials {monomial: coefficient}, a monomial being the sorted tuple of its brackets and scalars."""
+def plus(a, b, factor=1):  # of polynomials {monomial: coefficient}, a monomial having its brackets and scalars in order
     total = dict(a)
     for m, c in b.items():
         total[m] = total.get(m, 0) + factor * c
@@ -111,9 +109,7 @@ def superbracket_terms():
     return terms
 
 
-class Reader:
-    """Reads expressions and expands them: a step, and {points of an extensor: polynomial}, () for a scalar."""
-
+class Reader:  # reads expressions and expands them: a step, and {points of an extensor: polynomial}, () for a scalar
     def __init__(self, theorem, placed=None):  # else all but auxiliary points are read as points of their own
         self.rank, self.ideal, self.placed, self.meets = theorem["rank"], theorem["ideal"], placed or {}, {}
         self.points, self.definitions = list(theorem["points"]), dict(theorem["definitions"])
@@ -257,9 +253,7 @@ class Reader:
         return str([(row, m, c / terms[0][2]) for row, m, c in terms])
 
 
-class Positions:
-    """What the assumptions of a theorem say, and the points that are placed by them, checked one after the other."""
-
+class Positions:  # what assumptions say, and the points that are placed by them, checked one after the other
     def __init__(self, theorem):
         self.reader = reader = Reader(theorem)
         self.given = [reader.closed(e) for e in theorem["given"]]
@@ -348,8 +342,16 @@ def split(theorem, claim, given, nonzero):
     (left, right), r = theorem["cases"][0]["claim"], Reader(theorem["cases"][0])
     for term in [] if r.text(left) in given else r.args(left, "sum"):
         expect({*map(r.text, r.args(term, "product"))} & {*given, "0"}, f"{r.text(left)} need not vanish", NotProved)
-    live = [*nonzero, *(r.text(f) for f in r.args(right, "product") if f[0] == "number" and Fraction(f[1]))]
-    factors = dict.fromkeys(f for f in map(r.text, r.args(right, "product")) if f not in live)
+    added = {*r.points} - {*Reader(theorem).points}
+
+    def kept(f):  # of a bracket, which vanishes for all points that the first case adds, the join of the others
+        new = [x for x in f[1:] if isinstance(x, str) and x in added] if f[0] == "bracket" else []
+        rest = ["join", *(x for x in f[1:] if x not in new)]
+        return rest if new and rest[1:] and len({*new}) == len(new) and not r.names(rest) & {*new} else f
+
+    live = [r.text(f) for f in r.args(right, "product") if f[0] == "number" and Fraction(f[1])]
+    live += [*nonzero, "({} + (-1 * {}))".format(*claim)]
+    factors = dict.fromkeys(f for f in (r.text(kept(f)) for f in r.args(right, "product")) if f not in live)
     for case, factor in zip(theorem["cases"], [None, *factors], strict=True):
         says, zero, alive = ([*map(Reader(case).text, case[key])] for key in ("claim", "given", "nonzero"))
         expect(case["any"] == theorem["any"] and case["rank"] == theorem["rank"], "a case of another space")
@@ -361,8 +363,7 @@ def split(theorem, claim, given, nonzero):
     return {}
 
 
-def check(theorem):
-    """The claim as text. Raises NotProved where something is left."""
+def check(theorem):  # the claim as text; raises NotProved where something is left
     reader = Reader(theorem, Positions(theorem).places if {"any", "given", "nonzero"} & {*theorem} else {})
     (step, a), (other, b) = map(reader.read, theorem["claim"])
     expect(step == other or not a or not b, "the sides are of unlike steps")
@@ -383,9 +384,8 @@ def main(path):
         expect((data["format"], data["version"]) == ("gcrules proof", 1) and data["theorems"], "of no known version")
         for theorem in data["theorems"]:
             print(f"proved, called {theorem['name']!r} in the file:\n  {check(theorem)}")
-        text = json.dumps(data["theorems"], separators=(",", ":"), ensure_ascii=False)
-        digest = hashlib.sha256(text.encode()).hexdigest()
-        print(f"theorems proved: {len(data['theorems'])}, digest {digest}")
+        text = json.dumps(data["theorems"], separators=(",", ":"), ensure_ascii=False).encode()
+        print(f"theorems proved: {len(data['theorems'])}, digest {(digest := hashlib.sha256(text).hexdigest())}")
         expect(data.get("digest", digest) == digest, "it names another digest")
     except NotProved as fault:
         print(f"NOT PROVED, called {theorem['name']!r} in the file:\n  {fault}")

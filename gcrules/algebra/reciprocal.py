@@ -39,7 +39,7 @@ from gcrules.core.dataclass import dataclass
 from gcrules.core.english import listed
 from gcrules.core.errors import InputError, LimitReached
 
-__all__ = ["Reciprocal", "reciprocal"]
+__all__ = ["Reciprocal", "reciprocal", "screws_in"]
 
 _RANK = 4
 
@@ -133,7 +133,7 @@ def reciprocal(claimed: Claimed, at: Space) -> Reciprocal | None:
     chosen: dict[str, Expr] = {}
     used: list[Assumption] = []
     for a in at.given if at.rank == _RANK else ():
-        options = _options(a)
+        options = screws_in(a)
         free = next(((s, e) for s, e in options if s not in chosen and s not in _behind(e, chosen)), None)
         if free is not None:
             chosen[free[0]] = free[1]
@@ -205,7 +205,7 @@ def _of_given(given: Sequence[Assumption]) -> tuple[Expr, ...]:
     return tuple(e for a in given for e in (*a.args, *a.also, *a.exists))
 
 
-def _options(a: Assumption) -> list[tuple[str, Expr]]:
+def screws_in(a: Assumption) -> list[tuple[str, Expr]]:
     """The screws of which an assumption says that they are reciprocal to an extensor in which they are not."""
     e = _without_numbers(a.args[0])
     if a.kind != "zero" or not isinstance(e, Join | Bracket | Meet) or e.step not in (0, _RANK):

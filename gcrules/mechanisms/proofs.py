@@ -22,6 +22,7 @@ from gcrules.algebra.proofs.absence import no_expression, no_shorter
 from gcrules.algebra.proofs.multiples import cofactor
 from gcrules.algebra.proofs.proof_file import Absence, LeftOut, ProofFile
 from gcrules.algebra.proofs.proving import theorem, theorems
+from gcrules.algebra.proofs.screws import with_screws
 from gcrules.algebra.proofs.theorem import Theorem
 from gcrules.algebra.prove import Proof, difference_of
 from gcrules.algebra.screw_letters import screws_of
@@ -115,6 +116,8 @@ def _proved(title: str, claims: Iterable[_Said]) -> ProofFile:
 def _written(claim: _Claim) -> Sequence[Theorem]:
     """The theorems that a claim is: with its points placed, as an identity that says more, or in cases."""
     given = () if claim.given and _everywhere(claim) else claim.given
+    if any(screws_of(points_of(*a.args)) for a in given):
+        return (with_screws(claim.name, claim.left, claim.right, given, ideal=claim.ideal),)
     found = partial(theorems, claim.name, claim.left, claim.right, ideal=claim.ideal, rank=claim.rank, given=given)
     try:
         return tuple(found(in_cases=False))
@@ -168,10 +171,6 @@ def _equations(name: str, proof: Proof) -> Iterator[_Claim | LeftOut]:
     """What is proved: of a relation that is several equations each of them."""
     if not proof.proved:
         yield LeftOut(name, f"it is {proof.verdict}")
-        return
-    of_screw = next((a for a in proof.given if screws_of(points_of(*a.args))), None)
-    if of_screw is not None:
-        yield LeftOut(name, f"{of_screw} is about a screw, which proof files cannot assume")
         return
     for i, p in enumerate(proof.parts or (proof,), 1):
         yield _Claim(f"{name}, {i}" if proof.parts else name, p.left, p.right, p.rank, p.ideal, p.given)

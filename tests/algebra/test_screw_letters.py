@@ -346,10 +346,36 @@ def test_nothing_is_assumed_of_screws_that_are_legs() -> None:
         gc.analyze("Aa Ab Ac Bd Be S", letters="screw S", given=r"S \/ Aa == 0")
 
 
+OF_RECIPROCAL = {
+    "a line": (r"collinear(a, b, S /\ abc)", r"S \/ ab == 0"),
+    "points on the line": (r"S \/ ac == 0", r"S \/ ab == 0, collinear(a, b, c)"),
+    "a superbracket": ("[[ab, S, ac, ad, bc, bd]] == 0", r"S \/ ab == 0"),
+    "two screws": ("[[S, T, ab, ac, ad, bc]] == 0", r"S \/ ab == 0, T \/ ab == 0"),
+    "screws of each other": (r"S /\ T == 0", r"T \/ S == 0"),
+    "only one of two": (r"T \/ ac == 0", r"S \/ T == 0, T \/ ab == 0, collinear(a, b, c)"),
+    "both sides": (r"S \/ ba == T \/ dc", r"S \/ ab == 0, T \/ cd == 0"),
+    "a line of two planes": (r"(abc /\ def) \/ (S /\ abc) == 0", r"S \/ (abc /\ def) == 0"),
+    "twice in a product": (r"coplanar(a, b, S /\ acd, S /\ abe)", r"S \/ ab == 0"),
+    "twice on both sides": (r"(S /\ abc) \/ (S /\ abd) == -1/2 (S /\ S) [abcd] ab", r"S \/ ab == 0"),
+}
+
+
+@pytest.mark.parametrize(("claim", "given"), OF_RECIPROCAL.values(), ids=OF_RECIPROCAL)
+def test_claims_about_reciprocal_screws_have_proof_files(claim: str, given: str) -> None:
+    proof = gc.prove(claim, letters="screw S T", given=given)
+    (theorem,) = gc.proof_file(proof).theorems
+    assert {str(e).strip("()") for e in theorem.nonzero} <= {*map(str, proof.conditions), "S", "T"}
+    printed = checker("check_proof").check(theorem.to_json())
+    assert "y" not in printed
+
+
+def test_what_is_no_product_of_powers_has_no_proof_file() -> None:
+    claim = r"((S /\ abc) + (S /\ abd)) \/ (S /\ abe) == -1/2 (S /\ S) ([abce] + [abde]) ab"
+    with pytest.raises(InputError, match=r"S \\/ ab == 0 is about a screw, and no identity is known"):
+        gc.proof_file(gc.prove(claim, letters="screw S", given=r"S \/ ab == 0"))
+
+
 def test_proof_files_are_of_screws_of_which_nothing_is_given() -> None:
-    proof = gc.prove(r"collinear(a, b, S /\ abc)", letters="screw S", given=r"S \/ ab == 0")
-    with pytest.raises(InputError, match=r"S \\/ ab == 0 is about a screw, which proof files cannot assume"):
-        gc.proof_file(proof)
     (theorem,) = gc.proof_file(gc.prove(r"(S /\ abc) \/ S == 1/2 (S /\ S) abc", letters="screw S")).theorems
     checker("check_proof").check(data := theorem.to_json())
     assert {"Sᵃ", "Sᵇ", "Sᶜ", "Sᵈ"} < set(data["points"])

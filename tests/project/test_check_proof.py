@@ -187,6 +187,7 @@ SEEDS = (
     lambda: gc.prove("[bde][bcd] == 0", rank=3, given="collinear(a, b, d), [bcd][abe] == [abd][bce]"),
     lambda: gc.prove("[abc][abd][cde] == 0", rank=3, given="[abc][ade] == 0, [abd][ace] == 0"),
     lambda: gc.prove("[pab] == 0", rank=3, given=r"p == ab /\ cd"),
+    lambda: gc.prove(r"S \/ ac == 0", letters="screw S", given=r"S \/ ab == 0, collinear(a, b, c)"),
     lambda: gc.prove("[acp] == 2 [bcp]", rank=3, given="collinear(p, c, a - 2 b)"),
     lambda: gc.prove("[abc][aef] == [abd][aef]", rank=3, given="[abc] == [abd]"),
 )

@@ -56,6 +56,17 @@ def lemma(left: Any, right: Any, given: Any = (), placed: Any = (), names: str =
     return assumed(names, left, right, given=[*given], placed=[*placed], **more)
 
 
+AX, C, OF_NOTHING = join("a", "x"), join("c"), ["product", number(-1), number(0)]
+
+
+def for_all(
+    factor: Any, claim: Any = AX, names: str = "a x c y z", nonzero: Any = (C,), more: str = "", **of: Any
+) -> Changes:
+    """A claim by a factor that does not vanish for all points that the case adds."""
+    case = lemma(["product", factor, AX], ["product", factor, ["sum", AX, OF_NOTHING]], names=names, **of)
+    return assumed(f"a b x c {more}", claim, given=[AX], placed=[], nonzero=[*nonzero], cases=[case])
+
+
 OF_FACTORS = lemma(FACTORS, FACTORS)
 WHERE_X = case(ABX, ABX, FACTORS)
 WHERE_Y = case(ABX, ABX, ABY, FACTORS)
@@ -415,6 +426,22 @@ ATTACKS: dict[str, tuple[Changes, str]] = {
         in_cases(OF_FACTORS, WHERE_X, WHERE_X, nonzero=["1 != 0"]),
         "KeyError",
     ),
+    # Points that a case adds.
+    "a bracket that vanishes for all added points": (for_all(bracket(*"cyz"), nonzero=()), "zip()"),
+    "a bracket with an added point twice": (for_all(bracket(*"cyy")), "zip()"),
+    "a bracket with one added point under two names": (
+        for_all(bracket("c", "#1", "y"), definitions=[["#1", "y"]], names="a x c y"),
+        "zip()",
+    ),
+    "a bracket with a point that is not added": (for_all(bracket(*"cyz"), more="y"), "zip()"),
+    "a bracket of added points alone": (for_all(bracket(*"ycz"), names="a x y z c", nonzero=(), more="d"), "zip()"),
+    "an added point in the rest": (
+        for_all(bracket(meet(join("y", "c"), join("a", "x")), "y", "z"), nonzero=(C,)),
+        "zip()",
+    ),
+    "an added point at infinity": (for_all(bracket(*"cyz"), names="y a x c z", ideal=1), "a case at infinity"),
+    "an added point for all points": (for_all(bracket(*"cyz"), names="a x c y", any=["z"]), "another space"),
+    "the difference of other sides": (for_all(bracket(*"cyz"), claim=join("a", "b")), "zip()"),
     "another version": (theorem("a", "a", "a", name=None), "version"),
 }
 
@@ -474,6 +501,10 @@ TRUE: dict[str, tuple[Changes, str]] = {
             given=ABX,
         ),
         "'attack' in the file: ([a b x] * [a b y]) == 0, where [a b x] == 0 (rank 3)",
+    ),
+    "points that a case adds": (
+        for_all(bracket(*"cyz")),
+        "'attack' in the file: (a \\/ x) == 0, where (a \\/ x) == 0 and (c) != 0 (rank 3)",
     ),
     "a name of two lines": (
         theorem("a", "a", "a", name="one'\nproved  'two"),

@@ -53,6 +53,11 @@ NOT_RUN = {
     ("docs/proofs.md", 'gcrules prove "[pab] == 0" --rank 3 --given "p == ab /\\ cd" --certificate meet.json'): (
         "tests/project/test_check_proof.py checks proofs"
     ),
+    (
+        "docs/proofs.md",
+        'gcrules prove --letters "screw S" --given "S \\/ ab == 0" "collinear(a, b, S /\\ abc)" '
+        "--certificate screw.json",
+    ): "tests/project/test_check_proof.py checks proofs",
     ("docs/proofs.md", "proved, called 'claim' in the file:"): (
         "tests/project/test_check_proof.py reads what it prints"
     ),

@@ -303,6 +303,45 @@ def with_sums() -> list[Theorem]:
     ]
 
 
+def of_screws() -> list[Theorem]:
+    """Screws that are reciprocal to a line, to a screw, and two of them; one claim is of the second degree."""
+    letters = {"letters": "screw S T"}
+    return [
+        assumed(r"collinear(a, b, S /\ abc)", r"S \/ ab == 0", "a line", **letters),
+        assumed(r"T \/ ac == 0", r"S \/ T == 0, T \/ ab == 0, collinear(a, b, c)", "points on the line", **letters),
+        assumed("[[S, T, ab, ac, ad, bc]] == 0", r"S \/ ab == 0, T \/ ab == 0", "two screws", **letters),
+        assumed(r"S /\ T == 0", r"T \/ S == 0", "screws of each other", **letters),
+        assumed(r"coplanar(a, b, S /\ acd, S /\ abe)", r"S \/ ab == 0", "twice", **letters),
+    ]
+
+
+@pytest.mark.needs("coqc")
+def test_coq_replays_theorems_about_screws(tmp_path: Path) -> None:
+    script = without_proofs_of_coordinates(coq_script(of_screws(), "Screws"))
+    done = run(script[: script.index("Print Assumptions")], tmp_path)
+    assert done.returncode == 0, done.stderr
+
+
+@pytest.mark.needs("coqc")
+@pytest.mark.parametrize(
+    ("said", "instead"),
+    [
+        ("(bracket (a ∨ b ∨ ", "(bracket (a ∨ c ∨ "),
+        ("(a ∨ b) <> number space 0 ->", "(a ∨ c) <> number space 0 ->"),
+        ("= (number space (0))", "= (a ∨ b ∨ c)"),
+    ],
+    ids=["another line", "what may vanish is another", "another claim"],
+)
+def test_coq_refuses_a_theorem_about_another_screw(said: str, instead: str, tmp_path: Path) -> None:
+    script = without_proofs_of_coordinates(coq_script(of_screws()[:1], "Screws"))
+    start = script.index("Theorem a_line :")
+    assert said in script[start:]
+    done = run(script[:start] + script[start:].replace(said, instead, 1), tmp_path)
+    assert done.returncode != 0
+    line = int(re.search(r'File "./theorems.v", line ([0-9]+)', done.stderr)[1])
+    assert line > script[:start].count("\n"), done.stderr
+
+
 def test_a_point_that_is_equal_to_an_expression_is_written_as_that() -> None:
     script = coq_script(with_sums()[:1], "A meet")
     assert "(p + ((number plane (-1)) · ((a ∨ b) ∧ (c ∨ d)))) = number plane 0 ->" in script

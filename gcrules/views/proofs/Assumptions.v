@@ -205,6 +205,16 @@ Proof.
   rewrite <- (scale_1 G B), <- (inverse_left _ E), scale_mul, H. apply scale_zero.
 Qed.
 
+Lemma cancelled_twice : forall (G : geometry) (A B : extensor G),
+  join G (join G (bracket A) (bracket A)) B = number G 0 -> B <> number G 0 -> bracket A = number G 0.
+Proof.
+  intros G A B H N. rewrite number_0 in *. unfold bracket in *.
+  rewrite !join_scale_l, !join_one_l, join_scale_l, join_one_l in H.
+  destruct (decided (top G A) 0) as [E|E]; [rewrite E; apply scale_0|]. exfalso. apply N.
+  rewrite <- (scale_1 G B), <- (inverse_left _ E), scale_mul.
+  rewrite <- (scale_1 G (scale G (top G A) B)), <- (inverse_left _ E), scale_mul, H, !scale_zero. reflexivity.
+Qed.
+
 Lemma divided : forall (G : geometry) w (A B : extensor G), w <> 0 -> scale G w A = B -> A = scale G (inverse w) B.
 Proof. intros G w A B N H. rewrite <- H, <- scale_mul, (inverse_left _ N), scale_1. reflexivity. Qed.
 

@@ -11,18 +11,19 @@ from gcrules.algebra.proofs.theorem import Theorem
 from gcrules.views.proofs.coq_assumed import AssumedProof, assumed_proof
 from gcrules.views.proofs.coq_expressions import derived
 from gcrules.views.proofs.coq_facts import Facts
+from gcrules.views.proofs.coq_screws import ScrewProof, adds_points
 from gcrules.views.proofs.coq_statement import CannotWrite, Statement
 
 __all__ = ["CasesProof", "cases_proof"]
 
 
 @lru_cache(maxsize=256)
-def cases_proof(t: Theorem) -> CasesProof | AssumedProof | str:
+def cases_proof(t: Theorem) -> CasesProof | AssumedProof | ScrewProof | str:
     """The proof of a theorem under assumptions, or of the first of its cases, or why it cannot be written."""
     if not t.cases:
         return assumed_proof(t)
     try:
-        return CasesProof(t)
+        return ScrewProof(t, cases_proof) if adds_points(t) else CasesProof(t)
     except CannotWrite as why:
         return str(why)
 
@@ -33,7 +34,7 @@ class CasesProof:
     def __init__(self, t: Theorem) -> None:
         self.statement = s = Statement(t)
         self.facts = Facts(s)
-        self.parts: list[CasesProof | AssumedProof] = []
+        self.parts: list[CasesProof | AssumedProof | ScrewProof] = []
         for case in t.cases:
             part = cases_proof(case)
             if isinstance(part, str):
@@ -91,7 +92,7 @@ class CasesProof:
             ]
         )
 
-    def _applied(self, name: str, part: CasesProof | AssumedProof) -> str:
+    def _applied(self, name: str, part: CasesProof | AssumedProof | ScrewProof) -> str:
         """A theorem at the points of this one, its assumptions among these."""
         own = part.statement
         points = " ".join(self.statement.coq[p] for p in own.own)
@@ -121,7 +122,7 @@ class CasesProof:
         self,
         factor: str,
         nonzero: Sequence[str],
-        known: dict[str, tuple[CasesProof | AssumedProof, str]],
+        known: dict[str, tuple[CasesProof | AssumedProof | ScrewProof, str]],
         fact: str,
     ) -> str:
         """The end of the proof where a factor vanishes."""

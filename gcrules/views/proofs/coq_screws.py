@@ -1,0 +1,86 @@
+"""Theorems about screws that are reciprocal to something, as Coq proves them.
+
+Of a theorem with points that it adds, the two ends of a line Y, follows that E ∨ Y vanishes for all lines, or the
+difference of the sides; and E is not zero.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from typing import Any
+
+from gcrules.algebra.proofs.theorem import Theorem
+from gcrules.views.proofs.coq_expressions import derived
+from gcrules.views.proofs.coq_facts import Facts
+from gcrules.views.proofs.coq_statement import CannotWrite, Statement
+
+__all__ = ["ScrewProof", "adds_points"]
+
+_CANCELLED = {1: "cancelled", 2: "cancelled_twice"}  # by how often a bracket is a factor
+
+
+def adds_points(t: Theorem) -> bool:
+    """Whether the first case names points that a theorem does not name."""
+    return bool(t.cases) and not {*t.cases[0].order} <= {*t.order}
+
+
+class ScrewProof:
+    """The proof of one theorem about a screw, by that of its case."""
+
+    factor = 1
+
+    def __init__(self, t: Theorem, proof_of: Callable[[Theorem], Any]) -> None:
+        self.statement = s = Statement(t)
+        self.facts = Facts(s)
+        self.part = proof_of(t.cases[0])
+        if isinstance(self.part, str):
+            raise CannotWrite(f"of its cases one has no script: {self.part}")
+        self.extensor = s.nonzero[0]
+        *brackets, self.difference = s.tree.args(self.part.statement.claim[1], "product")
+        self.ends = [p for p in brackets[0][1:] if isinstance(p, str) and p not in s.coq]
+        if (len(t.cases), len(self.ends), t.rank) != (1, 2, 4) or len(brackets) not in _CANCELLED:
+            raise CannotWrite("it holds under assumptions on screws, of a kind of which scripts have no rule")
+        if self.part.factor != 1 or any(s.stated.whole(e)[1] != 1 for e in s.claim):
+            raise CannotWrite("it holds under assumptions on screws, and has fractions")
+        self.degree = len(brackets)
+
+    @property
+    def relations(self) -> Iterator[Any]:
+        """All that it uses."""
+        yield from self.facts.relations
+        yield from self.part.relations
+
+    @property
+    def renamed(self) -> dict[str, str]:
+        """The points that have other names in Coq."""
+        return {p: self.statement.coq[p] for p in self.statement.own if self.statement.coq[p] != p}
+
+    def text(self, name: str) -> str:
+        """The theorem with its proof, after that of its case."""
+        s, h, own = self.statement, self.statement.prefix, derived(name, "part_0")
+        pure = self.facts.step(self.extensor, 2)
+        new = {end: f"{h}end_{n}" for n, end in enumerate(self.ends)}
+        y, z = new.values()
+        points = " ".join({**s.coq, **new}[p] for p in self.part.statement.own)
+        cancelled = _CANCELLED[self.degree]
+        return "\n".join(
+            [
+                self.part.text(own),
+                "",
+                *s.opening(name, list(map(s.stated.side, s.claim))),
+                *s.numbering(),
+                *self.facts.lines,
+                f"  destruct (space_decided {s.stated.statement(self.difference)} (number space 0)) as [{h}d|{h}d].",
+                f"  {{ exact (equal_to space _ _ {h}d _ _ (fun e => e)). }}",
+                f"  exfalso. apply {h}nonzero_0. rewrite number_0. apply (closing_zero space 2 2);",
+                f"    [exact {pure} | reflexivity |].",
+                f"  intros l {h}l. destruct l as [|{y} [|{z} [|]]]; try discriminate.",
+                "  cbn [span fold_right]. rewrite join_one_r, ?join_assoc.",
+                "  apply (scalar_zero space). rewrite <- number_0.",
+                f"  refine ({cancelled} space _ _ _ {h}d).",
+                f"  etransitivity; [symmetry; apply ({own} {points}); assumption|].",
+                f"  rewrite {h}given_0. repeat (rewrite join_nothing_l || rewrite join_nothing_r).",
+                "  rewrite ?number_0, ?plus_zero. reflexivity.",
+                "Qed.",
+            ]
+        )
