@@ -15,12 +15,12 @@ subtracts multiples of the file's relations, and says yes only where nothing is 
   when its brackets with any d - k further points are zero.
 
 Under assumptions (`given`: what vanishes, `nonzero`: what does not) both sides are claimed to be equal wherever these
-hold. Points are placed one after the other: X on an extensor W, which is the join of parts P, is the sum of a scalar
-times P, or of P ^ R with a join R of fresh finite ones; so they are expanded. Every position is reached, since X lies
-on W and W is not zero, or since X - W is a multiple of something given, where X is `equal` to W:
-* X lies on F where F v X vanishes as it stands or is a multiple of something given, or where all of F v X lies on an
-  extensor that is not zero and has no room for it; on A ^ B where it lies on both, and on A v R where it lies on A;
-  X may be auxiliary: it is read there as an expression in others (`meets`), and the claim does not name it;
+hold. Points are placed one after the other: X is `equal` to W, since X - W is a multiple of something given, or lies on
+an extensor W, not zero, the join of parts P, and is the sum of a scalar times P, or of P ^ R with a join R of fresh
+finite points. So they are expanded, and every position is reached:
+* X lies on F where F v X vanishes or is a multiple of something given, as it stands or with the points before expanded,
+  or where all of F v X lies on an extensor that is not zero and has no room for it; on A ^ B where it lies on both, and
+  on A v R where it lies on A; X may be auxiliary: an expression in others (`meets`), which the claim does not name;
 * a part of a join, meet or bracket that is not zero is not zero; (S v R) ^ T is not zero for some R where T is not, and
   S joined with points of T up to the step that R leaves is not;
 * where W joins free points that, as X, were not bound before, W may be zero: dependent positions of them and X are an
@@ -255,10 +255,10 @@ class Reader:  # reads expressions and expands them: a step, and {points of an e
 
 class Positions:  # what assumptions say, and the points that are placed by them, checked one after the other
     def __init__(self, theorem):
-        self.reader = reader = Reader(theorem)
-        self.given = [reader.closed(e) for e in theorem["given"]]
+        self.reader, self.written = (reader := Reader(theorem)), Reader(theorem)
+        self.given = [e for e in theorem["given"] if reader.read(e)]
         self.alive = [part for e in theorem["nonzero"] if reader.read(e)[1] for part in self.parts(e)]
-        self.scalars, self.places, seen, before = 0, {}, set(), {*theorem["points"]}
+        self.scalars, self.places, seen, before = 0, self.written.placed, set(), {*theorem["points"]}
         placed = [(p["name"], [*p["fresh"]], reader.open(p["on"]), p) for p in theorem["placed"]]
         finite, meets = {*theorem["points"][reader.ideal :]} - {*reader.meets}, [*reader.meets.values()]
         known = [*theorem["claim"], *theorem["given"], *theorem["nonzero"], *meets, *theorem["points"][: reader.ideal]]
@@ -279,19 +279,19 @@ class Positions:  # what assumptions say, and the points that are placed by them
             expect(dense or self.not_zero(on), f"{name}: {reader.text(on)} may vanish", NotProved)
             seen, before = {*seen, name, *own, *fresh}, {*before, name}
             self.places[name] = self.place(on, [f for f in fresh if f not in own], same)
+            self.written.known = {n: x for n, x in reader.known.items() if n in {*reader.points} - {*self.places}}
 
-    def parts(self, e):
-        """An expression and the parts of it that are not zero where it is not."""
+    def parts(self, e):  # an expression and the parts of it that are not zero where it is not
         e = self.reader.open(e)
         inside = e[1:] if isinstance(e, list) and e[0] in ("join", "bracket", "meet", "product") else []
         return [["join", *inside] if e[0] == "bracket" else e, *(x for part in inside for x in self.parts(part))]
 
-    def vanishes(self, e, index=None, number=0, relations=()):
-        rest = plus(self.reader.closed(e), {} if index is None else self.given[index], -Fraction(number))
-        return not any(self.reader.without(rest, relations).values())
+    def vanishes(self, e, index=None, number=0, relations=()):  # as it stands, or with what is placed so far expanded
+        known = ["number", 0] if index is None else self.given[index]
+        rests = ((r, plus(r.closed(e), r.closed(known), -Fraction(number))) for r in (self.reader, self.written))
+        return any(not any(r.without(rest, relations).values()) for r, rest in rests)
 
-    def lies_on(self, name, flat):
-        """Whether a flat joined with the point vanishes."""
+    def lies_on(self, name, flat):  # whether a flat joined with the point vanishes
         because, room, joined, r = flat["because"], flat["room"], ["join", flat["flat"], name], self.reader
         expect(r.plain(joined), "a flat that is not made by joins and meets")
         if room is None:

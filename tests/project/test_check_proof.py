@@ -93,8 +93,10 @@ ANSWERS: dict[str, Callable[[], Any]] = {
     ),
     "a line through a sum": lambda: gc.prove("[abd] == -2 [cbd]", rank=3, given="collinear(d, b, 2 c + a)"),
     "a plane that is a sum": lambda: gc.prove("[abcd] == [abce]", given="[abcd] == [abce]"),
+    "a plane by two assumptions": lambda: gc.prove("[bcde] == 0", given=TOGETHER),
     "one point said twice": lambda: gc.prove("be == 0", rank=3, given="fb == 0, fe == 0"),
 }
+TOGETHER = "c == e + 2 d, coplanar(e, d, a, f + b), coplanar(a, d, c, e + b)"
 NO_KIND = "collinear(c, d, e), incident(a, be), [bed][bac] == -[bea][bdc]"
 
 
@@ -188,6 +190,7 @@ SEEDS = (
     lambda: gc.prove("[abc][abd][cde] == 0", rank=3, given="[abc][ade] == 0, [abd][ace] == 0"),
     lambda: gc.prove("[pab] == 0", rank=3, given=r"p == ab /\ cd"),
     lambda: gc.prove(r"S \/ ac == 0", letters="screw S", given=r"S \/ ab == 0, collinear(a, b, c)"),
+    lambda: gc.prove("[dab] == 0", rank=3, given="c == a + 2 b, incident(d - b, ac)"),
     lambda: gc.prove("[acp] == 2 [bcp]", rank=3, given="collinear(p, c, a - 2 b)"),
     lambda: gc.prove("[abc][aef] == [abd][aef]", rank=3, given="[abc] == [abd]"),
 )

@@ -96,6 +96,36 @@ ATTACKS: dict[str, tuple[Changes, str]] = {
         ),
         "may vanish",
     ),
+    "a line through a point that is equal to a sum, on another line": (
+        assumed(
+            "a b c",
+            bracket(*"acy"),
+            given=[difference("x", A_AND_B), bracket(*"xyc")],
+            nonzero=[join("a", "c")],
+            placed=[equal("x", A_AND_B, 0, 1), placed("y", join("a", "c"), flat(join("a", "c"), [1, -1]))],
+        ),
+        "need not lie",
+    ),
+    "a line through a point of a line, on another line": (
+        assumed(
+            "a b c",
+            bracket(*"acy"),
+            given=[ABX, bracket(*"xyc")],
+            nonzero=[join("a", "c")],
+            placed=[on_line("x"), placed("y", join("a", "c"), flat(join("a", "c"), [1, -1]))],
+        ),
+        "need not lie",
+    ),
+    "a point that is written out before it is placed": (
+        assumed(
+            "a b c",
+            bracket(*"acy"),
+            given=[difference("x", A_AND_B), bracket(*"xyc")],
+            nonzero=[join("a", "c"), join(A_AND_B, "c")],
+            placed=[placed("y", join(A_AND_B, "c"), flat(join(A_AND_B, "c"), [1, -1])), equal("x", A_AND_B, 0, 1)],
+        ),
+        "need not lie",
+    ),
     "a point on a sum of lines": (  # which is no line
         assumed(
             "a b c d f g h",
@@ -164,6 +194,17 @@ TRUE: dict[str, tuple[Changes, str]] = {
         ),
         "'attack' in the file: [x c d] == 0, where ((d \\/ (([a b e] * c) + ([a b e] * c))) \\/ x) == 0 "
         "and ((([b a e] * c) + ([b a e] * c)) \\/ d) != 0 (rank 3)",
+    ),
+    "a line through a point that is equal to a sum": (
+        assumed(
+            "a b c",
+            bracket("c", "y", A_AND_B),
+            given=[difference("x", A_AND_B), bracket(*"xyc")],
+            nonzero=[join(A_AND_B, "c")],
+            placed=[equal("x", A_AND_B, 0, 1), placed("y", join(A_AND_B, "c"), flat(join(A_AND_B, "c"), [1, -1]))],
+        ),
+        "'attack' in the file: [c y (a + b)] == 0, where (x + (-1 * (a + b))) == 0 and [x y c] == 0 "
+        "and ((a + b) \\/ c) != 0 (rank 3)",
     ),
     "a point that is equal to an expression": (
         assumed("a b", ABX, given=[difference("x", A_AND_B)], placed=[equal("x", A_AND_B, 0, 1)]),

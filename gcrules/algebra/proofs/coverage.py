@@ -27,18 +27,21 @@ __all__ = ["Flat", "Multiple", "equal", "flats", "is_plain", "quotient", "turned
 _MOST = 1_000  # exchanges
 _SIZE = 1_000  # of coordinates at which expressions are compared
 _TRIES = 5  # positions
+_OF_ANY_WEIGHT = 100  # a seed from which on points have different weights, so that a difference of two is finite
 
 
 @dataclass(frozen=True)
 class Multiple:
     """Something is `number` · the equation with this `index` and the sum of `relations`, whose rows are numbers of the
-    points of `order`, so that it vanishes; or it does as it stands, without an index.
+    points of `order`, so that it vanishes; or it does as it stands, without an index. It may be so only where the
+    points that were placed before are `written_out`.
     """
 
     index: int | None = None
     number: Coefficient = 0
     relations: tuple[Relation, ...] = ()
     order: tuple[str, ...] = ()
+    written_out: bool = False
 
     def to_json(self, place: Mapping[str, int]) -> list[Any]:
         """The multiple as `proof.schema.json` describes it, with the numbers of points by name."""
@@ -86,7 +89,11 @@ def flats(step: ConstructionStep, construction: Construction) -> tuple[Flat, ...
 def equal(step: ConstructionStep, construction: Construction) -> Multiple | None:
     """Why a point equals the expression of its step, by one equation; None where none says so."""
     difference = ex.sub(Point(step.name), step.within, rank=construction.rank)
-    return _multiple(difference, construction) or _with_relations(difference, construction)
+    return (
+        _multiple(difference, construction)
+        or _with_relations(difference, construction)
+        or _written_out(difference, step.name, construction)
+    )
 
 
 def turned(flat: Flat, name: str, extensor: Expr, construction: Construction) -> Flat | None:
@@ -136,7 +143,7 @@ def _flat(name: str, extensor: Expr, c: Construction) -> Flat | None:
             because = _inside(joined, room, c)
             if because is not None:
                 return Flat(extensor, because, room)
-    own = _with_relations(joined, c)
+    own = _with_relations(joined, c) or _written_out(joined, name, c)
     return None if own is None else Flat(extensor, (own,))
 
 
@@ -196,6 +203,29 @@ def _with_relations(e: Expr, c: Construction) -> Multiple | None:
     return None
 
 
+def _written_out(e: Expr, name: str, c: Construction) -> Multiple | None:
+    """An expression with a point that is placed next as a multiple of an equation, once those placed before are written
+    out as what they are; None where it is none.
+    """
+    at = next(i for i, step in enumerate(c.steps) if step.name == name)
+    if c.meets or not at:
+        return None
+    later = tuple(step.name for step in c.steps[at:])
+    ideal = tuple(c.order[: c.at_infinity])
+    so_far = Construction(c.rank, (*c.free, *later), ideal, c.steps[:at])
+    for index, equation in enumerate(c.equations):
+        known = {*points_of(equation)} <= {*so_far.names}
+        if name not in points_of(equation) or not known or equation.step % c.rank != e.step % c.rank:
+            continue
+        factor = quotient(e, equation, so_far, _OF_ANY_WEIGHT)
+        terms, other = (so_far.closed_terms(x, as_defined=True) for x in (e, equation))
+        rest = {m: terms.get(m, 0) - factor * other.get(m, 0) for m in {**terms, **other}}
+        found = relations(rest, so_far.at_infinity, _MOST) if factor else None
+        if found is not None:
+            return Multiple(index, factor, found, so_far.order, written_out=True)
+    return None
+
+
 def _alike(e: Expr, c: Construction) -> Iterator[tuple[int, Expr]]:
     """The equations of the same points and step."""
     for index, equation in enumerate(c.equations):
@@ -203,12 +233,12 @@ def _alike(e: Expr, c: Construction) -> Iterator[tuple[int, Expr]]:
             yield index, equation
 
 
-def quotient(e: Expr, other: Expr, construction: Construction) -> Coefficient:
+def quotient(e: Expr, other: Expr, construction: Construction, first: int = 0) -> Coefficient:
     """What an expression is, scalar or extensor, by what another one is, at random points to which a construction
-    leads; 0 where that is no number.
+    leads, those of some seeds from the `first` on; 0 where that is no number.
     """
     found: set[Fraction] = set()
-    for seed in range(_TRIES):
+    for seed in range(first, first + _TRIES):
         points = construction.rational_points(seed, _SIZE)
         if points is not None:
             both = (Evaluator(points, construction.rank).value(x) for x in (e, other))

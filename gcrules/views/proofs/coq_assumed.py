@@ -56,6 +56,10 @@ class AssumedProof:
     """The proof of one theorem under assumptions."""
 
     def __init__(self, t: Theorem) -> None:
+        if any(m.written_out for p in t.placed for flat in p.flats for m in flat.because) or any(
+            p.equal.written_out for p in t.placed if p.equal
+        ):
+            raise CannotWrite("it holds under assumptions that place a point together")
         t = _aligned(t)
         self.statement = s = Statement(t)
         self.facts = Facts(s)
