@@ -289,6 +289,9 @@ def test_coq_replays_theorems_whose_meets_stand_in_two_sequences(tmp_path: Path)
     assert done.returncode == 0, done.stderr
 
 
+MEETING = r"f \/ (be /\ dac) == 0, [fbed] + [fbda] + 2 [fedc] == 0"
+
+
 def with_sums() -> list[Theorem]:
     """Points that are said to be equal to an expression, and those on lines and planes through sums."""
     return [
@@ -300,6 +303,7 @@ def with_sums() -> list[Theorem]:
         assumed("[abcp] == 3 [abdp]", "coplanar(p, a, b, c - 3 d)", "a plane through a sum"),
         assumed("[abc] == [abd]", "[abc] == [abd]", "a line that is a sum", rank=3),
         assumed("[abcd] == [abce]", "[abcd] == [abce]", "a plane that is a sum"),
+        assumed("[abef] == 0", MEETING, "a meet with a sum"),
     ]
 
 

@@ -9,10 +9,12 @@ ab /\ cd
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
+from fractions import Fraction
 from typing import Any
 
 from gcrules.algebra import expr as ex
-from gcrules.algebra.expr import Expr, Join, Meet, points_of, subexpressions
+from gcrules.algebra.assumptions.construction import Construction
+from gcrules.algebra.expr import Expr, Join, Meet, Product, Sum, points_of, subexpressions
 from gcrules.algebra.parts import substitute
 
 __all__ = ["Sequences"]
@@ -23,7 +25,8 @@ class Sequences:
 
     def __init__(self, nonzero: Iterable[Expr], meets: Mapping[str, Expr], rank: int) -> None:
         self.meets, self.rank = meets, rank
-        self.said = {_key(part): part for e in nonzero for part in subexpressions(e) if isinstance(part, Meet)}
+        parts = (part for e in nonzero for part in subexpressions(e))
+        self.said = {self._plain_key(part): part for part in parts if isinstance(part, Meet)}
 
     def of(self, e: Expr) -> Expr:
         """A meet of the same parts as one of those, in its sequence; any other expression as it is."""
@@ -33,12 +36,19 @@ class Sequences:
         if not self.meets.keys() & set(points_of(e)):
             return like
         parts = {self._key(a): a for a in e.args}
-        return ex.meet(*(parts[_key(a)] for a in like.args), rank=self.rank)
+        return ex.meet(*(parts[self._plain_key(a)] for a in like.args), rank=self.rank)
 
     def _key(self, e: Expr) -> Any:
-        return _key(substitute(e, self.meets, self.rank))
+        return self._plain_key(substitute(e, self.meets, self.rank))
 
-
-def _key(e: Expr) -> Any:
-    """The same for joins and for meets of the same parts in any sequence."""
-    return (type(e).__name__, *sorted(map(_key, e.args))) if isinstance(e, Join | Meet) else (str(e),)
+    def _plain_key(self, e: Expr) -> Any:
+        """The same for joins and for meets of the same parts in any sequence, and for sums that are multiples."""
+        if isinstance(e, Join | Meet):
+            return (type(e).__name__, *sorted(map(self._plain_key, e.args)))
+        if not isinstance(e, Sum | Product):
+            return (str(e),)
+        points = tuple(sorted(points_of(e)))
+        closed = Construction(self.rank, points, ()).closed_terms(e, as_defined=True)
+        terms = sorted((m, c) for m, c in closed.items() if c)
+        shares = [(m, Fraction(c) / terms[0][1]) for m, c in terms]
+        return ("sum", *points, str(shares))
