@@ -25,10 +25,10 @@ finite points. So they are expanded, and every position is reached:
   S joined with points of T up to the step that R leaves is not;
 * where W joins free points that, as X, were not bound before, W may be zero: dependent positions of them and X are an
   irreducible variety in which those with W not zero are dense, and later points add linear spaces of one dimension.
-Or there are `cases`, each a theorem: the first says that a product equals what vanishes, so that one of its factors
-does, for all points that it adds. Each factor that may, and is not the difference of the sides, has one more, which
-assumes this factor and no more than what is assumed, and claims the same, or that something vanishes that does not.
-
+Or there are `cases`, theorems that assume no more, and claim the same or that something vanishes that does not: where
+an expression, the `split`, vanishes and where it does not; or, behind one that says that a product equals what does,
+where each factor vanishes that may and is not the difference of the sides (a bracket that does for all points that the
+first adds, or of `any`: where the join of the others does). A join, meet, bracket or product does where a part does.
 Exit codes: 0 all theorems are proved, 1 one is not (its name, and what is left), 2 the file is no proof file.
 """
 
@@ -42,13 +42,12 @@ from functools import cache, reduce
 from itertools import combinations, product
 from math import comb
 
-TERMS = """-abcd efgi hjkl|+abcd efhi gjkl|+abcd efgj hikl|-abcd efhj gikl|+abce dfgh ijkl|-abde cfgh ijkl|
--abcf degh ijkl|+abdf cegh ijkl|-abce dghi fjkl|+abde cghi fjkl|+abcf dghi ejkl|+abce dghj fikl|-abdf cghi ejkl|
--abde cghj fikl|-abcf dghj eikl|+abdf cghj eikl|+abcg defi hjkl|-abdg cefi hjkl|-abch defi gjkl|-abcg defj hikl|
-+abdh cefi gjkl|+abdg cefj hikl|+abch defj gikl|-abdh cefj gikl"""
+TERMS = """-abcdefgihjkl abcdefhigjkl abcdefgjhikl -abcdefhjgikl abcedfghijkl -abdecfghijkl -abcfdeghijkl abdfceghijkl
+-abcedghifjkl abdecghifjkl abcfdghiejkl abcedghjfikl -abdfcghiejkl -abdecghjfikl -abcfdghjeikl abdfcghjeikl
+abcgdefihjkl -abdgcefihjkl -abchdefigjkl -abcgdefjhikl abdhcefigjkl abdgcefjhikl abchdefjgikl -abdhcefjgikl"""
 NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]*'*([₁-₉]{0,2}|[¹²³⁴⁵ᵃᵇᶜᵈ])(:[0-9]+)?|#[0-9]+")
-OPERATIONS = ["join", "meet", "sum", "product", "power", "bracket", "superbracket"]
-SIGN = dict(zip(OPERATIONS, [" \\/ ", " /\\ ", " + ", " * ", "**", " ", " "]))
+SIGN = {"join": r" \/ ", "meet": r" /\ ", "sum": " + ", "product": " * ", "power": "**"}
+BRACKETS = {"bracket": "[{}]", "superbracket": "[[{}]]"}
 
 
 class NotProved(Exception):
@@ -62,12 +61,9 @@ def expect(condition, what, fault=ValueError):
 
 def in_order(points):
     """The sign of a bracket's rearrangement into increasing order, and that order; 0 where a point stands twice."""
-    sign = 1
-    for x, y in combinations(points, 2):
-        if x == y:
-            return 0, ()
-        sign = -sign if x > y else sign
-    return sign, tuple(sorted(points))
+    if len({*points}) < len(points):
+        return 0, ()
+    return (-1) ** sum(x > y for x, y in combinations(points, 2)), tuple(sorted(points))
 
 
 @cache
@@ -92,20 +88,24 @@ def times(a, b):
     return {m: c for m, c in total.items() if c}
 
 
+def collected(terms):
+    """The sum of rows times polynomials times numbers, as {row: polynomial}."""
+    total = {}
+    for row, p, factor in terms:
+        total[row] = plus(total.get(row, {}), p, factor)
+    return {row: p for row, p in total.items() if p}
+
+
 @cache
 def superbracket_terms():
     """In the lines' ends a b | c d | ... | k l (McMillan and White), once compared with the determinant."""
-    signed = ((-1 if "-" in term else 1, term.strip()[1:].split()) for term in TERMS.split("|"))
-    terms = [(sign, [["abcdefghijkl".index(x) for x in row] for row in rows]) for sign, rows in signed]
+    signed = ((-1 if term[0] == "-" else 1, [*map("abcdefghijkl".index, term[-12:])]) for term in TERMS.split())
+    terms = [(sign, [ends[i : i + 4] for i in (0, 4, 8)]) for sign, ends in signed]
     lines = list(combinations(range(4), 2))
     for choice in product(range(6), repeat=6):
         ends = [e for line in choice for e in lines[line]]
-        value = 0
-        for sign, rows in terms:
-            for row in rows:
-                sign = sign and sign * in_order([ends[e] for e in row])[0]
-            value += sign
-        expect(value == in_order(choice)[0], f"the formula of the superbracket is wrong at {choice}", AssertionError)
+        of = (reduce(lambda s, row: s and s * in_order([ends[e] for e in row])[0], rows, sign) for sign, rows in terms)
+        expect(sum(of) == in_order(choice)[0], f"the formula of the superbracket is wrong at {choice}", AssertionError)
     return terms
 
 
@@ -140,7 +140,7 @@ class Reader:  # reads expressions and expands them: a step, and {points of an e
         if e[0] == "number":
             return 0, {(): {(): Fraction(e[1])}} if Fraction(e[1]) else {}
         powers = e[0] != "power" or (len(e) == 3 and e[2] in range(2, 65))
-        expect(len(e) > 1 and e[0] in SIGN and powers, f"no expression: {e}"[:200])
+        expect(len(e) > 1 and e[0] in [*SIGN, *BRACKETS] and powers, f"no expression: {e}"[:200])
         parts = [self.read(e[1])] * e[2] if e[0] == "power" else [self.read(part) for part in e[1:]]
         if e[0] not in ("product", "power"):
             return getattr(self, e[0])(parts)
@@ -148,23 +148,17 @@ class Reader:  # reads expressions and expands them: a step, and {points of an e
         return self.join(parts)
 
     def sum(self, parts):
-        steps, total = {step for step, value in parts if value}, {}
+        steps = {step for step, value in parts if value}
         expect(len(steps) < 2, "a sum of unlike steps")
-        for row, p in (item for _, value in parts for item in value.items()):
-            total[row] = plus(total.get(row, {}), p)
-        return max(steps, default=parts[0][0]), {row: p for row, p in total.items() if p}
+        return max(steps, default=parts[0][0]), collected((row, p, 1) for _, v in parts for row, p in v.items())
 
     def join(self, parts):
         step, value = parts[0]
         for further, other in parts[1:]:
             step += further
             expect(step <= self.rank, "a join beyond the rank")
-            joined = {}
-            for (r, p), (s, q) in product(value.items(), other.items()):
-                sign, row = in_order(r + s)
-                if sign:
-                    joined[row] = plus(joined.get(row, {}), times(p, q), sign)
-            value = {row: p for row, p in joined.items() if p}
+            pairs = ((in_order(r + s), p, q) for (r, p), (s, q) in product(value.items(), other.items()))
+            value = collected((row, times(p, q), sign) for (sign, row), p, q in pairs if sign)
         return step, value
 
     def row(self, points):  # a bracket as a polynomial
@@ -180,21 +174,19 @@ class Reader:  # reads expressions and expands them: a step, and {points of an e
         step, value = parts[0]
         for further, other in parts[1:]:
             expect(step + further >= self.rank, "a meet of extensors that are too small")
-            met = {}
-            for (r, p), (s, q) in product(value.items(), other.items()):
-                for sign, first, rest in splits(len(r), self.rank - len(s)):
-                    closed = times(times(p, q), self.row([r[i] for i in first] + list(s)))
-                    key = tuple(r[i] for i in rest)
-                    met[key] = plus(met.get(key, {}), closed, sign)
+            value = collected(
+                (tuple(r[i] for i in rest), times(times(p, q), self.row([r[i] for i in first] + list(s))), sign)
+                for (r, p), (s, q) in product(value.items(), other.items())
+                for sign, first, rest in splits(len(r), self.rank - len(s))
+            )
             step += further - self.rank
-            value = {row: p for row, p in met.items() if p}
         return step, value
 
     def superbracket(self, parts):
-        expect([step for step, _ in parts] == [2] * comb(self.rank, 2), "no superbracket of all lines")
+        lines = self.rank < 5 and [step for step, _ in parts] == [2] * comb(self.rank, 2)
+        expect(lines, "no superbracket of all lines, or one of rank 5 or more, which this checker does not know")
         if self.rank < 4:  # of one line its bracket; in the plane the determinant of three lines is their meet
             return self.bracket(parts) if self.rank == 2 else self.meet(parts)
-        expect(self.rank == 4, "a superbracket of rank 5 or more, which this checker does not know")
         total = {}
         for choice in product(*(value.items() for _, value in parts)):
             ends = [x for row, _ in choice for x in row]
@@ -203,14 +195,12 @@ class Reader:  # reads expressions and expands them: a step, and {points of an e
                 total = plus(total, reduce(times, factors, {(): sign}))
         return 0, {(): total} if total else {}
 
-    def closed(self, e):
-        """An expression as one polynomial; an extensor of step k is closed by d - k further points."""
+    def closed(self, e):  # as one polynomial; an extensor of step k is closed by d - k further points
         step, value = self.read(e)
-        further = tuple(range(len(self.points), len(self.points) + self.rank - step))
+        further = tuple(range(len(self.points), len(self.points) + self.rank - step)) if step else ()
         return reduce(plus, (times(p, self.row(row + further)) if step else p for row, p in value.items()), {})
 
-    def without(self, rest, relations):
-        """A polynomial minus multiples of exchange relations."""
+    def without(self, rest, relations):  # a polynomial minus multiples of exchange relations
         for first, second, count, multiplier in relations:
             expect(len(first) == len(second) == self.rank and 0 < count <= self.rank, "a relation of unlike brackets")
             relation = times(self.row(first), self.row(second))
@@ -229,11 +219,15 @@ class Reader:  # reads expressions and expands them: a step, and {points of an e
         e = self.open(e)
         if not isinstance(e, list) or e[0] == "number":
             return str(e if not isinstance(e, list) else Fraction(e[1]))
-        inside = SIGN[e[0]].join(map(self.text, e[1:]))
-        return {"bracket": f"[{inside}]", "superbracket": f"[[{inside}]]"}.get(e[0], f"({inside})")
+        inside = SIGN.get(e[0], " ").join(map(self.text, e[1:]))
+        return BRACKETS.get(e[0], "({})").format(inside)
 
-    def args(self, e, operation="join"):
-        """The parts of a join or meet, taken apart as far as they are such; of anything else itself."""
+    def zero(self, e, given):  # whether it vanishes where expressions with these texts do
+        e = self.open(e)
+        inside = {"sum": all, "product": any, "join": any, "meet": any, "bracket": any}.get(e[0], lambda _: False)
+        return self.text(e) in {*given, "0"} or inside(self.zero(part, given) for part in e[1:])
+
+    def args(self, e, operation="join"):  # the parts of a join or meet as far as they are such; of anything else itself
         e = self.open(e)
         return [e] if isinstance(e, str) or e[0] != operation else [x for p in e[1:] for x in self.args(p, operation)]
 
@@ -324,14 +318,13 @@ class Positions:  # what assumptions say, and the points that are placed by them
         ends = [part for part in r.args(other) if isinstance(part, str)]
         return fits and any(self.not_zero(["join", *kept, *some]) for some in combinations(ends, missing))
 
-    def place(self, on, fresh, equal):
-        """How a point is written, for the reader of the claim."""
+    def place(self, on, fresh, equal):  # how a point is written, for the reader of the claim
         terms = []
         expect(equal or self.reader.plain(on, self.fresh), "a point on what is not made by joins and meets")
         for part in [on] if equal else self.reader.args(on):
             step = self.reader.read(part)[0]
             new = [fresh.pop(0) for _ in range(self.reader.rank - step + 1 if step > 1 else 0)]
-            scaled = not (new or equal or self.reader.names(part).intersection(self.fresh))
+            scaled = not (new or equal or self.reader.names(part) & {*self.fresh})
             terms.append((["meet", part, ["join", *new]] if new else part, {((self.scalars,),) if scaled else (): 1}))
             self.scalars += 1
         return lambda r: r.sum([r.join([(0, {(): scalar}), r.read(e)]) for e, scalar in terms])
@@ -339,28 +332,30 @@ class Positions:  # what assumptions say, and the points that are placed by them
 
 def split(theorem, claim, given, nonzero):
     """Checks all cases of a theorem, of which these are the texts, and that they leave none out."""
-    (left, right), r = theorem["cases"][0]["claim"], Reader(theorem["cases"][0])
-    for term in [] if r.text(left) in given else r.args(left, "sum"):
-        expect({*map(r.text, r.args(term, "product"))} & {*given, "0"}, f"{r.text(left)} need not vanish", NotProved)
-    added = {*r.points} - {*Reader(theorem).points}
+    r, own = Reader(theorem["cases"][0]), Reader(theorem)
+    anywhere, every = {*theorem["any"]}, ({*theorem["any"]} | {*r.points} - {*own.points}) - {*own.points[: own.ideal]}
 
-    def kept(f):  # of a bracket, which vanishes for all points that the first case adds, the join of the others
-        new = [x for x in f[1:] if isinstance(x, str) and x in added] if f[0] == "bracket" else []
-        rest = ["join", *(x for x in f[1:] if x not in new)]
-        return rest if new and rest[1:] and len({*new}) == len(new) and not r.names(rest) & {*new} else f
+    def for_all(f):  # of a bracket that vanishes for all of some points the join of the others, which does, too
+        rest = ["join", *(p for p in f[1:] if not (isinstance(p, str) and p in every))]
+        alone = f[0] == "bracket" and 1 < len(rest) < len(f) == len({*map(str, f)}) and not r.names(rest) & every
+        return rest if alone else f
 
-    live = [r.text(f) for f in r.args(right, "product") if f[0] == "number" and Fraction(f[1])]
-    live += [*nonzero, "({} + (-1 * {}))".format(*claim)]
-    factors = dict.fromkeys(f for f in (r.text(kept(f)) for f in r.args(right, "product")) if f not in live)
-    for case, factor in zip(theorem["cases"], [None, *factors], strict=True):
-        says, zero, alive = ([*map(Reader(case).text, case[key])] for key in ("claim", "given", "nonzero"))
-        expect(case["any"] == theorem["any"] and case["rank"] == theorem["rank"], "a case of another space")
+    if "split" in theorem:
+        either = own.text(theorem["split"])
+        ways = [([*given, either], nonzero), (given, [*nonzero, either])]
+    else:
+        (left, right), live = theorem["cases"][0]["claim"], [*nonzero, "({} + (-1 * {}))".format(*claim)]
+        expect(r.zero(left, given), f"{r.text(left)} need not vanish", NotProved)
+        factors = [r.text(for_all(f)) for f in r.args(right, "product") if f[0] != "number" or not Fraction(f[1])]
+        ways = [(given, nonzero), *(([*given, f], nonzero) for f in dict.fromkeys(factors) if f not in live)]
+    for n, (case, (zeros, alive)) in enumerate(zip(theorem["cases"], ways, strict=True)):
+        says, zero, live = ([*map(Reader(case).text, case[key])] for key in ("claim", "given", "nonzero"))
+        expect({*case["any"]} <= anywhere and case["rank"] == theorem["rank"], "a case of another space")
         expect({*case["points"][: case["ideal"]]} <= {*theorem["points"][: theorem["ideal"]]}, "a case at infinity")
-        expect({*zero} <= {*given, factor} and {*alive} <= {*nonzero}, "a case that assumes more", NotProved)
-        same = factor is None or says == claim or (says[0] in nonzero and says[1] == "0")
+        expect({*zero} <= {*zeros} and {*live} <= {*alive}, "a case that assumes more", NotProved)
+        same = says == claim or (says[0] in alive and says[1] == "0") or (n == 0 and "split" not in theorem)
         expect(same, "a case of another claim", NotProved)
         check(case)
-    return {}
 
 
 def check(theorem):  # the claim as text; raises NotProved where something is left
@@ -369,8 +364,11 @@ def check(theorem):  # the claim as text; raises NotProved where something is le
     expect(step == other or not a or not b, "the sides are of unlike steps")
     claim, zero, live = ([*map(reader.text, theorem.get(key, ()))] for key in ("claim", "given", "nonzero"))
     text, rest = " == ".join(claim), plus(*map(reader.closed, theorem["claim"]), -1)
-    rest = split(theorem, claim, zero, live) if "cases" in theorem else reader.without(rest, theorem["relations"])
-    expect(not any(rest.values()), f"{sum(map(bool, rest.values()))} terms are left of {text}"[:2000], NotProved)
+    if "cases" in theorem:
+        split(theorem, claim, zero, live)
+    elif claim[1] != "0" or not reader.zero(theorem["claim"][0], zero):
+        left = sum(map(bool, reader.without(rest, theorem["relations"]).values()))
+        expect(not left, f"{left} terms are left of {text}"[:2000], NotProved)
     where = [*(f"{e} == 0" for e in zero), *(f"{e} != 0" for e in live)]
     space = [f"rank {reader.rank}", *(f"{p} at infinity" for p in reader.points[: reader.ideal])]
     space += [f"for all {p}" for p in theorem.get("any", ())]

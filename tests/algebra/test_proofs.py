@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Iterator
 from dataclasses import replace
 from fractions import Fraction
 from typing import Any
@@ -12,6 +13,7 @@ from places import ROOT
 
 import gcrules as gc
 from gcrules.algebra.expand import expand
+from gcrules.algebra.expr import points_of
 from gcrules.algebra.language.statements import parse_assumption, parse_script
 from gcrules.algebra.language.syntax import Context, parse, parse_equation
 from gcrules.algebra.proofs.proof_file import LeftOut, ProofFile
@@ -136,13 +138,47 @@ def check_fields(value: Any, schema: dict[str, Any]) -> None:
             check_fields(one, first[n] if n < len(first) else schema.get("items", {}))
 
 
+PLANES = r"abe /\ acd /\ bdf == 0"
+
+
+def nested(t: Theorem) -> Iterator[Theorem]:
+    """A theorem and all of its cases."""
+    yield t
+    for case in t.cases:
+        yield from nested(case)
+
+
+def test_what_vanishes_or_not_is_a_case_each() -> None:
+    split, *_ = [t for t in nested(proved("[abde][abdf] == 0", 4, PLANES)) if t.split is not None]
+    vanishing, other = split.cases
+    assert (vanishing.given, vanishing.nonzero) == ((*split.given, split.split), split.nonzero)
+    assert (other.given, other.nonzero) == (split.given, (*split.nonzero, split.split))
+
+
+@pytest.mark.parametrize(
+    ("equation", "given", "factors"),
+    [
+        ("[abdf] == 0", r"abf /\ adf == 0", ["[abdf]", "af"]),
+        ("[abde][abce] == 0", "concurrent(ab, ac, de)", ["ade"]),
+        ("[abce][abdf] == 0", "concurrent(bf, ae, ab)", ["abe", "abf"]),
+    ],
+)
+def test_meets_that_are_zero_are_taken_apart(equation: str, given: str, factors: list[str]) -> None:
+    """What stands for all points is no part of a case."""
+    found = proved(equation, 4, given)
+    assert sorted(str(normal(case.given[-1], ORDER, 4).expr) for case in found.cases[1:]) == factors
+    assert all({*points_of(case.given[-1])} <= {*"abcdef"} for case in found.cases[1:])
+
+
 def test_files_have_the_fields_of_the_published_schema() -> None:
     conic = "[abc][ade][bdf][cef] == [abd][ace][bcf][def]"
     placed = proved("[abq] [cdf] == 0", 3, f"{conic}, incident(q, ab)")
-    theorems = proved(EXCHANGE, 3), placed, proved("[abc][abd][abe] == 0", 3, "[abc][abd] == 0")
+    theorems = proved(EXCHANGE, 3), placed, proved("[abde][abdf] == 0", 4, PLANES)
     file = ProofFile("two", theorems, (LeftOut("more", "it was not asked for"),))
     check_fields(file.to_json(), SCHEMA)
-    assert {*SCHEMA["$defs"]["theorem"]["properties"]} == {*theorems[1].to_json(), *theorems[2].to_json()}
+    assert {*SCHEMA["$defs"]["theorem"]["properties"]} == {
+        key for t in (placed, *nested(theorems[2])) for key in t.to_json()
+    }
 
 
 def test_absences_have_the_fields_of_the_published_schema() -> None:

@@ -6,7 +6,8 @@ import json
 import random
 import subprocess
 import sys
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from copy import copy
 from fractions import Fraction
 from functools import cache, reduce
 from itertools import combinations
@@ -193,7 +194,10 @@ SEEDS = (
     lambda: gc.prove("[dab] == 0", rank=3, given="c == a + 2 b, incident(d - b, ac)"),
     lambda: gc.prove("[acp] == 2 [bcp]", rank=3, given="collinear(p, c, a - 2 b)"),
     lambda: gc.prove("[abc][aef] == [abd][aef]", rank=3, given="[abc] == [abd]"),
+    lambda: gc.prove("[adef] == 0", given=THREE_LINES),
+    lambda: gc.prove("[abce][abdf] == 0", given="concurrent(bf, ae, ab)"),
 )
+THREE_LINES = r"concurrent(ab, bc, ef), aef /\ cdf /\ abd == 0"
 MENELAUS = "incident(d, bc), incident(e, ca), incident(f, ab), collinear(d, e, f)"
 PAPPUS = "collinear(a, b, c), collinear(a', b', c')"
 
@@ -250,6 +254,12 @@ class Coordinates:
         self.rank = theorem["rank"]
         self.definitions = dict(theorem["definitions"])
         self.points = points
+
+    def elsewhere(self, names: Iterable[str], rng: random.Random) -> Coordinates:
+        """Where some points are others."""
+        at = copy(self)
+        at.points = {**self.points, **{n: [rng.randrange(PRIME) for _ in range(self.rank)] for n in names}}
+        return at
 
     def value(self, e: Any) -> tuple[int, dict[tuple[int, ...], int]]:
         """Step and Plücker coordinates."""
@@ -342,6 +352,9 @@ def false_somewhere(theorem: Mapping[str, Any], rng: random.Random, tries: int =
             return not any(at.value(e)[1].values())
 
         if assumed and (not all(map(zero, theorem["given"])) or any(map(zero, theorem["nonzero"]))):
+            continue
+        others = [at.elsewhere(theorem.get("any", ()), rng) for _ in range(5)]
+        if not all(zero(e, other) for e in theorem.get("given", ()) for other in others):
             continue
         (_, left), (_, right) = map(at.value, theorem["claim"])
         if any((left.get(k, 0) - right.get(k, 0)) % PRIME for k in {*left, *right}):

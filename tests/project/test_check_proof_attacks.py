@@ -3,10 +3,23 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any
 
 import pytest
-from project.forged import (
+from project.proof_attacks import (
+    ABX,
+    ADX,
+    ADY,
+    ALMOST,
+    BC,
+    CROSSED,
+    M_AND_X,
+    M_ON_AB,
+    NAN,
+    ON_BOTH,
+    PLANE,
+    PLANES,
+    TWO_ON_AB,
+    X_ON_AB,
     Changes,
     assumed,
     bracket,
@@ -21,57 +34,6 @@ from project.forged import (
     theorem,
     twice_c,
 )
-
-ABX, ABY, ADX, ADY = (bracket(*names) for names in ("abx", "aby", "adx", "ady"))
-X_ON_AB = on_line("x")
-Y_ON_AB = on_line("y", 1)
-TWO_ON_AB: Changes = {"given": [ABX, ABY], "placed": [X_ON_AB, Y_ON_AB]}
-BC, PLANES = join("b", "c"), meet(join("a", "b", "c"), join("a", "d", "e"))
-PLANE = meet(join("a", "b", "c"))
-ON_BOTH = [flat(join("a", "b", "c"), [0, 1]), flat(join("a", "d", "e"), [1, 1])]
-CROSSED = meet(join("b", "c"), join("d", "e"))
-ALMOST = [
-    "sum",
-    ["product", bracket("b", "d", "e"), bracket("a", "c", "x")],
-    ["product", number(f"-{2**60 + 1}/{2**60}"), bracket("c", "d", "e"), bracket("a", "b", "x")],
-]
-NAN = float("nan")
-AB = join("a", "b")
-M_ON_AB = placed("m", AB, flat(AB, []))
-M_AND_X = placed("x", join("m", "c"), flat(join("m", "c"), []))
-
-FACTORS = ["product", ABX, ABY]  # that ABX vanishes does not follow
-
-
-def in_cases(*cases: Changes, claim: Any = ABX, given: Any = FACTORS, **more: Any) -> Changes:
-    return assumed("a b x y", claim, given=[given], placed=[], cases=list(cases), **more)
-
-
-def case(claim: Any = ABX, *given: Any, names: str = "a b y", place: Any = X_ON_AB, **more: Any) -> Changes:
-    """That something vanishes by the first of what is given, since one point is placed by it."""
-    return assumed(names, claim, given=[*given], placed=[place], **more)
-
-
-def lemma(left: Any, right: Any, given: Any = (), placed: Any = (), names: str = "a b x y", **more: Any) -> Changes:
-    return assumed(names, left, right, given=[*given], placed=[*placed], **more)
-
-
-AX, C, OF_NOTHING = join("a", "x"), join("c"), ["product", number(-1), number(0)]
-
-
-def for_all(
-    factor: Any, claim: Any = AX, names: str = "a x c y z", nonzero: Any = (C,), more: str = "", **of: Any
-) -> Changes:
-    """A claim by a factor that does not vanish for all points that the case adds."""
-    case = lemma(["product", factor, AX], ["product", factor, ["sum", AX, OF_NOTHING]], names=names, **of)
-    return assumed(f"a b x c {more}", claim, given=[AX], placed=[], nonzero=[*nonzero], cases=[case])
-
-
-OF_FACTORS = lemma(FACTORS, FACTORS)
-WHERE_X = case(ABX, ABX, FACTORS)
-WHERE_Y = case(ABX, ABX, ABY, FACTORS)
-ZERO_TIMES = ["product", number(0), ABX]
-SQUARE = ["product", ABX, *FACTORS[1:]]
 
 ATTACKS: dict[str, tuple[Changes, str]] = {
     # What is printed.
@@ -352,96 +314,6 @@ ATTACKS: dict[str, tuple[Changes, str]] = {
         theorem("a b c", bracket(*"abc"), relations=[[[-1, 0, 1], [True, 2, 1.0], 1, [[1, [0, 1, 2]]]]]),
         "left",
     ),
-    # Cases.
-    "a case that is missing": (in_cases(OF_FACTORS, WHERE_X), "zip()"),
-    "a case too many": (in_cases(OF_FACTORS, WHERE_X, WHERE_X, WHERE_X), "assumes more"),
-    "no cases": (in_cases(), "IndexError"),
-    "a case that assumes more": (in_cases(OF_FACTORS, WHERE_X, WHERE_Y), "assumes more"),
-    "a case of the other factor": (in_cases(OF_FACTORS, WHERE_X, WHERE_X), "assumes more"),
-    "a case in which more does not vanish": (
-        in_cases(OF_FACTORS, {**WHERE_X, "nonzero": ["a"]}, WHERE_X),
-        "assumes more",
-    ),
-    "a case that is not proved": (
-        in_cases(OF_FACTORS, WHERE_X, case(ABX, ABY, FACTORS, names="a b x", place=on_line("y"))),
-        "left",
-    ),
-    "a case of another claim": (
-        in_cases(OF_FACTORS, WHERE_X, case(ABY, ABY, FACTORS, names="a b x", place=on_line("y"))),
-        "another claim",
-    ),
-    "a case in which a point is another": (
-        in_cases(OF_FACTORS, WHERE_X, {**WHERE_X, "definitions": [["y", "x"]], "points": ["a", "b"]}),
-        "assumes more",
-    ),
-    "a case at infinity": (
-        in_cases(OF_FACTORS, WHERE_X, case(ABX, FACTORS, names="y a b", ideal=1)),
-        "a case at infinity",
-    ),
-    "a case for all points": (
-        in_cases(OF_FACTORS, WHERE_X, {**WHERE_X, "points": ["a", "b"], "any": ["y"]}),
-        "another space",
-    ),
-    "a factor for all points": (
-        assumed(
-            "a b x",
-            ABX,
-            given=[["product", ABX, bracket(*"abo")]],
-            placed=[],
-            any=["o"],
-            cases=[lemma(["product", ABX, bracket(*"abo")], ["product", ABX, bracket(*"abo")], names="a b x o")],
-        ),
-        "another space",
-    ),
-    "a case of another rank": (in_cases(OF_FACTORS, WHERE_X, {**WHERE_X, "rank": 4}), "another space"),
-    "a case without assumptions": (in_cases(OF_FACTORS, WHERE_X, theorem("a b x y", ABX)), "KeyError"),
-    "a product that is not given": (in_cases(lemma(ABX, ABX), WHERE_X), "need not vanish"),
-    "a product of which a term is not given": (
-        in_cases(lemma(["sum", FACTORS, ABX], ["sum", FACTORS, ABX]), WHERE_X),
-        "need not vanish",
-    ),
-    "a sum that is not given": (
-        in_cases(lemma(["sum", FACTORS, ABX], ABX, given=[FACTORS]), WHERE_X, given=["sum", FACTORS, ABY]),
-        "need not vanish",
-    ),
-    "another product": (in_cases(lemma(FACTORS, ABX), WHERE_X), "left"),
-    "a product that is equal where more vanishes": (
-        in_cases(lemma(FACTORS, ABX, [ABX], [X_ON_AB], "a b y"), WHERE_X),
-        "assumes more",
-    ),
-    "a product that is equal where more does not vanish": (
-        in_cases(lemma(FACTORS, FACTORS, nonzero=[ABY]), WHERE_X),
-        "assumes more",
-    ),
-    "a product that is zero": (in_cases(lemma(number(0), ZERO_TIMES), WHERE_X), "assumes more"),
-    "a product that is zero, in its own case": (
-        in_cases(lemma(number(0), ZERO_TIMES), case(ABX, FACTORS, number(0)), WHERE_X),
-        "need not lie",
-    ),
-    "a contradiction to what may vanish": (
-        in_cases(OF_FACTORS, case(ABY, ABY, FACTORS, names="a b x", place=on_line("y")), nonzero=[ABX]),
-        "another claim",
-    ),
-    "an assumption of cases that is no expression": (
-        in_cases(OF_FACTORS, WHERE_X, WHERE_X, nonzero=["1 != 0"]),
-        "KeyError",
-    ),
-    # Points that a case adds.
-    "a bracket that vanishes for all added points": (for_all(bracket(*"cyz"), nonzero=()), "zip()"),
-    "a bracket with an added point twice": (for_all(bracket(*"cyy")), "zip()"),
-    "a bracket with one added point under two names": (
-        for_all(bracket("c", "#1", "y"), definitions=[["#1", "y"]], names="a x c y"),
-        "zip()",
-    ),
-    "a bracket with a point that is not added": (for_all(bracket(*"cyz"), more="y"), "zip()"),
-    "a bracket of added points alone": (for_all(bracket(*"ycz"), names="a x y z c", nonzero=(), more="d"), "zip()"),
-    "an added point in the rest": (
-        for_all(bracket(meet(join("y", "c"), join("a", "x")), "y", "z"), nonzero=(C,)),
-        "zip()",
-    ),
-    "an added point at infinity": (for_all(bracket(*"cyz"), names="y a x c z", ideal=1), "a case at infinity"),
-    "an added point for all points": (for_all(bracket(*"cyz"), names="a x c y", any=["z"]), "another space"),
-    "the difference of other sides": (for_all(bracket(*"cyz"), claim=join("a", "b")), "zip()"),
     "another version": (theorem("a", "a", "a", name=None), "version"),
 }
 
@@ -467,44 +339,6 @@ TRUE: dict[str, tuple[Changes, str]] = {
     "numbers as they are read": (
         theorem("", number(0.1), number("\n3602879701896397/36028797018963968 ")),
         "'attack' in the file: 3602879701896397/36028797018963968 == 3602879701896397/36028797018963968 (rank 3)",
-    ),
-    "cases": (
-        in_cases(
-            lemma(SQUARE, SQUARE),
-            case(FACTORS, ABX, SQUARE),
-            case(FACTORS, ABY, SQUARE, names="a b x", place=on_line("y")),
-            claim=FACTORS,
-            given=SQUARE,
-        ),
-        "'attack' in the file: ([a b x] * [a b y]) == 0, where ([a b x] * [a b x] * [a b y]) == 0 (rank 3)",
-    ),
-    "a factor that does not vanish": (
-        in_cases(OF_FACTORS, case(ABX, ABX, FACTORS, nonzero=[ABY]), nonzero=[ABY]),
-        "'attack' in the file: [a b x] == 0, where ([a b x] * [a b y]) == 0 and [a b y] != 0 (rank 3)",
-    ),
-    "a case that is none": (
-        in_cases(
-            lemma(SQUARE, SQUARE),
-            case(ABX, ABX, SQUARE, nonzero=[["sum", ABY]]),
-            case(["sum", ABY], ABY, SQUARE, names="a b x", place=on_line("y")),
-            given=SQUARE,
-            nonzero=[["sum", ABY]],
-        ),
-        "'attack' in the file: [a b x] == 0, where ([a b x] * [a b x] * [a b y]) == 0 and ([a b y]) != 0 (rank 3)",
-    ),
-    "a sum of products of what is given": (
-        in_cases(
-            lemma(["sum", FACTORS, ["product", number(2), ABX, ABY]], ["product", number(3), ABX, ABY]),
-            case(FACTORS, ABX),
-            case(FACTORS, ABY, ABX, names="a b x", place=on_line("y")),
-            claim=FACTORS,
-            given=ABX,
-        ),
-        "'attack' in the file: ([a b x] * [a b y]) == 0, where [a b x] == 0 (rank 3)",
-    ),
-    "points that a case adds": (
-        for_all(bracket(*"cyz")),
-        "'attack' in the file: (a \\/ x) == 0, where (a \\/ x) == 0 and (c) != 0 (rank 3)",
     ),
     "a name of two lines": (
         theorem("a", "a", "a", name="one'\nproved  'two"),

@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from project.forged import (
+from project.proof_attacks import (
     Changes,
     assumed,
     bracket,

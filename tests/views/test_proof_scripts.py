@@ -265,15 +265,18 @@ def in_cases() -> list[Theorem]:
         assumed("[bde][bcd] == 0", "collinear(a, b, d), [bcd][abe] == [abd][bce]", "a factor", rank=3),
         assumed("[abd] == 0", line, "three lines", rank=3),
         assumed("[acde] == 0", "[abde][bcde] == 0, coplanar(a, b, c, d)", "in space"),
+        assumed("[abdf] == 0", r"abf /\ adf == 0", "planes"),
+        assumed("[abcf] == 0", r"acd /\ bcf /\ def == 0, [abef][acde] == 0", "three planes"),
     ]
 
 
 def test_cases_are_theorems_of_their_own() -> None:
     script = coq_script(in_cases(), "In cases")
     assert "Theorem squares__part_0 :" in script
-    assert "Theorem twice__part_1__part_2 :" in script
+    assert "Theorem twice__part_2__part_2 :" in script
     assert "Theorem squares__part_3 :" not in script
-    assert script.count("exfalso. exact (h_nonzero_0 h_") == 3
+    assert script.count("exfalso. exact (h_nonzero_0 h_") == 4
+    assert " as [h_split|h_split]." in script
 
 
 @pytest.mark.needs("coqc")
@@ -375,6 +378,11 @@ def test_coq_refuses_a_point_that_is_equal_to_another_expression(said: str, inst
     assert done.returncode != 0
     line = int(re.search(r'File "./theorems.v", line ([0-9]+)', done.stderr)[1])
     assert line > script[:start].count("\n"), done.stderr
+
+
+def test_cases_of_what_holds_for_all_points_have_no_script() -> None:
+    found = ProofFile("All", (assumed("[abce][abdf] == 0", "concurrent(bf, ae, ab)", "all"),))
+    assert coq.without_script(found) == {"all": "it holds under an assumption for all points"}
 
 
 def test_cases_of_several_equations_have_no_script() -> None:

@@ -15,7 +15,7 @@ from gcrules.algebra.assumptions.assumed import kinds
 from gcrules.algebra.expand import MAX_TERMS
 from gcrules.algebra.expr import Expr, Superbracket, common_rank, points_of, subexpressions
 from gcrules.algebra.proofs.cases import by_cases
-from gcrules.algebra.proofs.theorem import Theorem, asked, placed_theorem
+from gcrules.algebra.proofs.theorem import Theorem
 from gcrules.algebra.prove import difference_of
 from gcrules.algebra.space import Assumption, Space
 from gcrules.core.errors import InputError
@@ -73,4 +73,4 @@ def theorems(
         if kind.image:
             there = f"{name}, where {' and '.join(f'{e} == 0' for e in kind.where)}"
             c = replace(kind.construction, equations=own[0].construction.equations)
-            yield placed_theorem(there, left, right, c, asked(c), limit)
+            yield by_cases(there, left, right, [replace(kind, construction=c)], limit, apart=in_cases)

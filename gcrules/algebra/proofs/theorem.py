@@ -2,7 +2,7 @@ r"""A theorem with its proof, as anyone can check it: a claim, and exchange rela
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from dataclasses import replace
 from typing import Any
 
@@ -10,7 +10,7 @@ from gcrules.algebra import expr as ex
 from gcrules.algebra.assumptions.construction import Construction, Within, step_on
 from gcrules.algebra.bracket import Coefficient, Monomial
 from gcrules.algebra.expand import MAX_TERMS
-from gcrules.algebra.expr import Expr, Point, Sum, points_of
+from gcrules.algebra.expr import ZERO, Bracket, Expr, Join, Meet, Point, Product, Sum, points_of
 from gcrules.algebra.letters import conic_of, letter_of, marked
 from gcrules.algebra.proofs.coverage import Flat, Multiple, equal, flats
 from gcrules.algebra.proofs.relations import MAX_RELATIONS, Relation, relations
@@ -22,7 +22,7 @@ from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import EngineFault, InputError, LimitReached
 from gcrules.core.frozen import FrozenMap
 
-__all__ = ["PlacedPoint", "Theorem", "asked", "placed_theorem", "with_roles"]
+__all__ = ["PlacedPoint", "Theorem", "asked", "has_part", "placed_theorem", "with_roles"]
 
 _SHORT = 5_000  # exchanges within which every order is tried before longer proofs are sought
 
@@ -67,7 +67,8 @@ class Theorem:
     are numbers of points in this order.
 
     Or there are `cases` in the place of these: of what is given the first says that a product vanishes, and each of the
-    others is the same claim where one of its factors does.
+    others is the same claim where one of its factors does. With a `split` there are two: where it vanishes, and where
+    it does not.
     """
 
     name: str
@@ -82,6 +83,12 @@ class Theorem:
     placed: tuple[PlacedPoint, ...] = ()
     meets: Mapping[str, Expr] = FrozenMap()
     cases: tuple[Theorem, ...] = ()
+    split: Expr | None = None
+
+    @property
+    def at_once(self) -> bool:
+        """Whether the left side vanishes since a part of it is given to, so that there is nothing more to prove."""
+        return self.right == ZERO and not self.cases and has_part(self.left, self.given)
 
     @property
     def size(self) -> int:
@@ -94,6 +101,7 @@ class Theorem:
         """
         if anywhere is None and self.given:
             anywhere = sorted(set(points_of(*self.given)) - {*self.order, *(p.name for p in self.placed)})
+        anywhere = anywhere and [n for n in anywhere if n not in self.order]
         written = Written(self._expressions())
         of = written.of
         more: dict[str, Any] = {}
@@ -117,13 +125,21 @@ class Theorem:
             "claim": claim,
             **more,
             "relations": [r.to_json() for r in self.relations],
+            **({"split": of(self.split)} if self.split is not None else {}),
             **({"cases": [case.to_json(anywhere=anywhere) for case in self.cases]} if self.cases else {}),
         }
 
     def _expressions(self) -> Iterator[Expr]:
         yield from (self.left, self.right, *self.given, *self.nonzero, *self.meets.values())
+        yield from () if self.split is None else (self.split,)
         for p in self.placed:
             yield from p.expressions()
+
+
+def has_part(e: Expr, given: Collection[Expr]) -> bool:
+    """Whether something given is a part of an expression, which vanishes with it."""
+    inside = e.children if isinstance(e, Join | Meet | Bracket | Product) else ()
+    return e in given or any(has_part(part, given) for part in inside)
 
 
 def placed_theorem(
@@ -135,12 +151,11 @@ def placed_theorem(
     said = tuple(nonzero)
     wanted = Sequences(said, {}, c.rank)
     c = replace(c, meets=FrozenMap((n, wanted.of(e)) for n, e in c.meets.items()))
+    placed = tuple(_placed(c))
     closed = c.closed_terms(difference_of(left, right, c.rank), limit, as_defined=True)
     places, proof = _shortest(closed, len(c.order), c.at_infinity)
     order = tuple(c.order[i] for i in places)
-    return Theorem(
-        name, c.rank, left, right, order, c.at_infinity, proof, c.equations, said, tuple(_placed(c)), c.meets
-    )
+    return Theorem(name, c.rank, left, right, order, c.at_infinity, proof, c.equations, said, placed, c.meets)
 
 
 def asked(c: Construction) -> tuple[Expr, ...]:

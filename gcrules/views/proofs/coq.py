@@ -26,11 +26,9 @@ from typing import Any
 from gcrules.algebra.proofs.proof_file import ProofFile
 from gcrules.algebra.proofs.theorem import Theorem
 from gcrules.core.errors import InputError
-from gcrules.views.proofs.coq_assumed import AssumedProof
-from gcrules.views.proofs.coq_cases import CasesProof, cases_proof
+from gcrules.views.proofs.coq_cases import Proof, cases_proof
 from gcrules.views.proofs.coq_expressions import RESERVED, SPACES, Expressions, derived, geometry, multiple
 from gcrules.views.proofs.coq_relations import denominator, named_rows, written_relations
-from gcrules.views.proofs.coq_screws import ScrewProof
 
 __all__ = ["script", "without_script"]
 
@@ -96,7 +94,7 @@ def _relations(t: Theorem) -> Iterable[Any]:
     return _proof(t).relations if t.given else t.to_json()["relations"]
 
 
-def _proof(t: Theorem) -> AssumedProof | CasesProof | ScrewProof:
+def _proof(t: Theorem) -> Proof:
     """The proof of a theorem under assumptions, which can be written."""
     found = cases_proof(t)
     assert not isinstance(found, str)

@@ -1,4 +1,6 @@
-"""Theorems in cases, as Coq proves them: of a product that vanishes a factor does, and each case is a theorem."""
+"""Theorems in cases, as Coq proves them: of a product that vanishes a factor does, or an expression vanishes or it does
+not, and each case is a theorem.
+"""
 
 from __future__ import annotations
 
@@ -14,27 +16,56 @@ from gcrules.views.proofs.coq_facts import Facts
 from gcrules.views.proofs.coq_screws import ScrewProof, adds_points
 from gcrules.views.proofs.coq_statement import CannotWrite, Statement
 
-__all__ = ["CasesProof", "cases_proof"]
+__all__ = ["Proof", "cases_proof"]
 
 
 @lru_cache(maxsize=256)
-def cases_proof(t: Theorem) -> CasesProof | AssumedProof | ScrewProof | str:
+def cases_proof(t: Theorem) -> Proof | str:
     """The proof of a theorem under assumptions, or of the first of its cases, or why it cannot be written."""
-    if not t.cases:
+    if not t.cases and not t.at_once:
         return assumed_proof(t)
     try:
-        return ScrewProof(t, cases_proof) if adds_points(t) else CasesProof(t)
+        if t.at_once:
+            return PartProof(t)
+        if adds_points(t):
+            return ScrewProof(t, cases_proof)
+        return FactorsProof(t) if t.split is None else SplitProof(t)
     except CannotWrite as why:
         return str(why)
+
+
+class PartProof:
+    """The proof that something vanishes since a part of it does."""
+
+    factor = 1
+    relations: tuple[Any, ...] = ()
+
+    def __init__(self, t: Theorem) -> None:
+        self.statement = Statement(t)
+        if self.statement.stated.whole(self.statement.claim[0])[1] != 1:
+            raise CannotWrite("it is proved in cases that have fractions")
+
+    @property
+    def renamed(self) -> dict[str, str]:
+        """The points that have other names in Coq."""
+        return renamed(self.statement)
+
+    def text(self, name: str) -> str:
+        """The theorem with its proof."""
+        s = self.statement
+        sides = list(map(s.stated.statement, s.claim))
+        return "\n".join(["", *s.opening(name, sides), *vanishing(s, s.claim[0]), "Qed."])
 
 
 class CasesProof:
     """The proof of one theorem in cases."""
 
+    factor = 1
+
     def __init__(self, t: Theorem) -> None:
-        self.statement = s = Statement(t)
-        self.facts = Facts(s)
-        self.parts: list[CasesProof | AssumedProof | ScrewProof] = []
+        self.statement = Statement(t)
+        self.facts = Facts(self.statement)
+        self.parts: list[Proof] = []
         for case in t.cases:
             part = cases_proof(case)
             if isinstance(part, str):
@@ -42,21 +73,6 @@ class CasesProof:
             if part.factor != 1:
                 raise CannotWrite("it is proved in cases that have fractions")
             self.parts.append(part)
-        left, right = self.parts[0].statement.claim
-        if left not in s.given:
-            raise CannotWrite("it is proved in cases that come of several equations")
-        self.given = s.given.index(left)
-        self.product = right
-        factors = s.tree.args(right, "product")
-        if any(e[0] == "number" and abs(Fraction(e[1])) != 1 for e in factors):
-            raise CannotWrite("it is proved in cases of a multiple of what is given")
-        brackets = [e for e in factors if e[0] == "bracket"]
-        others = [e for e in factors if e[0] not in ("bracket", "number")]
-        if len(others) > 1:
-            raise CannotWrite("it is proved in cases of several factors that are sums")
-        self.factors = [*brackets, *others]
-
-    factor = 1
 
     @property
     def relations(self) -> Iterator[Any]:
@@ -68,35 +84,89 @@ class CasesProof:
     @property
     def renamed(self) -> dict[str, str]:
         """The points that have other names in Coq."""
-        return {p: self.statement.coq[p] for p in self.statement.own if self.statement.coq[p] != p}
+        return renamed(self.statement)
 
     def text(self, name: str) -> str:
         """The theorem with its proof, after those of its cases."""
         s, names = self.statement, [derived(name, f"part_{n}") for n in range(len(self.parts))]
-        h, says = s.prefix, s.says
-        equal, zero = f"{h}product", says(joined_product(self.factors), "=")
         return "\n".join(
             [
                 *(part.text(own) for part, own in zip(self.parts, names, strict=True)),
                 "",
-                *s.opening(name, list(map(s.stated.side, s.claim))),
-                *s.numbering(),
-                f"  assert ({equal} : {says(self.product, '=')}).",
-                f"  {{ rewrite <- {h}given_{self.given}. symmetry. apply {self._applied(names[0], self.parts[0])}. }}",
-                f"  assert ({h}zero_0 : {zero}).",
-                "  {",
-                *(f"    {line}" for line in self.facts.follows(joined_product(self.factors), self.product, [equal])),
-                "  }",
-                *self._factors(names),
+                *s.opening(name, list(map(s.stated.statement, s.claim))),
+                *self._together(names),
                 "Qed.",
             ]
         )
 
-    def _applied(self, name: str, part: CasesProof | AssumedProof | ScrewProof) -> str:
+    def _together(self, names: Sequence[str]) -> Iterator[str]:
+        """The lines that prove the theorem from those of its cases."""
+        raise NotImplementedError
+
+    def _applied(self, name: str, part: Proof) -> str:
         """A theorem at the points of this one, its assumptions among these."""
         own = part.statement
         points = " ".join(self.statement.coq[p] for p in own.own)
         return f"({name} {points}); assumption" if points else f"{name}; assumption"
+
+    def _closed(self, name: str, part: Proof, more: Sequence[tuple[str, str]] = ()) -> str:
+        """The end of the proof by a case; `more` does not vanish there by these facts."""
+        s, case = self.statement, part.statement
+        if case.claim == s.claim:
+            return f"apply {self._applied(name, part)}."
+        texts = [(s.stated.statement(e), f"{s.prefix}nonzero_{n}") for n, e in enumerate(s.nonzero)]
+        away = dict([*texts, *more])[s.stated.statement(case.claim[0])]
+        return f"exfalso. apply {away}. apply {self._applied(name, part)}."
+
+
+class SplitProof(CasesProof):
+    """The proof where an expression vanishes, and where it does not."""
+
+    def __init__(self, t: Theorem) -> None:
+        super().__init__(t)
+        self.split = self.statement.tree.opened(self.statement.data["split"])
+        if self.statement.stated.whole(self.split)[1] != 1:
+            raise CannotWrite("it is proved in cases that have fractions")
+
+    def _together(self, names: Sequence[str]) -> Iterator[str]:
+        s, text = self.statement, self.statement.stated.statement(self.split)
+        typed = f"({text} : extensor {s.space})" if isinstance(self.split, str) else f"({text})"
+        yield f"  destruct ({s.space}_decided {typed} (number {s.space} 0)) as [{s.prefix}split|{s.prefix}split]."
+        yield f"  - {self._closed(names[0], self.parts[0])}"
+        yield f"  - {self._closed(names[1], self.parts[1], [(text, f'{s.prefix}split')])}"
+
+
+class FactorsProof(CasesProof):
+    """The proof by the factors of a product that vanishes."""
+
+    def __init__(self, t: Theorem) -> None:
+        super().__init__(t)
+        s = self.statement
+        self.left, self.product = self.parts[0].statement.claim
+        if not parts_given(s, self.left):
+            raise CannotWrite("it is proved in cases that come of several equations")
+        factors = s.tree.args(self.product, "product")
+        if any(e[0] == "number" and abs(Fraction(e[1])) != 1 for e in factors):
+            raise CannotWrite("it is proved in cases of a multiple of what is given")
+        brackets = [e for e in factors if e[0] == "bracket"]
+        others = [e for e in factors if e[0] not in ("bracket", "number")]
+        if len(others) > 1:
+            raise CannotWrite("it is proved in cases of several factors that are sums")
+        self.factors = [*brackets, *others]
+
+    def _together(self, names: Sequence[str]) -> Iterator[str]:
+        s, h = self.statement, self.statement.prefix
+        equal, zero = f"{h}product", s.says(joined_product(self.factors), "=")
+        yield from s.numbering()
+        yield f"  assert ({h}left : {s.says(self.left, '=')})."
+        yield from ("  {", *(f"  {line}" for line in vanishing(s, self.left)), "  }")
+        yield f"  assert ({equal} : {s.says(self.product, '=')})."
+        yield f"  {{ rewrite <- {h}left. symmetry. apply {self._applied(names[0], self.parts[0])}. }}"
+        yield f"  assert ({h}zero_0 : {zero})."
+        yield "  {"
+        yield from (f"    {line}" for line in self.facts.follows(joined_product(self.factors), self.product, [equal]))
+        yield "  }"
+        yield from self._factors(names)
 
     def _factors(self, names: Sequence[str]) -> Iterator[str]:
         """Of each factor, that it vanishes and what follows; or that the rest does."""
@@ -113,27 +183,45 @@ class CasesProof:
                 yield f"  destruct ({s.space}_decided ({after}) (number {s.space} 0)) as {ways}."
                 yield "  2: {"
                 yield f"    pose proof (cancelled _ _ _ {h}zero_{n} {h}rest_{n}) as {h}factor_{n}."
-                yield f"    {self._closed(own, texts, known, f'{h}factor_{n}')}"
+                yield f"    {self._where(own, texts, known, f'{h}factor_{n}')}"
                 yield "  }"
             else:
-                yield f"  {self._closed(own, texts, known, f'{h}zero_{n}')}"
+                yield f"  {self._where(own, texts, known, f'{h}zero_{n}')}"
 
-    def _closed(
+    def _where(
         self,
         factor: str,
         nonzero: Sequence[str],
-        known: dict[str, tuple[CasesProof | AssumedProof | ScrewProof, str]],
+        known: dict[str, tuple[Proof, str]],
         fact: str,
     ) -> str:
         """The end of the proof where a factor vanishes."""
-        s = self.statement
         if factor in nonzero:
-            return f"exfalso. exact ({s.prefix}nonzero_{nonzero.index(factor)} {fact})."
+            return f"exfalso. exact ({self.statement.prefix}nonzero_{nonzero.index(factor)} {fact})."
         part, name = known[factor]
-        if part.statement.claim == s.claim:
-            return f"apply {self._applied(name, part)}."
-        away = nonzero.index(s.stated.statement(part.statement.claim[0]))
-        return f"exfalso. apply {s.prefix}nonzero_{away}. apply {self._applied(name, part)}."
+        return self._closed(name, part)
+
+
+Proof = CasesProof | AssumedProof | PartProof | ScrewProof
+
+
+def parts_given(s: Statement, e: Any) -> list[int]:
+    """The numbers of what is given of which a part of an expression is; none where none is, or it is a sum."""
+    if e in s.given:
+        return [s.given.index(e)]
+    inside = e[1:] if isinstance(e, list) and e[0] in ("join", "meet", "bracket", "product") else []
+    return [n for part in inside for n in parts_given(s, part)][:1]
+
+
+def vanishing(s: Statement, e: Any) -> Iterator[str]:
+    """The proof that an expression vanishes since a part of it is given to."""
+    (number,) = parts_given(s, e)
+    yield f"  rewrite {s.prefix}given_{number}. vanishes."
+
+
+def renamed(s: Statement) -> dict[str, str]:
+    """The points that have other names in Coq."""
+    return {p: s.coq[p] for p in s.own if s.coq[p] != p}
 
 
 def joined_product(factors: Sequence[Any]) -> Any:

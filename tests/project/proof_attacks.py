@@ -1,4 +1,4 @@
-"""Proof files that are written by hand, for the checker that should refuse them, and theorems that they are made of."""
+"""Of what proof files are made that say something false."""
 
 from __future__ import annotations
 
@@ -9,23 +9,6 @@ from pathlib import Path
 from typing import Any
 
 from places import ROOT
-
-__all__ = [
-    "Changes",
-    "assumed",
-    "bracket",
-    "flat",
-    "join",
-    "meet",
-    "number",
-    "on_line",
-    "placed",
-    "points",
-    "refused",
-    "run",
-    "theorem",
-    "twice_c",
-]
 
 CHECKER = ROOT / "checkers" / "check_proof.py"
 
@@ -92,3 +75,44 @@ def refused(tmp_path: Path, attack: Changes, reason: str, **head: Any) -> None:
     assert done.returncode in (1, 2), done.stdout
     assert "proved, called" not in done.stdout.replace("NOT PROVED, called", "")
     assert reason in done.stdout + done.stderr
+
+
+ABX, ABY, ADX, ADY = (bracket(*names) for names in ("abx", "aby", "adx", "ady"))
+X_ON_AB = on_line("x")
+Y_ON_AB = on_line("y", 1)
+TWO_ON_AB: Changes = {"given": [ABX, ABY], "placed": [X_ON_AB, Y_ON_AB]}
+BC, PLANES = join("b", "c"), meet(join("a", "b", "c"), join("a", "d", "e"))
+PLANE = meet(join("a", "b", "c"))
+ON_BOTH = [flat(join("a", "b", "c"), [0, 1]), flat(join("a", "d", "e"), [1, 1])]
+CROSSED = meet(join("b", "c"), join("d", "e"))
+ALMOST = [
+    "sum",
+    ["product", bracket("b", "d", "e"), bracket("a", "c", "x")],
+    ["product", number(f"-{2**60 + 1}/{2**60}"), bracket("c", "d", "e"), bracket("a", "b", "x")],
+]
+NAN = float("nan")
+AB = join("a", "b")
+M_ON_AB = placed("m", AB, flat(AB, []))
+M_AND_X = placed("x", join("m", "c"), flat(join("m", "c"), []))
+
+FACTORS = ["product", ABX, ABY]  # that ABX vanishes does not follow
+
+
+def in_cases(*cases: Changes, claim: Any = ABX, given: Any = FACTORS, **more: Any) -> Changes:
+    return assumed("a b x y", claim, given=[given], placed=[], cases=list(cases), **more)
+
+
+def case(claim: Any = ABX, *given: Any, names: str = "a b y", place: Any = X_ON_AB, **more: Any) -> Changes:
+    """That something vanishes by the first of what is given, since one point is placed by it."""
+    return assumed(names, claim, given=[*given], placed=[place], **more)
+
+
+def lemma(left: Any, right: Any, given: Any = (), placed: Any = (), names: str = "a b x y", **more: Any) -> Changes:
+    return assumed(names, left, right, given=[*given], placed=[*placed], **more)
+
+
+OF_FACTORS = lemma(FACTORS, FACTORS)
+WHERE_X = case(ABX, ABX, FACTORS)
+WHERE_Y = case(ABX, ABX, ABY, FACTORS)
+ZERO_TIMES = ["product", number(0), ABX]
+SQUARE = ["product", ABX, *FACTORS[1:]]
