@@ -397,8 +397,12 @@ def test_none_of_many_changed_proofs_is_accepted_unless_it_is_true(part: int) ->
 
 def false_cases() -> Iterator[dict[str, Any]]:
     """Theorems in cases of which the last is not what it should be, so that the claims are false."""
-    for claim, given in (("[abc][abd] == 0", "[abc][abc][abd] == 0"), ("[abc][abe] == 0", "[abc][abe][abe] == 0")):
-        (true,) = json.loads(gc.proof_file(gc.prove(claim, rank=3, given=given)).json_text())["theorems"]
+    for claim, given, rank in (
+        ("[abc][abd] == 0", "[abc][abc][abd] == 0", 3),
+        ("[abc][abe] == 0", "[abc][abe][abe] == 0", 3),
+        ("[abce][abdf] == 0", "concurrent(bf, ae, ab)", 4),
+    ):
+        (true,) = json.loads(gc.proof_file(gc.prove(claim, rank=rank, given=given)).json_text())["theorems"]
         assert len(true["cases"]) == 3
         for kept in (1, 2):
             found = json.loads(json.dumps(true))
