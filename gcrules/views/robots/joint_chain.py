@@ -8,7 +8,7 @@ link on a smaller one than the link before.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from itertools import pairwise, product
+from itertools import combinations, pairwise, product
 from math import atan2, cos, dist, sin
 from typing import SupportsFloat
 
@@ -35,10 +35,11 @@ _TUBE = 0.62  # how much of a limb that only guides is a tube
 
 def chains(robot: Robot, values: Values, own: Unit | None = None) -> tuple[Unit, list[DrawnLimb]]:
     """All limbs in a configuration (Cartesian coordinates of all names), in a unit of its `own` or in that of the ball
-    around it. Rails lie as they do at home, where the robot has one: they do not change sides while it moves.
+    around it. Rails lie as they do at home, where the robot has one: they do not change sides while it moves. Other
+    members of the family, whose bodies are others, are drawn by themselves.
     """
     there = _home(robot)
-    if there is None or there == values:
+    if there is None or there == values or not _one_robot(robot, values, there):
         return _made(robot, values, own, {})
     rails = {(c.limb.name, c.start, c.end): tuple(c.rails) for c in _made(robot, there, None, {})[1] if c.rails}
     return _made(robot, values, own, rails)
@@ -52,6 +53,16 @@ def _home(robot: Robot) -> Values | None:
         return robot.values_at()
     except InputError:
         return None
+
+
+def _one_robot(robot: Robot, values: Values, home: Values) -> bool:
+    """Whether the platform has the shape of home, and the first joints slide and turn in the directions of home."""
+    terms = [limb.joints[0].directions[-1] for limb in robot.limbs if limb.joints[0].kind in ("P", "C", "R", "Pa")]
+    pairs = [(unit_vector(_sum(t, values)), unit_vector(_sum(t, home))) for t in terms]
+    heads = [limb.joints[-1].points[0] for limb in robot.limbs if limb.joints[-1].points]
+    here, there = ([dist(_xyz(at[p]), _xyz(at[q])) for p, q in combinations(heads, 2)] for at in (values, home))
+    same = all(abs(x - y) <= 1e-6 * max(there) for x, y in zip(here, there, strict=True))
+    return same and all(dist(*pair) < 1e-6 for pair in pairs)
 
 
 def _made(
