@@ -6,7 +6,7 @@ import base64
 import json
 import zlib
 from collections.abc import Callable
-from itertools import combinations, pairwise, permutations
+from itertools import pairwise
 from typing import Any
 
 import pytest
@@ -14,7 +14,7 @@ import pytest
 pytest.importorskip("starlette", reason="needs the extra gcrules[studio]")
 pytest.importorskip("playwright", reason="needs the extra gcrules[dev]")
 
-from browsing import ARGS
+from browsing import ARGS, SIDES, touching
 from conftest import find_browser
 from studio_page import Desk, Server
 
@@ -40,8 +40,6 @@ legs:
   - [base_middle_back, platform_joint_one]
 """
 PANELS = ("guided", "manual", "motion", "where", "bench", "draw", "take-away")
-
-SIDES = (("x", "width"), ("y", "height"))
 
 CUT_OFF = """() => { const width = document.documentElement.clientWidth;
   const rolls = e => e.closest(".formula, .monomials, .legend, .viewer, .wide");
@@ -75,16 +73,6 @@ def fragment(doc: dict[str, Any], deflated: bool = False) -> str:
 def opened_long(desk: Desk) -> None:
     desk.run("text => gcrules.open({kind: 'file', text, name: 'long.yaml'})", LONG)
     desk.answered()
-
-
-def touching(boxes: list[dict[str, float]]) -> list[tuple[int, int]]:
-    """The pairs of boxes that have more in common than their edges."""
-    parted = [
-        {(i, j) for (i, a), (j, b) in permutations(enumerate(boxes), 2) if a[at] + a[size] <= b[at] + 1}
-        for at, size in SIDES
-    ]
-    apart = parted[0] | parted[1]
-    return [(i, j) for i, j in combinations(range(len(boxes)), 2) if not {(i, j), (j, i)} & apart]
 
 
 # --- out of all bounds ---------------------------------------------------------------------------------------------

@@ -88,8 +88,11 @@ B = "() => window.gcrules.study.peek().points.b"
 MARGIN = "m => Math.abs((window.gcrules.posing.numbers.value?.margin ?? 9) - m) < 1e-12"
 
 
-def shape(desk: Desk, name: str = "octahedral") -> Desk:
-    desk.open("example", name)
+PLANS = [("example", "octahedral"), ("robot", "delta"), ("robot", "gough-stewart")]
+
+
+def shape(desk: Desk, name: str = "octahedral", kind: str = "example") -> Desk:
+    desk.open(kind, name)
     desk.one("panel-dimensions").click()
     desk.one("plan").wait_for()
     return desk
@@ -213,6 +216,27 @@ def test_it_fits_a_phone(sit_down: Callable[..., Desk], width: int) -> None:
     assert desk.run("document.documentElement.scrollWidth") <= width
     rail = [b.bounding_box() for b in desk.page.locator(".rail button").all()]
     assert all(b["x"] >= 0 and b["x"] + b["width"] <= width for b in rail)
+
+
+@pytest.mark.browser
+@pytest.mark.parametrize("width", [390, 1280])
+def test_names_in_the_plan_stand_apart(sit_down: Callable[..., Desk], width: int) -> None:
+    """Also where joints lie one behind another."""
+    from browsing import SIDES, touching
+
+    desk = sit_down(viewport={"width": width, "height": 800}).visit()
+    for kind, name in PLANS:
+        shape(desk, name, kind)
+        for view in ("top", "front", "side"):
+            desk.one(f"plan-{view}").click()
+            desk.painted()
+            sheet, texts = desk.one("plan"), desk.one("plan").locator("text")
+            boxes = [one.bounding_box() for one in texts.all()]
+            assert len(boxes) >= 6, (name, view)
+            assert touching(boxes) == [], (name, view)
+            frame = sheet.bounding_box()
+            for at, size in SIDES:
+                assert all(b[at] >= frame[at] and b[at] + b[size] <= frame[at] + frame[size] for b in boxes)
 
 
 @pytest.mark.browser

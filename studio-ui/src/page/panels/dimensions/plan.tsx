@@ -5,6 +5,7 @@ import { hull } from "../../lib/hull";
 import { useStore } from "../../parts/context";
 import { Tabs } from "../../parts/tabs";
 import { jointWords, onGrid, placeOf, pointsOf, stepOf, written } from "../../state/joint-places";
+import { planLabels, SHEET, type Named } from "./plan-labels";
 
 const VIEWS = [
   { id: "top", label: "From above", title: "x to the right, y upwards", axes: [0, 1] },
@@ -25,8 +26,6 @@ interface Window {
   half: number;
 }
 
-const [LONG, LONGEST] = [6, 20]; // letters
-
 export function Plan({ study, selected, select }: Props) {
   const { resizing } = useStore();
   const svg = useRef<SVGSVGElement>(null);
@@ -43,6 +42,13 @@ export function Plan({ study, selected, select }: Props) {
   const { x, y, half } = dragged?.window ?? windowOf(names.map(flat)); // the picture stays still under the hand
   const step = stepOf(study);
   const round = (value: number): number => onGrid(value, step);
+  const unit = (2 * half) / SHEET.height;
+  const onSheet = ([p, q]: readonly [number, number]): [number, number] => [(p - x) / unit + SHEET.width / 2, (y - q) / unit + SHEET.height / 2];
+  const joints = rows.map(({ name }): Named => ({ name, at: onSheet(flat(name)), body: bodyOf(study, name), selected: name === selected }));
+  const labels = planLabels(
+    joints,
+    study.shape.bars.map(([a, b]) => [onSheet(flat(a)), onSheet(flat(b))]),
+  );
 
   function move(name: string, to: readonly [number, number]): void {
     const [a, b] = [written(right, to[0]), written(up, to[1])];
@@ -81,7 +87,7 @@ export function Plan({ study, selected, select }: Props) {
       <svg
         ref={svg}
         class="plan-sheet"
-        viewBox={`${x - 1.4 * half} ${-y - half} ${2.8 * half} ${2 * half}`}
+        viewBox={`${x - (unit * SHEET.width) / 2} ${-y - half} ${unit * SHEET.width} ${2 * half}`}
         role="group"
         aria-label="Plan of the joints. Each can be moved with the arrow keys, ten times as far with Shift."
         data-testid="plan"
@@ -97,18 +103,19 @@ export function Plan({ study, selected, select }: Props) {
           const [p, q] = [flat(a), flat(b)];
           return <line key={`${a} ${b}`} class={selected === a || selected === b ? "leg lit" : "leg"} x1={p[0]} y1={-p[1]} x2={q[0]} y2={-q[1]} />;
         })}
-        {rows.map(({ name, at }) => {
+        {rows.map(({ name, at }, i) => {
           const [p, q] = flat(name);
-          const body = study.base.includes(name) ? "base" : study.platform.includes(name) ? "platform" : "limb";
-          const inwards = name.length > LONG && p > x ? "end" : "start"; // a long name does not leave the sheet
-          const anchor = name.length > LONG ? inwards : body === "base" ? "end" : "start";
-          const place = `translate(${p} ${-q}) scale(${half / 110})`;
+          const { body } = joints[i]!;
+          const label = labels[i];
+          const place = `translate(${p} ${-q}) scale(${unit})`;
           const dot = (
             <>
-              <circle class="dot" r="4.5" />
-              <text x={anchor === "end" ? -8 : 8} y={body === "base" ? 14 : -7} text-anchor={anchor}>
-                {name.length > LONGEST ? `${name.slice(0, LONGEST)}…` : name}
-              </text>
+              <circle class="dot" r={SHEET.dot} />
+              {label && (
+                <text x={label.by[0]} y={label.by[1]} text-anchor="middle" dominant-baseline="central">
+                  {label.text}
+                </text>
+              )}
             </>
           );
           if (!at)
@@ -144,6 +151,9 @@ export function Plan({ study, selected, select }: Props) {
     </div>
   );
 }
+
+const bodyOf = (study: Study, name: string): Named["body"] =>
+  study.base.includes(name) ? "base" : study.platform.includes(name) ? "platform" : "limb";
 
 function windowOf(places: readonly (readonly [number, number])[]): Window {
   const [xs, ys] = [places.map(([p]) => p), places.map(([, q]) => q)];
