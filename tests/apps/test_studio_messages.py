@@ -32,6 +32,7 @@ from starlette.websockets import WebSocketDisconnect
 
 from gcrules.apps.studio import service as service_module
 from gcrules.apps.studio.app import MOST_PAGES
+from gcrules.apps.studio.faults import fault_view
 from gcrules.apps.studio.pool import Pool
 from gcrules.apps.studio.protocol.methods import LONGEST
 from gcrules.apps.studio.service import Service
@@ -269,8 +270,10 @@ def test_time_limit_ends_a_worker() -> None:
     async def run() -> None:
         pool = Pool(1, late=0.0)
         try:
-            with pytest.raises(LimitReached, match=r"within 0\.01 seconds"):
+            with pytest.raises(LimitReached, match=r"within 0\.01 seconds") as late:
                 await pool.run(("open", {"source": OCTAHEDRAL}, None), 0.01, lambda _: None)
+            hint = fault_view(late.value)["hint"]
+            assert hint == "the command line can give it more time", "in words of the page, without options"
             result, subject = await pool.run(("open", {"source": OCTAHEDRAL}, None), 60, lambda _: None)
             assert result["kind"] == "platform"
             assert subject is not None

@@ -15,6 +15,7 @@ from typing import Any, TypeVar
 
 from gcrules.apps.studio.protocol.study_views import FaultView
 from gcrules.apps.studio.wire import GIVE_UP, Job, Tell, framed, read_frame
+from gcrules.core.budget import MORE_SECONDS
 from gcrules.core.errors import EngineFault, GcrulesError, LimitReached
 from gcrules.core.threads import with_one_thread
 
@@ -65,9 +66,7 @@ class Pool:
                     except _GONE:
                         kind, value, subject = await self._done(job, tell, fresh=True)
             except TimeoutError:
-                raise LimitReached(
-                    f"no answer within {seconds:g} seconds", hint="the command line gives it more time with --seconds"
-                ) from None
+                raise LimitReached(f"no answer within {seconds:g} seconds", hint=MORE_SECONDS) from None
             except _GONE:
                 raise EngineFault("the worker has ended by itself, twice") from None
         if kind == "fault":
