@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+import re
 from collections.abc import Callable
 from typing import Any
 
@@ -20,6 +22,7 @@ pytestmark = pytest.mark.browser
 PROVED = "[data-testid=way][data-proved=true]"
 RESTS = "() => Object.keys(gcrules.resizing.wanted.value).length === 0"
 STOPS = "gcrules.timeline.stops.value"
+PLANE = re.compile(r'<polygon points="([^"]+)" fill="(#\w+)" fill-opacity="0.24"')
 
 
 def shift(x: float, y: float, z: float) -> dict[str, Any]:
@@ -401,3 +404,19 @@ def test_planes_swing_with_the_platform(desk: Desk) -> None:
     desk.one("play-motion").click()
     desk.painted()
     assert desk.run("gcrules.space.viewer.value.snapshot('svg')") == before
+
+
+def test_planes_are_seen_to_part_where_they_met(desk: Desk) -> None:
+    """While the gained motion swings they still reach to that place."""
+    desk.open("example", "octahedral-singular", "statement")
+    desk.painted()
+    met = re.search(r'<text x="([\d.]+)" y="([\d.]+)"[^>]*><tspan[^>]*>M', desk.run("gcrules.space.viewer.value.svg()"))
+    assert met
+    desk.one("play-motion").click()
+    desk.painted()
+    nearest: dict[str, float] = {}
+    for corners, colour in PLANE.findall(desk.run("gcrules.space.viewer.value.svg()")):
+        away = min(math.dist(map(float, met.groups()), map(float, corner.split(","))) for corner in corners.split())
+        nearest[colour] = min(away, nearest.get(colour, math.inf))
+    assert len(nearest) == 4
+    assert max(nearest.values()) < 60, "pixels"

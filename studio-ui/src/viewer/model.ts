@@ -7,7 +7,7 @@ import { drawnMotion, swung } from "./motion";
 import { constructedAt } from "./numbers";
 import { legible } from "./palette";
 import { body, disc, patch, stretched, throughBall, volume, type Outline } from "./solids";
-import type { Scene, SceneEntity, Vec3 } from "./types";
+import type { Constructed, Scene, SceneEntity, Vec3 } from "./types";
 import { along, centre, cross, distance, dot, unit } from "./vectors";
 
 /** Letters of an entity's name that are written beside it; a longer one stands in the legend alone. */
@@ -24,7 +24,8 @@ export function modelOf(scene: Scene, state: State): Model {
     const { recipe } = scene;
     const there = carried && recipe ? { ...scene, points: carried, constructed: constructedAt(scene, recipe, carried) } : scene;
     const strength = carried && !recipe ? 0.4 : 1; // what moves comes first
-    there.entities.forEach((entity) => entityShape(d, there, entity, strength));
+    const met = there === scene ? null : (scene.constructed ?? []); // where planes met they are seen to part
+    there.entities.forEach((entity) => entityShape(d, there, entity, strength, met));
     constructions(d, there);
   }
   if (d.shows("wrenches")) drawnLimbs(d);
@@ -95,12 +96,13 @@ export function isDrawn(scene: Placed, e: SceneEntity): boolean {
   return corners.length + ways.length === e.points.length && (corners.length > 0 || e.kind === "line");
 }
 
-function entityShape(d: Drawing, scene: Scene, e: SceneEntity, calm: number): void {
+/** An entity in space; its plane reaches points that it passes through, or those in which it met others before it swung. */
+function entityShape(d: Drawing, scene: Scene, e: SceneEntity, calm: number, met: readonly Constructed[] | null): void {
   if (!isDrawn(scene, e)) return;
   const { corners, ways } = placesOf(scene, e);
   const strength = emphasis(d, e.id);
   const colour = strength < 1 ? d.pale(d.entityColour(e.colour), 0.55) : d.entityColour(e.colour);
-  const marks = (scene.constructed ?? []).flatMap((c) =>
+  const marks = (met ?? scene.constructed ?? []).flatMap((c) =>
     c.kind === "point" && c.entities.includes(e.id) && distance(c.at, d.middle) < SIZES.far * d.radius ? [c.at] : [],
   );
   const rim = SIZES.edge * scene.size * (strength > 1 ? 1.8 : 1);
@@ -122,7 +124,7 @@ function entityShape(d: Drawing, scene: Scene, e: SceneEntity, calm: number): vo
     label(centre(corners));
   } else if (e.kind === "plane") {
     // within three hundredths of the size a mark is where the planes nearly meet
-    const ring = patch([...corners, ...strips(corners, ways, 0.35 * scene.size)], SIZES.margin * scene.size, marks, 0.04 * scene.size);
+    const ring = patch([...corners, ...strips(corners, ways, 0.35 * scene.size)], SIZES.margin * scene.size, marks, met ? Infinity : 0.04 * scene.size);
     if (!ring) return;
     face(all(ring), 0.24);
     label(apart(d, scene, ring));
