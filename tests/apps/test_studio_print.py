@@ -55,6 +55,17 @@ def test_on_paper_the_page_is_light_with_a_drawing_and_without_controls(sit_down
     assert desk.faults == []
 
 
+def test_the_drawing_on_paper_is_that_of_the_screen_though_the_view_is_hidden_by_then(sit_down: SitDown) -> None:
+    desk = sit_down().visit().open("robot", "delta", "check")
+    desk.painted()
+    seen = desk.run("gcrules.space.viewer.value.svg()")
+    desk.page.emulate_media(media="print")
+    desk.painted()
+    assert not desk.page.locator(".scene").is_visible()
+    assert desk.run("gcrules.space.viewer.value.svg()") == seen
+    desk.page.emulate_media(media="screen")
+
+
 @pytest.mark.needs("pdftotext")
 @pytest.mark.parametrize(("kind", "name"), [("example", "octahedral"), ("robot", "3-rps"), ("robot", "delta")])
 def test_printed_pages_of_the_studio_are_filled(sit_down: SitDown, tmp_path: Path, kind: str, name: str) -> None:

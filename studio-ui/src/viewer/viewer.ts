@@ -74,7 +74,7 @@ class Stage implements Viewer, Reach {
     }
     new Grasp(this, this.stop.signal);
     this.hand = new Hand(this, this.stop.signal);
-    this.resizing = new ResizeObserver(() => this.resize());
+    this.resizing = new ResizeObserver(() => host.clientWidth && this.resize()); // hidden, as on paper, it keeps its size
     this.resizing.observe(host);
     this.setTheme(this.theme);
     this.resize();
