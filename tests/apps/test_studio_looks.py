@@ -53,7 +53,7 @@ FAINT = """() => { const rgb = c => c.match(/[\\d.]+/g).map(Number);
   const light = c => c.slice(0, 3).reduce((sum, part, i) => sum + linear(part) * [0.2126, 0.7152, 0.0722][i], 0);
   const behind = e => { for (; e; e = e.parentElement) { const c = getComputedStyle(e).backgroundColor;
     if (c.startsWith("rgb") && (rgb(c)[3] ?? 1) > 0.9) return rgb(c); } return [255, 255, 255]; };
-  const own = ".entity-word, .chip .math, .formula .whole, .letter.toned, .verdict .word, .threshold";
+  const own = ".entity-word, .chip .math, .formula .whole, .letter.toned, .verdict .word, .threshold, .cm-line span";
   return [...document.querySelectorAll(own)].filter(e => e.checkVisibility()).map(e => {
     const [a, b] = [light(rgb(getComputedStyle(e).color)), light(behind(e))];
     return [(Math.max(a, b) + 0.05) / (Math.min(a, b) + 0.05), e.textContent];
@@ -266,6 +266,19 @@ def test_words_in_colours_can_be_read(sit_down: SitDown, scheme: str) -> None:
     for stage in ("planes", "left-over", "statement"):
         desk.step(stage)
         assert desk.run(FAINT) == []
+
+
+BENCH = 'let p = ab /\\ cde  # a word\n[abcd] == -2[bacd]\nclaim "halves": p == p\n:expand [ab'
+
+
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+def test_the_language_of_the_bench_can_be_read(sit_down: SitDown, scheme: str) -> None:
+    desk = sit_down(color_scheme=scheme).visit()
+    desk.run("text => gcrules.edit({panel: 'bench', bench: text})", BENCH)
+    desk.one("bench-result").first.wait_for()
+    colours = "es => new Set(es.map(e => getComputedStyle(e).color)).size"
+    assert desk.page.locator(".cm-line span").evaluate_all(colours) > 4
+    assert desk.run(FAINT) == []
 
 
 def test_every_panel_has_one_heading_and_no_empty_ones(sit_down: SitDown) -> None:

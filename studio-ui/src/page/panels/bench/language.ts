@@ -61,12 +61,12 @@ const language = StreamLanguage.define<Reading>({
 
 const colours = HighlightStyle.define([
   { tag: tags.comment, color: "var(--muted)", fontStyle: "italic" },
-  { tag: tags.string, color: "var(--entity3)" },
-  { tag: tags.keyword, color: "var(--entity4)", fontWeight: "600" },
+  { tag: tags.string, color: "var(--entity3-text)" },
+  { tag: tags.keyword, color: "var(--entity4-text)", fontWeight: "600" },
   { tag: tags.definition(tags.variableName), color: "var(--accent)", fontWeight: "600" },
   { tag: tags.special(tags.variableName), color: "var(--accent)" },
-  { tag: [tags.operator, tags.definitionOperator], color: "var(--entity2)" },
-  { tag: tags.number, color: "var(--entity5)" },
+  { tag: [tags.operator, tags.definitionOperator], color: "var(--entity2-text)" },
+  { tag: tags.number, color: "var(--entity5-text)" },
   { tag: [tags.bracket, tags.punctuation], color: "var(--muted)" },
   { tag: tags.invalid, color: "var(--singular)" },
 ]);
