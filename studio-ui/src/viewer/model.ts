@@ -24,7 +24,7 @@ export function modelOf(scene: Scene, state: State): Model {
     const { recipe } = scene;
     const there = carried && recipe ? { ...scene, points: carried, constructed: constructedAt(scene, recipe, carried) } : scene;
     const strength = carried && !recipe ? 0.4 : 1; // what moves comes first
-    const met = there === scene ? null : (scene.constructed ?? []); // where planes met they are seen to part
+    const met = there.constructed?.some(({ kind }) => kind === "point") ? null : (scene.constructed ?? null); // they are seen to part there
     there.entities.forEach((entity) => entityShape(d, there, entity, strength, met));
     constructions(d, there);
   }
