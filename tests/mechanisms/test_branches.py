@@ -258,6 +258,15 @@ def test_what_is_known_of_another_kind_of_values_is_not_used() -> None:
     assert solve(m, far, driven).iterations == solve(m, far).iterations
 
 
+def test_what_ends_on_its_way_is_no_solution_near_by() -> None:
+    m = machine("delta")
+    wanted = actuators_target(m, [0.3, 0.3, 0.25])
+    half = goal(Course(m, wanted), Solution(m.home, wanted), 0.0, 0.5)
+    found, alone = solve(m, wanted, half), solve(m, wanted)
+    assert found.parts == alone.parts
+    assert found.configuration.platform == pytest.approx(alone.configuration.platform)
+
+
 def test_rods_that_spin_are_no_branches() -> None:
     """A rod between two ball joints spins idly: the same actuators and proofs as with a universal joint at its end."""
     spinning, plain = machine("6-pss"), machine("6-pus")

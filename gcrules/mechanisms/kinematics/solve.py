@@ -66,7 +66,7 @@ def solve(m: Linkage, wanted: Target, near: Solution | None = None) -> Solution:
     """
     check_target(m, wanted)
     course = Course(m, wanted)
-    if near is not None and near.doubt is None and _is_beside(course, near.target):
+    if near is not None and near.doubt is None and near.parts[-1:] == (1.0,) and _is_beside(course, near.target):
         steady = gone_beside(course, m.home, near.parts, near.way)
         if steady is not None:
             return _gone(course, Solution(m.home, wanted), steady)
