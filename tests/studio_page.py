@@ -14,12 +14,12 @@ from pathlib import Path
 from typing import Any
 from urllib.parse import urlsplit
 
+from console import is_fault
+
 TIMEOUT = 60_000  # milliseconds: what takes half a second takes many on a loaded machine
 WIDE = {"width": 1280, "height": 800}
 CALM = {"reduced_motion": "reduce"}
 """Nothing is under way when a test looks."""
-HARMLESS = ("GPU stall due to ReadPixels", "GroupMarkerNotSet")
-"""What Chromium says of software rendering."""
 
 
 @dataclass
@@ -83,7 +83,7 @@ class Desk:
         self.page.on("console", self._heard)
 
     def _heard(self, said: Any) -> None:
-        if said.type in ("error", "warning") and not any(words in said.text for words in HARMLESS):
+        if is_fault(said):
             self.faults.append(said.text)
 
     def visit(self, fragment: str = "") -> Desk:

@@ -7,6 +7,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from console import is_fault
+
 __all__ = ["Open", "Shown", "open_from_file"]
 
 
@@ -43,7 +45,7 @@ def open_from_file(chromium: Any, path: Path, text: str, **options: Any) -> Show
     shown = Shown(page, [], [])
     page.on("request", lambda request: shown.requests.append(request.url))
     page.on("pageerror", lambda fault: shown.faults.append(str(fault)))
-    page.on("console", lambda said: shown.faults.append(said.text) if said.type in ("error", "warning") else None)
+    page.on("console", lambda said: shown.faults.append(said.text) if is_fault(said) else None)
     page.goto(path.as_uri())
     shown.requests.remove(path.as_uri())
     return shown

@@ -137,7 +137,7 @@ def test_a_fit_leaves_free_what_the_host_covers(bare: Shown) -> None:
     for covered in (0, 120):
         bare.run(
             "viewer?.dispose(), viewer = GcrulesViewer.createViewer(document.getElementById('v'),"
-            f"{{ covered: () => {covered} }}), viewer.show({in_script(tall)}), viewer.setView('front'), 0"
+            f"{{ covered: () => [{covered}, 0] }}), viewer.show({in_script(tall)}), viewer.setView('front'), 0"
         )
         bare.settled()
         top[covered] = min(bare.place(name)[1] for name in "abcdef")

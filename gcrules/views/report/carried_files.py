@@ -6,13 +6,15 @@ from base64 import b64encode
 from html import escape
 from typing import Any
 
+from gcrules.core.deferred import deferred
 from gcrules.core.errors import InputError, LimitReached
 from gcrules.core.files import file_name
-from gcrules.poses.certificate_files import certificate_bytes
 from gcrules.views.report.account_html import words_html
 from gcrules.views.results.checkers import certified, check_of, kind_of
 
 __all__ = ["MOST", "carried_html", "checking_html"]
+
+_certificate_bytes = deferred("gcrules.poses.certificate_files:certificate_bytes")
 
 MOST = 3_000_000
 """Bytes of a certificate that a page carries."""
@@ -32,7 +34,7 @@ def checking_html(answer: Any, title: str) -> str:
     if not certified(answer):
         return ""
     try:
-        data = certificate_bytes(answer, packed=True)
+        data: bytes = _certificate_bytes(answer, packed=True)
     except (InputError, LimitReached) as fault:
         return f"<h3>Checking it again</h3><p>{words_html(fault.message)}.</p>"
     file = (
