@@ -1,11 +1,13 @@
 // The handles that move and turn the platform.
-import { Object3D, Quaternion, type PerspectiveCamera } from "three";
+import { Object3D, Quaternion, Vector3, type PerspectiveCamera } from "three";
 import { TransformControls } from "three/addons/controls/TransformControls.js";
 import { normalised } from "./pose";
 import type { Mode, Pose, Vec3 } from "./types";
 import { add, sub } from "./vectors";
 
 const LOW = 480; // pixels
+const FACING = 0.9; // the least cosine between the axis of a ring and the line of sight
+const AXES: Record<string, Vector3> = { X: new Vector3(1, 0, 0), Y: new Vector3(0, 1, 0), Z: new Vector3(0, 0, 1) };
 
 export interface GizmoEvents {
   moved(pose: Pose): void;
@@ -27,11 +29,23 @@ export class Gizmo {
     this.controls.setColors(0xd1495b, 0x3a9d5d, 0x3b7dd8, 0xe6a100);
     this.controls.attach(this.proxy);
     this.helper = this.controls.getHelper();
+    const update = this.helper.updateMatrixWorld.bind(this.helper);
+    this.helper.updateMatrixWorld = (force) => {
+      update(force);
+      this.faceRing();
+    };
     this.controls.addEventListener("objectChange", () => on.moved(this.pose));
     this.controls.addEventListener("mouseUp", () => on.done());
     this.controls.addEventListener("dragging-changed", ({ value }) => on.dragging(Boolean(value)));
     this.controls.addEventListener("change", () => on.changed());
     this.setMode("orbit");
+  }
+
+  /** A ring that is seen nearly from its axis turns as one that is seen from it: with the pointer, around its middle. */
+  private faceRing(): void {
+    const axis = AXES[this.controls.axis ?? ""];
+    const { eye } = this.controls as unknown as { eye: Vector3 };
+    if (this.controls.mode === "rotate" && axis && Math.abs(eye.dot(axis)) > FACING) eye.copy(axis).multiplyScalar(Math.sign(eye.dot(axis)));
   }
 
   private get pose(): Pose {

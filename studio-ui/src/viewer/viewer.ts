@@ -98,7 +98,7 @@ class Stage implements Viewer, Reach {
   }
 
   update(part: Partial<Scene>): void {
-    if (part.entities) this.rig.widen(part.entities.map(({ id }) => id));
+    this.rig.widen([...(part.entities ?? []).map(({ id }) => id), ...(part.planes ?? []).map(({ label }) => `plane ${label}`)]);
     this.scene = { ...this.scene, ...part };
     if (part.surface !== undefined || part.grips !== undefined) this.surface.describe(this.scene);
     if (part.pose) this.given = part.pose;
