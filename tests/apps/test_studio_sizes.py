@@ -168,6 +168,7 @@ def test_what_belongs_together_stays_in_one_line_on_a_phone(sit_down: SitDown, w
         low, high = (desk.one(f"map-{end}-{axis}").bounding_box()["y"] for end in ("low", "high"))
         assert low == high
     desk.one("keys").click()
+    desk.page.locator(".key-list h2").wait_for()
     title, cross = (one.bounding_box() for one in (desk.page.locator(".key-list h2"), desk.one("key-list-close")))
     assert cross["y"] <= title["y"] + title["height"] / 2 <= cross["y"] + cross["height"]
     desk.one("key-list-close").click()
