@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { PerspectiveCamera, Vector3 } from "three";
-import { framed, holds, type Pane } from "../src/viewer/framing";
+import { framed, holds, tips, type Pane } from "../src/viewer/framing";
 import { sightOf } from "../src/viewer/sight";
 import type { Vec3 } from "../src/viewer/types";
 
@@ -47,6 +47,20 @@ test("more of the edges is left free where something covers them", () => {
   const { y } = seen(SHAPES.tall!, [0, -1, 0], pane);
   assert.ok(y[0] > 80 + 29.9 && y[1] < pane.height - 20 - 29.9, "labels have their room too");
   assert.ok(y[0] + pane.height - y[1] < 100 + 60.1, "and no more is left free");
+});
+
+test("handles are as large in the picture from any distance", () => {
+  const pane = PANES[1]!;
+  for (const eye of [[0, -5, 0], [0, -50, 0]] as Vec3[]) {
+    const far = tips({ at: [0, 0, 0], reach: 0.5 }, { eye, target: [0, 0, 0] }, pane.fov);
+    const camera = new PerspectiveCamera(pane.fov, pane.width / pane.height, 0.01, 1000);
+    camera.up.set(0, 0, 1);
+    camera.position.set(...eye);
+    camera.lookAt(new Vector3(0, 0, 0));
+    const seen = far.map(sightOf(camera, pane.width, pane.height).place);
+    const apart = seen.map(([x, y]) => Math.hypot(x - pane.width / 2, y - pane.height / 2));
+    for (const a of apart) assert.ok(Math.abs(a - 0.25 * pane.height) < 1e-6, `${a}`);
+  }
 });
 
 test("it is known whether all is in the picture", () => {

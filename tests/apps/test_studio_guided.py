@@ -258,7 +258,7 @@ def test_slider_to_a_singular_pose(
 
 
 def test_gizmo_to_a_singular_pose(desk: Desk) -> None:
-    """The lower arrow is dragged down; close means 5 degrees here, 25 mm, for a pixel is some millimetres."""
+    """The vertical arrow is dragged down; close means 5 degrees here, 25 mm, for a pixel is some millimetres."""
     desk.open("example", "octahedral")
     desk.one("threshold").fill("5 deg")
     desk.one("threshold").press("Enter")
@@ -266,7 +266,7 @@ def test_gizmo_to_a_singular_pose(desk: Desk) -> None:
     desk.one("mode-translate").click()
     desk.painted()
     x, y = handles(desk)
-    y += 62  # on the lower arrow, in a picture of less than 480 pixels
+    y -= 41  # on the arrow, in a picture of less than 480 pixels
     scale = (desk.place("c")[1] - desk.place("d")[1]) / 400  # pixels for a millimetre of height, nearly
     desk.page.mouse.move(x, y)
     desk.page.mouse.down()

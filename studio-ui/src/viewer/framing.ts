@@ -1,6 +1,7 @@
 // Where to stand so that what is drawn fills the picture: its outline as it is projected, not a ball around it.
+import type { Extent } from "./gizmo";
 import type { Stand, Vec3 } from "./types";
-import { add, cross, dot, scale, sub, unit } from "./vectors";
+import { add, cross, distance, dot, scale, sub, unit } from "./vectors";
 
 /** What there is of the picture. */
 export interface Pane {
@@ -35,6 +36,14 @@ export function framed(places: readonly Vec3[], direction: Vec3, pane: Pane): St
   const axis = add(scale(right, (east - west) / 2), scale(up, (north - south + (low - high) * away) / 2));
   const at = (depth: number): Vec3 => add(axis, scale(back, depth));
   return { eye: at(away), target: at((front + rear) / 2) };
+}
+
+/** The tips of handles at a place, which reach so far at the distance 1 in a picture of half the height 1. */
+export function tips({ at, reach }: Extent, { eye, target }: Stand, fov: number): Vec3[] {
+  const back = unit(sub(eye, target));
+  const right = unit(cross([0, 0, 1], back));
+  const far = reach * Math.tan((fov * Math.PI) / 360) * distance(eye, at);
+  return [right, cross(back, right)].flatMap((way) => [add(at, scale(way, far)), add(at, scale(way, -far))]);
 }
 
 /** Half the width, and the heights above and below the middle, of what may be filled at the distance 1. */

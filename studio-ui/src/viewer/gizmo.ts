@@ -6,8 +6,15 @@ import type { Mode, Pose, Vec3 } from "./types";
 import { add, sub } from "./vectors";
 
 const LOW = 480; // pixels
+const TIPS = { translate: 0.6, rotate: 0.75 }; // how far three's handles reach, in their own unit
 const FACING = 0.9; // the least cosine between the axis of a ring and the line of sight
 const AXES: Record<string, Vector3> = { X: new Vector3(1, 0, 0), Y: new Vector3(0, 1, 0), Z: new Vector3(0, 0, 1) };
+
+/** Where handles are, and how far they reach: at the distance 1, where half the height of the picture is 1. */
+export interface Extent {
+  at: Vec3;
+  reach: number;
+}
 
 export interface GizmoEvents {
   moved(pose: Pose): void;
@@ -21,11 +28,11 @@ export class Gizmo {
   readonly proxy = new Object3D();
   private readonly controls: TransformControls;
   private about: Vec3 = [0, 0, 0];
+  private size = 1;
 
   constructor(camera: PerspectiveCamera, surface: HTMLElement, on: GizmoEvents) {
     this.controls = new TransformControls(camera, surface);
     this.controls.setSpace("world");
-    this.controls.setSize(1);
     this.controls.setColors(0xd1495b, 0x3a9d5d, 0x3b7dd8, 0xe6a100);
     this.controls.attach(this.proxy);
     this.helper = this.controls.getHelper();
@@ -72,7 +79,15 @@ export class Gizmo {
 
   /** The handles grow with the picture; in a low one they are kept large enough for a finger. */
   resize(height: number): void {
-    this.controls.setSize(Math.min(Math.max(LOW / height, 1), 2));
+    this.size = Math.min(Math.max(LOW / height, 1), 2);
+    this.controls.setSize(this.size);
+  }
+
+  /** None where no handles are shown. */
+  get extent(): Extent | null {
+    const { mode } = this.controls;
+    if (!this.controls.enabled || mode === "scale") return null;
+    return { at: this.proxy.position.toArray() as Vec3, reach: (1.9 * TIPS[mode] * this.size) / 4 }; // as three scales them
   }
 
   setMode(mode: Mode): void {

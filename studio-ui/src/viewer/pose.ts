@@ -1,5 +1,5 @@
 // Poses: p ↦ R(p − about) + about + translation, R by a unit quaternion with its scalar first.
-import type { Pose, Quaternion, Vec3 } from "./types";
+import type { Pose, Quaternion, Scene, Vec3 } from "./types";
 import { add, cross, length, scale, sub } from "./vectors";
 
 export const IDENTITY: Pose = { translation: [0, 0, 0], quaternion: [1, 0, 0, 0] };
@@ -41,6 +41,14 @@ const moved = (p: Vec3, pose: Pose, about: Vec3): Vec3 =>
 export function carried(p: Vec3, from: Pose, to: Pose, about: Vec3): Vec3 {
   const home = add(turned(sub(sub(p, from.translation), about), conjugate(from.quaternion)), about);
   return moved(home, to, about);
+}
+
+/** A scene whose platform was moved from one pose to another. */
+export function sceneAt(scene: Scene, from: Pose, to: Pose): Scene {
+  if (from === to || !scene.platform.length) return scene;
+  const points = { ...scene.points };
+  for (const n of scene.platform) if (points[n]) points[n] = carried(points[n], from, to, scene.about);
+  return { ...scene, points };
 }
 
 /** The axis of a turn times its angle in degrees. */

@@ -3,12 +3,14 @@ import { MathUtils, Spherical, Vector3 } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import { between, clip, directionOf, newCamera, stand } from "./camera";
 import type { Model } from "./drawing";
-import { framed, holds, type Pane } from "./framing";
+import { framed, holds, tips, type Pane } from "./framing";
+import type { Extent } from "./gizmo";
 import { sightOf, type Sight } from "./sight";
 import type { Options, Stand, Vec3, View } from "./types";
 import { along, distance, sub, unit } from "./vectors";
 
 const FLIGHT = 280; // milliseconds from one view to another
+const ROUNDS = 8; // until handles, which are as large from any distance, have their room
 
 /** Whether the user wants nothing to move by itself. */
 export const calm = (): boolean => matchMedia("(prefers-reduced-motion: reduce)").matches;
@@ -17,6 +19,8 @@ export class Rig {
   readonly camera = newCamera();
   width = 1;
   height = 1;
+  /** What handles there are, which are to be in sight. */
+  handles: () => Extent | null = () => null;
   private readonly orbit: OrbitControls;
   private flight: { from: Stand; to: Stand; start: number } | null = null;
   private size = 1;
@@ -70,7 +74,16 @@ export class Rig {
   }
 
   private fitted(model: Model, direction: Vec3): Stand {
-    return framed(model.frame, direction, this.pane);
+    const [pane, handles] = [this.pane, this.handles()];
+    let found = framed(model.frame, direction, pane);
+    for (let k = 0; handles && k < ROUNDS; k++) found = framed([...model.frame, ...tips(handles, found, pane.fov)], direction, pane);
+    return found;
+  }
+
+  /** Handles have come: they are to be in sight. */
+  reveal(model: Model): void {
+    const handles = this.handles();
+    if (handles && !holds(tips(handles, this.stand, this.camera.fov), this.stand, this.pane)) this.view("fit", model);
   }
 
   /** Until someone chooses a view, the drawing is fitted to each size that the picture gets, from where it is looked at. */

@@ -12,7 +12,7 @@ import { modelOf } from "./model";
 import { placeTags } from "./overlay";
 import { entityAt, pointAt } from "./picking";
 import { paintPixels, pngPicture, svgPicture, type Shot } from "./picture";
-import { carried, IDENTITY } from "./pose";
+import { IDENTITY, sceneAt } from "./pose";
 import { calm, Rig } from "./rig";
 import type { Sight } from "./sight";
 import { Surface, titleOf } from "./surface";
@@ -71,6 +71,7 @@ class Stage implements Viewer, Reach {
         changed: () => this.request(),
       });
       this.easel.hold(this.gizmo);
+      this.rig.handles = () => this.gizmo?.extent ?? null;
     }
     new Grasp(this, this.stop.signal);
     this.hand = new Hand(this, this.stop.signal);
@@ -127,6 +128,7 @@ class Stage implements Viewer, Reach {
   setMode(mode: Mode): void {
     this.mode = mode;
     this.gizmo?.setMode(mode);
+    if (this.gizmo?.extent) this.rig.reveal(this.fresh());
     this.surface.cursor = mode === "pick" ? "crosshair" : "grab";
     this.request();
   }
@@ -254,7 +256,8 @@ class Stage implements Viewer, Reach {
     this.frame = 0;
     if (this.pending) this.tell(false);
     if (this.swings) this.changed();
-    const [model, { about }] = [this.fresh(now), this.scene];
+    const { about } = this.scene;
+    const model = this.fresh(now);
     if (this.rig.advance(now, model.radius)) this.request();
     this.gizmo?.place(this.held ? poseOf(this.held, about) : this.platform, about);
     const { sight, labels, pointers } = this.shot();
@@ -269,11 +272,7 @@ class Stage implements Viewer, Reach {
 
   /** The scene with the platform where it was moved to. */
   private posed(): Scene {
-    const { given, current, scene } = this;
-    if (given === current || !scene.platform.length) return scene;
-    const points = { ...scene.points };
-    for (const n of scene.platform) if (points[n]) points[n] = carried(points[n], given, current, scene.about);
-    return { ...scene, points };
+    return sceneAt(this.scene, this.given, this.current);
   }
 
   /** The drawing of the scene as it is now. */
