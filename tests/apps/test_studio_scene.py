@@ -40,6 +40,7 @@ def desk(sit_down: Callable[..., Desk]) -> Desk:
 def give(desk: Desk, way: list[dict[str, Any]] = WAY) -> None:
     desk.run("way => gcrules.edit({way, pose: way.at(-1)})", way)
     desk.page.wait_for_selector(PROVED)
+    desk.one("view-fit").click()  # else the platform, which has left the picture, is brought back half a second later
     desk.painted()
 
 

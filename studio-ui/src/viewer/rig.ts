@@ -19,7 +19,7 @@ export class Rig {
   readonly camera = newCamera();
   width = 1;
   height = 1;
-  /** What handles there are, which are to be in sight. */
+  /** What handles the platform has, which are to be in sight; those of grips have no room of their own. */
   handles: () => Extent | null = () => null;
   private readonly orbit: OrbitControls;
   private flight: { from: Stand; to: Stand; start: number } | null = null;

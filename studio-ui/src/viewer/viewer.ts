@@ -71,7 +71,7 @@ class Stage implements Viewer, Reach {
         changed: () => this.request(),
       });
       this.easel.hold(this.gizmo);
-      this.rig.handles = () => this.gizmo?.extent ?? null;
+      this.rig.handles = () => (this.held ? null : (this.gizmo?.extent ?? null));
     }
     new Grasp(this, this.stop.signal);
     this.hand = new Hand(this, this.stop.signal);
@@ -128,7 +128,7 @@ class Stage implements Viewer, Reach {
   setMode(mode: Mode): void {
     this.mode = mode;
     this.gizmo?.setMode(mode);
-    if (this.gizmo?.extent) this.rig.reveal(this.fresh());
+    if (this.rig.handles()) this.rig.reveal(this.fresh());
     this.surface.cursor = mode === "pick" ? "crosshair" : "grab";
     this.request();
   }
