@@ -77,6 +77,13 @@ def refused(tmp_path: Path, attack: Changes, reason: str, **head: Any) -> None:
     assert reason in done.stdout + done.stderr
 
 
+def proved(tmp_path: Path, true: Changes, printed: str) -> None:
+    """Sees that the checker proves a theorem, and that it prints the whole of it."""
+    claim, end = run(tmp_path, true).stdout.replace(":\n  ", ": ").splitlines()
+    assert claim == f"proved, called {printed}"
+    assert end.startswith("theorems proved: 1, digest ")
+
+
 ABX, ABY, ADX, ADY = (bracket(*names) for names in ("abx", "aby", "adx", "ady"))
 X_ON_AB = on_line("x")
 Y_ON_AB = on_line("y", 1)

@@ -82,6 +82,21 @@ def run(script: str, folder: Path) -> subprocess.CompletedProcess[str]:
     return subprocess.run(["coqc", file.name], cwd=folder, capture_output=True, text=True, check=False)
 
 
+def replayed(theorems: Sequence[Theorem], title: str, folder: Path) -> None:
+    """Sees that Coq accepts the script of some theorems."""
+    script = without_proofs_of_coordinates(coq_script(theorems, title))
+    done = run(script[: script.index("Print Assumptions")], folder)
+    assert done.returncode == 0, done.stderr
+
+
+def refused(script: str, theorem: str, folder: Path) -> None:
+    """Sees that Coq refuses a script behind the beginning of a theorem."""
+    done = run(script, folder)
+    assert done.returncode != 0
+    line = int(re.search(r'File "./theorems.v", line ([0-9]+)', done.stderr)[1])
+    assert line > script[: script.index(theorem)].count("\n"), done.stderr
+
+
 def test_statements_are_read_as_they_were_written() -> None:
     script = coq_script(theorems(), "Five theorems")
     assert script.startswith("(* Five theorems *)")
@@ -204,9 +219,7 @@ def test_coq_replays_theorems_without_axioms(tmp_path: Path) -> None:
 
 @pytest.mark.needs("coqc")
 def test_coq_replays_theorems_whose_names_are_alike(tmp_path: Path) -> None:
-    script = without_proofs_of_coordinates(coq_script(alike(), "Names that are alike"))
-    done = run(script[: script.index("Print Assumptions")], tmp_path)
-    assert done.returncode == 0, done.stderr
+    replayed(alike(), "Names that are alike", tmp_path)
 
 
 @pytest.mark.needs("coqc")
@@ -287,9 +300,7 @@ def test_coq_replays_theorems_whose_meets_stand_in_two_sequences(tmp_path: Path)
         assumed("[efd] == 0", r"incident(e, fd /\ ab)", "in the plane", rank=3),
         assumed(r"collinear(x, y, de /\ (x \/ gh))", on_a_line, "in space"),
     ]
-    script = without_proofs_of_coordinates(coq_script(meets, "Meets"))
-    done = run(script[: script.index("Print Assumptions")], tmp_path)
-    assert done.returncode == 0, done.stderr
+    replayed(meets, "Meets", tmp_path)
 
 
 MEETING = r"f \/ (be /\ dac) == 0, [fbed] + [fbda] + 2 [fedc] == 0"
@@ -324,9 +335,7 @@ def of_screws() -> list[Theorem]:
 
 @pytest.mark.needs("coqc")
 def test_coq_replays_theorems_about_screws(tmp_path: Path) -> None:
-    script = without_proofs_of_coordinates(coq_script(of_screws(), "Screws"))
-    done = run(script[: script.index("Print Assumptions")], tmp_path)
-    assert done.returncode == 0, done.stderr
+    replayed(of_screws(), "Screws", tmp_path)
 
 
 @pytest.mark.needs("coqc")
@@ -343,10 +352,7 @@ def test_coq_refuses_a_theorem_about_another_screw(said: str, instead: str, tmp_
     script = without_proofs_of_coordinates(coq_script(of_screws()[:1], "Screws"))
     start = script.index("Theorem a_line :")
     assert said in script[start:]
-    done = run(script[:start] + script[start:].replace(said, instead, 1), tmp_path)
-    assert done.returncode != 0
-    line = int(re.search(r'File "./theorems.v", line ([0-9]+)', done.stderr)[1])
-    assert line > script[:start].count("\n"), done.stderr
+    refused(script[:start] + script[start:].replace(said, instead, 1), "Theorem a_line :", tmp_path)
 
 
 def test_a_point_that_is_equal_to_an_expression_is_written_as_that() -> None:
@@ -359,9 +365,7 @@ def test_a_point_that_is_equal_to_an_expression_is_written_as_that() -> None:
 
 @pytest.mark.needs("coqc")
 def test_coq_replays_theorems_with_sums(tmp_path: Path) -> None:
-    script = without_proofs_of_coordinates(coq_script(with_sums(), "Sums"))
-    done = run(script[: script.index("Print Assumptions")], tmp_path)
-    assert done.returncode == 0, done.stderr
+    replayed(with_sums(), "Sums", tmp_path)
 
 
 @pytest.mark.needs("coqc")
@@ -374,10 +378,7 @@ def test_coq_refuses_a_point_that_is_equal_to_another_expression(said: str, inst
     script = without_proofs_of_coordinates(coq_script(with_sums()[:1], "A meet"))
     start, end = script.index("Theorem a_meet"), script.index("Proof.", script.index("Theorem a_meet"))
     assert said in script[start:end]
-    done = run(script[:start] + script[start:end].replace(said, instead) + script[end:], tmp_path)
-    assert done.returncode != 0
-    line = int(re.search(r'File "./theorems.v", line ([0-9]+)', done.stderr)[1])
-    assert line > script[:start].count("\n"), done.stderr
+    refused(script[:start] + script[start:end].replace(said, instead) + script[end:], "Theorem a_meet", tmp_path)
 
 
 def test_cases_of_what_holds_for_all_points_have_no_script() -> None:
@@ -393,9 +394,7 @@ def test_cases_of_several_equations_have_no_script() -> None:
 
 @pytest.mark.needs("coqc")
 def test_coq_replays_theorems_in_cases(tmp_path: Path) -> None:
-    script = without_proofs_of_coordinates(coq_script(in_cases(), "In cases"))
-    done = run(script[: script.index("Print Assumptions")], tmp_path)
-    assert done.returncode == 0, done.stderr
+    replayed(in_cases(), "In cases", tmp_path)
 
 
 @pytest.mark.needs("coqc")
@@ -414,10 +413,7 @@ def test_coq_refuses_a_theorem_in_cases_that_are_of_another(said: str, instead: 
     script = without_proofs_of_coordinates(coq_script(in_cases()[:1], "In cases"))
     start = script.index("Theorem squares :")
     assert said in script[start:]
-    done = run(script[:start] + script[start:].replace(said, instead, 1), tmp_path)
-    assert done.returncode != 0
-    line = int(re.search(r'File "./theorems.v", line ([0-9]+)', done.stderr)[1])
-    assert line > script[:start].count("\n"), done.stderr
+    refused(script[:start] + script[start:].replace(said, instead, 1), "Theorem squares :", tmp_path)
 
 
 @pytest.mark.needs("coqc")

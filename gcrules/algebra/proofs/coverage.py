@@ -9,6 +9,7 @@ A point that is said to be equal to an expression W is placed as W, since X − 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import replace
 from fractions import Fraction
 from typing import Any
 
@@ -193,14 +194,18 @@ def _with_relations(e: Expr, c: Construction) -> Multiple | None:
     """An expression as a multiple of an equation up to exchange relations; None where it is none."""
     e = substitute(e, c.meets, c.rank)
     free = _free(c, points_of(e))
-    for index, equation in _alike(e, c):
-        factor = quotient(e, equation, free)
-        terms, other = (free.closed_terms(x, as_defined=True) for x in (e, equation))
-        rest = {m: terms.get(m, 0) - factor * other.get(m, 0) for m in {**terms, **other}}
-        found = relations(rest, free.at_infinity, _MOST) if factor else None
-        if found is not None:
-            return Multiple(index, factor, found, free.order)
-    return None
+    return next((found for index, equation in _alike(e, c) if (found := _by(e, index, equation, free))), None)
+
+
+def _by(e: Expr, index: int, equation: Expr, c: Construction, first: int = 0) -> Multiple | None:
+    """An expression as a multiple of one equation up to exchange relations, wherever a construction leads; None where
+    it is none. Both are compared at points of seeds from the `first` on.
+    """
+    factor = quotient(e, equation, c, first)
+    terms, other = (c.closed_terms(x, as_defined=True) for x in (e, equation))
+    rest = {m: terms.get(m, 0) - factor * other.get(m, 0) for m in {**terms, **other}}
+    found = relations(rest, c.at_infinity, _MOST) if factor else None
+    return None if found is None else Multiple(index, factor, found, c.order)
 
 
 def _written_out(e: Expr, name: str, c: Construction) -> Multiple | None:
@@ -217,12 +222,9 @@ def _written_out(e: Expr, name: str, c: Construction) -> Multiple | None:
         known = {*points_of(equation)} <= {*so_far.names}
         if name not in points_of(equation) or not known or equation.step % c.rank != e.step % c.rank:
             continue
-        factor = quotient(e, equation, so_far, _OF_ANY_WEIGHT)
-        terms, other = (so_far.closed_terms(x, as_defined=True) for x in (e, equation))
-        rest = {m: terms.get(m, 0) - factor * other.get(m, 0) for m in {**terms, **other}}
-        found = relations(rest, so_far.at_infinity, _MOST) if factor else None
+        found = _by(e, index, equation, so_far, _OF_ANY_WEIGHT)
         if found is not None:
-            return Multiple(index, factor, found, so_far.order, written_out=True)
+            return replace(found, written_out=True)
     return None
 
 

@@ -22,7 +22,7 @@ from gcrules.views.report.account_html import (
     section_html,
     words_html,
 )
-from gcrules.views.report.carried_files import MOST, carried_html
+from gcrules.views.report.carried_files import carried_html
 from gcrules.views.report.leads import lead_html, pose_step
 from gcrules.views.results.certificate import captioned, check, seen
 from gcrules.views.results.result_account import ResultAccount
@@ -72,14 +72,8 @@ def _bad_pose(c: Certificate, m: SixLegs | Limbs, *, live: bool) -> str:
 def _checking(c: Certificate) -> str:
     """How it is checked again, and the file, which the page carries."""
     words = f"<p>{words_html(check(c))}</p>"
-    data = c.to_bytes(packed=True)
-    if len(data) > MOST:
-        file = (
-            "<p>The file is too large to be a part of this page; <code>gcrules certify … -o FILE</code> writes it.</p>"
-        )
-    else:
-        name = file_name(c.task.mechanism.title, "json.gz")
-        file = f"<p>{carried_html(name, 'application/gzip', data)}</p>"
+    name, data = file_name(c.task.mechanism.title, "json.gz"), c.to_bytes(packed=True)
+    file = f"<p>{carried_html(name, 'application/gzip', data, 'gcrules certify … -o FILE')}</p>"
     more = "" if c.verdict != "undecided" else f"<p>{_MORE}</p>"
     return f"<h3>Checking it again</h3>{words}{file}{more}"
 

@@ -23,11 +23,8 @@ def proof_html(a: Analysis | RobotAnalysis) -> str:
     file = proof_file_or_none(a)
     if file is None:
         return ""
-    data = file.json_text().encode()
-    if len(data) > _MOST:
-        link = "The file is too large to be a part of this page; <code>--certificate FILE</code> writes it."
-    else:
-        link = carried_html(file_name(file.title, "proof.json"), "application/json", data)
+    name, data = file_name(file.title, "proof.json"), file.json_text().encode()
+    link = carried_html(name, "application/json", data, most=_MOST)
     without = "".join(f"<p>Not proved there: {escape(str(one))}.</p>" for one in file.left_out)
     return (
         f"<h2>Proofs that others check</h2><p>{counted(len(file.theorems), 'theorem')} in a proof file, SHA-256 digest"

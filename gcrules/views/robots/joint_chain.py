@@ -8,6 +8,7 @@ link on a smaller one than the link before.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from functools import lru_cache
 from itertools import combinations, pairwise, product
 from math import atan2, cos, dist, sin
 from typing import SupportsFloat
@@ -32,27 +33,33 @@ _BAR = 0.075  # half the distance of the bars of a parallelogram
 _SLEEVE = 0.42  # where on a link its sleeve is
 _TUBE = 0.62  # how much of a limb that only guides is a tube
 
+Rails = Mapping[tuple[str, str, str], tuple[Rail, ...]]
+"""Those of each chain, by its limb and the bodies between which it is."""
+
 
 def chains(robot: Robot, values: Values, own: Unit | None = None) -> tuple[Unit, list[DrawnLimb]]:
     """All limbs in a configuration (Cartesian coordinates of all names), in a unit of its `own` or in that of the ball
     around it. Rails lie as they do at home, where the robot has one: they do not change sides while it moves. Other
     members of the family, whose bodies are others, are drawn by themselves.
     """
-    there = _home(robot)
-    if there is None or there == values or not _one_robot(robot, values, there):
-        return _made(robot, values, own, {})
-    rails = {(c.limb.name, c.start, c.end): tuple(c.rails) for c in _made(robot, there, None, {})[1] if c.rails}
-    return _made(robot, values, own, rails)
+    home = _at_home(robot)
+    known = home is not None and home[0] != values and _one_robot(robot, values, home[0])
+    return _made(robot, values, own, home[1] if home and known else {})
 
 
-def _home(robot: Robot) -> Values | None:
-    """Of robots with slides; None where it is not known."""
+@lru_cache(maxsize=16)
+def _at_home(robot: Robot) -> tuple[Values, Rails] | None:
+    """Of robots with slides the coordinates of all names at home, and how the rails lie there; None where it is not
+    known.
+    """
     if robot.home is None or not any(j.kind in ("P", "C") for limb in robot.limbs for j in limb.joints):
         return None
     try:
-        return robot.values_at()
+        values = robot.values_at()
     except InputError:
         return None
+    drawn = _made(robot, values, None, {})[1]
+    return values, {(c.limb.name, c.start, c.end): tuple(c.rails) for c in drawn if c.rails}
 
 
 def _one_robot(robot: Robot, values: Values, home: Values) -> bool:
@@ -65,9 +72,7 @@ def _one_robot(robot: Robot, values: Values, home: Values) -> bool:
     return same and all(dist(*pair) < 1e-6 for pair in pairs)
 
 
-def _made(
-    robot: Robot, values: Values, own: Unit | None, rails: Mapping[tuple[str, str, str], tuple[Rail, ...]]
-) -> tuple[Unit, list[DrawnLimb]]:
+def _made(robot: Robot, values: Values, own: Unit | None, rails: Rails) -> tuple[Unit, list[DrawnLimb]]:
     family, limbs = robot.family, robot.limbs
     unit = own or _ball_around(family, limbs, values)
     firsts = [limb.joints[0].points for limb in limbs if len(limb.joints) > 1]
