@@ -3,13 +3,13 @@ r"""Check the theorems of a proof file of gcrules: python checkers/check_proof.p
 
 It needs Python alone and no code of gcrules, prints each claim as it reads it, expands both sides by the definitions,
 subtracts multiples of the file's relations, and says yes only where nothing is left. It relies on:
-
 * the join of points is their exterior product; that of d points in rank d, a bracket, is the determinant of homogeneous
   coordinates, which changes sign with each exchange and vanishes where all are at infinity (last coordinate 0);
 * the meet of A = a1 ... ak and B of step h is the sum over all splits of A into d - h points P and the others Q, in
   their order: sign [P B] Q (the Grassmann-Cayley algebra of Doubilet, Rota and Stein);
 * the superbracket of six lines is the determinant of their coordinates 12, 13, 14, 23, 24, 34: its formula in brackets,
   which changes sign with a line's ends, is compared with it at all choices of basis lines; in the plane it is a meet;
+  in rank d > 4 it is the determinant of coordinates in d points, times the (d - 1)th power of their bracket;
 * the exchange relation: [S][T] is the sum of all products in which the first k points of S change places with k of T;
 * joins and meets of points, and of sums that are points or hyperplanes, are extensors; one of step k is zero exactly
   when its brackets with any d - k further points are zero.
@@ -24,13 +24,13 @@ finite points. So they are expanded, and every position is reached:
 * a part of a join, meet or bracket that is not zero is not zero; (S v R) ^ T is not zero for some R where T is not, and
   S joined with points of T up to the step that R leaves is not;
 * where W joins free points that, as X, were not bound before, W may be zero: dependent positions of them and X are an
-  irreducible variety in which those with W not zero are dense, and later points add linear spaces of one dimension.
+  irreducible variety in which those with W not zero are dense, and later points add linear spaces of one dimension;
+* where W joins d free points, X is any point: they are a basis at a dense set of positions.
 Or there are `cases`, theorems that assume no more, and claim the same or that something vanishes that does not: where
 an expression, the `split`, vanishes and where it does not; or, behind one that says that a product equals what does,
 where each factor vanishes that may and is not the difference of the sides (a bracket that does for all points that the
 first adds, or of `any`: where the join of the others does). A join, meet, bracket or product does where a part does.
-Exit codes: 0 all theorems are proved, 1 one is not (its name, and what is left), 2 the file is no proof file.
-"""
+Exit codes: 0 all theorems are proved, 1 one is not (its name, and what is left), 2 the file is no proof file."""
 
 import hashlib
 import json
@@ -50,8 +50,8 @@ SIGN = {"join": r" \/ ", "meet": r" /\ ", "sum": " + ", "product": " * ", "power
 BRACKETS = {"bracket": "[{}]", "superbracket": "[[{}]]"}
 
 
-class NotProved(Exception):
-    """A theorem does not follow from what the file gives."""
+class NotProved(Exception):  # a theorem does not follow from what the file gives
+    pass
 
 
 def expect(condition, what, fault=ValueError):
@@ -59,8 +59,7 @@ def expect(condition, what, fault=ValueError):
         raise fault(what)
 
 
-def in_order(points):
-    """The sign of a bracket's rearrangement into increasing order, and that order; 0 where a point stands twice."""
+def in_order(points):  # the sign of a bracket's rearrangement into this order, 0 where a point stands twice; the order
     if len({*points}) < len(points):
         return 0, ()
     return (-1) ** sum(x > y for x, y in combinations(points, 2)), tuple(sorted(points))
@@ -88,8 +87,7 @@ def times(a, b):
     return {m: c for m, c in total.items() if c}
 
 
-def collected(terms):
-    """The sum of rows times polynomials times numbers, as {row: polynomial}."""
+def collected(terms):  # the sum of rows times polynomials times numbers, as {row: polynomial}
     total = {}
     for row, p, factor in terms:
         total[row] = plus(total.get(row, {}), p, factor)
@@ -97,8 +95,7 @@ def collected(terms):
 
 
 @cache
-def superbracket_terms():
-    """In the lines' ends a b | c d | ... | k l (McMillan and White), once compared with the determinant."""
+def superbracket_terms():  # in the lines' ends a b | c d | ... (McMillan and White), compared with the determinant
     signed = ((-1 if term[0] == "-" else 1, [*map("abcdefghijkl".index, term[-12:])]) for term in TERMS.split())
     terms = [(sign, [ends[i : i + 4] for i in (0, 4, 8)]) for sign, ends in signed]
     lines = list(combinations(range(4), 2))
@@ -123,7 +120,7 @@ class Reader:  # reads expressions and expands them: a step, and {points of an e
         expect(type(self.ideal) is int and 0 <= self.ideal <= len(theorem["points"]), "`ideal` is no number of points")
         self.known = {p: (1, {(i,): {(): 1}}) for i, p in enumerate(self.points)}
 
-    def open(self, e):
+    def open(self, e):  # what a definition stands for
         return self.open(self.definitions[e]) if isinstance(e, str) and e in self.definitions else e
 
     def names(self, e):
@@ -183,12 +180,19 @@ class Reader:  # reads expressions and expands them: a step, and {points of an e
         return step, value
 
     def superbracket(self, parts):
-        lines = self.rank < 5 and [step for step, _ in parts] == [2] * comb(self.rank, 2)
-        expect(lines, "no superbracket of all lines, or one of rank 5 or more, which this checker does not know")
+        expect([step for step, _ in parts] == [2] * comb(self.rank, 2), "a superbracket that is not full")
         if self.rank < 4:  # of one line its bracket; in the plane the determinant of three lines is their meet
             return self.bracket(parts) if self.rank == 2 else self.meet(parts)
         total = {}
-        for choice in product(*(value.items() for _, value in parts)):
+        if self.rank > 4:  # the determinant in coordinates, with the ends of all lines as basis
+            ends = sorted({x for _, line in parts for row in line for x in row})
+            expect(len(ends) <= self.rank, "lines of rank 5 or more that are not written in a basis")
+            pairs, rows = [*combinations(ends, 2)], {(): {(): 1}}
+            for _, line in parts:
+                of = (((*r, pairs.index(s)), times(p, q)) for (r, p), (s, q) in product(rows.items(), line.items()))
+                rows = collected((in_order(r)[1], p, in_order(r)[0]) for r, p in of)
+            total = reduce(times, [self.row(ends)] * (self.rank - 1), rows.get((*range(len(parts)),), {}))
+        for choice in product(*(value.items() for _, value in parts)) if self.rank == 4 else ():
             ends = [x for row, _ in choice for x in row]
             for sign, rows in superbracket_terms():
                 factors = (*(self.row(ends[e] for e in row) for row in rows), *(p for _, p in choice))
@@ -219,8 +223,7 @@ class Reader:  # reads expressions and expands them: a step, and {points of an e
         e = self.open(e)
         if not isinstance(e, list) or e[0] == "number":
             return str(e if not isinstance(e, list) else Fraction(e[1]))
-        inside = SIGN.get(e[0], " ").join(map(self.text, e[1:]))
-        return BRACKETS.get(e[0], "({})").format(inside)
+        return BRACKETS.get(e[0], "({})").format(SIGN.get(e[0], " ").join(map(self.text, e[1:])))
 
     def zero(self, e, given):  # whether it vanishes where expressions with these texts do
         e = self.open(e)
@@ -231,14 +234,12 @@ class Reader:  # reads expressions and expands them: a step, and {points of an e
         e = self.open(e)
         return [e] if isinstance(e, str) or e[0] != operation else [x for p in e[1:] for x in self.args(p, operation)]
 
-    def plain(self, e, fresh=()):
-        """Whether it is made by joins and meets of points and of sums that are points or hyperplanes."""
+    def plain(self, e, fresh=()):  # whether it is joins and meets of points, and of sums that are points or hyperplanes
         e = self.open(e)
         flat = e[0] in ("sum", "product") and self.read(e)[0] in (1, self.rank - 1) and not self.names(e) & {*fresh}
         return isinstance(e, str) or flat or (e[0] in ("join", "meet") and all(self.plain(p, fresh) for p in e[1:]))
 
-    def key(self, e):
-        """The same for joins and for meets of the same parts in any sequence, and for sums that are multiples."""
+    def key(self, e):  # the same for joins and for meets of the same parts in any sequence, and for multiples of sums
         e = self.open(self.meets.get(e, e) if isinstance(e, str) else e)
         if isinstance(e, list) and e[0] in ("join", "meet"):
             parts = self.args(e, e[0])
@@ -267,11 +268,13 @@ class Positions:  # what assumptions say, and the points that are placed by them
             expect(all(used[f] == inside[f] < 2 for f in fresh) and len({*fresh}) == len(fresh), "not fresh")
             self.flats = {reader.key(flat["flat"]) for flat in p["flats"] if self.lies_on(name, flat)}
             same, difference = "equal" in p, ["sum", name, ["product", ["number", -1], on]]
-            there = reader.read(on)[0] == 1 and self.vanishes(difference, *p["equal"]) if same else self.lies(on)
-            expect(there, f"{name} need not {'equal' if same else 'lie on'} {reader.text(on)}", NotProved)
-            dense = same or (own <= finite - seen and sorted(map(str, points)) == sorted(own))
-            expect(dense or self.not_zero(on), f"{name}: {reader.text(on)} may vanish", NotProved)
-            seen, before = {*seen, name, *own, *fresh}, {*before, name}
+            free, step = own <= finite and sorted(map(str, points)) == sorted(own), reader.read(on)[0]
+            if not (basis := free and step == reader.rank):
+                there = step == 1 and self.vanishes(difference, *p["equal"]) if same else self.lies(on)
+                expect(there, f"{name} need not {'equal' if same else 'lie on'} {reader.text(on)}", NotProved)
+                alive = same or (free and not own & seen) or self.not_zero(on)
+                expect(alive, f"{name}: {reader.text(on)} may vanish", NotProved)
+            seen, before = {*seen, name, *(() if basis else own), *fresh}, {*before, name}
             self.places[name] = self.place(on, [f for f in fresh if f not in own], same)
             self.written.known = {n: x for n, x in reader.known.items() if n in {*reader.points} - {*self.places}}
 
@@ -302,8 +305,8 @@ class Positions:  # what assumptions say, and the points that are placed by them
     def lies(self, e):
         met, joined = self.reader.args(e, "meet"), self.reader.args(e)
         kept = [part for part in joined if part not in self.fresh]
-        on_part = 0 < len(kept) < len(joined) and self.lies(["join", *kept])
-        return self.reader.key(e) in self.flats or on_part or (len(met) > 1 and all(map(self.lies, met)))
+        on = (0 < len(kept) < len(joined) and self.lies(["join", *kept])) or (len(met) > 1 and all(map(self.lies, met)))
+        return on or self.reader.key(e) in self.flats
 
     def not_zero(self, e):
         r = self.reader
@@ -330,15 +333,14 @@ class Positions:  # what assumptions say, and the points that are placed by them
         return lambda r: r.sum([r.join([(0, {(): scalar}), r.read(e)]) for e, scalar in terms])
 
 
-def split(theorem, claim, given, nonzero):
-    """Checks all cases of a theorem, of which these are the texts, and that they leave none out."""
+def split(theorem, claim, given, nonzero):  # checks all cases of what these texts say, and that they leave none out
     r, own = Reader(theorem["cases"][0]), Reader(theorem)
     anywhere, every = {*theorem["any"]}, ({*theorem["any"]} | {*r.points} - {*own.points}) - {*own.points[: own.ideal]}
 
     def for_all(f):  # of a bracket that vanishes for all of some points the join of the others, which does, too
         rest = ["join", *(p for p in f[1:] if not (isinstance(p, str) and p in every))]
         alone = f[0] == "bracket" and 1 < len(rest) < len(f) == len({*map(str, f)}) and not r.names(rest) & every
-        return rest if alone else f
+        return (rest if len(rest) > 2 else rest[1]) if alone else f
 
     if "split" in theorem:
         either = own.text(theorem["split"])

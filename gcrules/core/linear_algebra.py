@@ -21,6 +21,7 @@ __all__ = [
     "cross",
     "determinant",
     "echelon",
+    "fraction_of",
     "kernel",
     "kernel_part",
     "permutation_sign",
@@ -126,6 +127,18 @@ def kernel_part(
 
 def _number(x: Any, modulus: int | None) -> Any:
     return Fraction(x) if modulus is None else x % modulus
+
+
+def fraction_of(residue: int, modulus: int) -> Fraction:
+    """The fraction of the smallest numbers that has a residue modulo a prime (Wang's algorithm).
+
+    >>> fraction_of(2 * pow(3, -1, 101) % 101, 101)
+    Fraction(2, 3)
+    """
+    (r, s), (t, u) = (modulus, residue % modulus), (0, 1)
+    while s * s * 2 > modulus:
+        r, s, t, u = s, r % s, u, t - r // s * u
+    return Fraction(s, u)
 
 
 def determinant(matrix: Iterable[Sequence[int]], modulus: int) -> int:

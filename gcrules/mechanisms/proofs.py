@@ -13,13 +13,15 @@ from dataclasses import replace
 from functools import partial
 from typing import Any
 
+from gcrules.algebra.assumptions.incidences import equations
 from gcrules.algebra.combinations import given_part
 from gcrules.algebra.evaluate import vanishes
 from gcrules.algebra.expr import Expr, Number, add, mul, points_of
 from gcrules.algebra.factoring.forms import Factors
 from gcrules.algebra.factoring.result import Factorization
 from gcrules.algebra.proofs.absence import no_expression, no_shorter
-from gcrules.algebra.proofs.multiples import cofactor
+from gcrules.algebra.proofs.combination import by_multiples
+from gcrules.algebra.proofs.multiples import multipliers
 from gcrules.algebra.proofs.proof_file import Absence, LeftOut, ProofFile
 from gcrules.algebra.proofs.proving import theorem, theorems
 from gcrules.algebra.proofs.screws import with_screws
@@ -58,6 +60,7 @@ class _Claim:
     rank: int
     ideal: tuple[str, ...] = ()
     given: tuple[Assumption, ...] = ()
+    nonzero: tuple[Expr, ...] = ()
 
 
 _Said = _Claim | Absence | LeftOut
@@ -114,6 +117,19 @@ def _proved(title: str, claims: Iterable[_Said]) -> ProofFile:
 
 
 def _written(claim: _Claim) -> Sequence[Theorem]:
+    """The theorems that a claim is: as it is proved in a file, or else as a sum of multiples of what is given."""
+    try:
+        return _proved_by_positions(claim)
+    except (InputError, LimitReached):
+        given = [e for a in claim.given for e in equations(a, claim.rank)]
+        args = (given, claim.nonzero, claim.rank, claim.ideal)
+        found = by_multiples(claim.name, claim.left, claim.right, *args) if given else None
+        if found is None:
+            raise
+        return (found,)
+
+
+def _proved_by_positions(claim: _Claim) -> Sequence[Theorem]:
     """The theorems that a claim is: with its points placed, as an identity that says more, or in cases."""
     given = () if claim.given and _everywhere(claim) else claim.given
     if any(screws_of(points_of(*a.args)) for a in given):
@@ -145,8 +161,8 @@ def _multiple_of_given(claim: _Claim) -> Theorem | None:
 
 
 def _times(difference: Expr, given: Expr, claim: _Claim) -> Expr | None:
-    found = cofactor(difference, given, claim.rank, claim.ideal)
-    return None if found is None else mul(found, given)
+    found = multipliers(difference, [given], claim.rank, claim.ideal)
+    return None if found is None else mul(*found, given)
 
 
 def _everywhere(claim: _Claim) -> bool:
@@ -161,10 +177,8 @@ _Claims = tuple[str, Iterable[_Said]]
 
 
 def _of_proof(proof: Proof) -> _Claims:
-    if proof.dual is not None:
-        hint = "ask for the proof of the claim that it is the dual of"
-        raise InputError("a dual is proved by duality, which proof files do not say", hint=hint)
-    return proof.relation or f"{proof.left} == {proof.right}", _equations("claim", proof)
+    name = "claim" if proof.dual is None else "what the claim is the dual of"
+    return proof.relation or f"{proof.left} == {proof.right}", _equations(name, proof)
 
 
 def _equations(name: str, proof: Proof) -> Iterator[_Claim | LeftOut]:
@@ -173,7 +187,7 @@ def _equations(name: str, proof: Proof) -> Iterator[_Claim | LeftOut]:
         yield LeftOut(name, f"it is {proof.verdict}")
         return
     for i, p in enumerate(proof.parts or (proof,), 1):
-        yield _Claim(f"{name}, {i}" if proof.parts else name, p.left, p.right, p.rank, p.ideal, p.given)
+        yield _Claim(f"{name}, {i}" if proof.parts else name, p.left, p.right, p.rank, p.ideal, p.given, p.conditions)
 
 
 def _of_factorization(found: Factorization) -> _Claims:

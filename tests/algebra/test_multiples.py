@@ -1,4 +1,4 @@
-"""Claims that are multiples of one thing that is given, and the identities that proof files then state."""
+"""Claims that are sums of multiples of what is given, and the identities that proof files then state."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from gcrules.algebra.expr import Expr, Number, mul, sub
 from gcrules.algebra.language.statements import parse_script
 from gcrules.algebra.language.syntax import parse, parse_equation
 from gcrules.algebra.language.text import text
-from gcrules.algebra.proofs.multiples import cofactor
+from gcrules.algebra.proofs.multiples import multipliers
 from gcrules.algebra.prove import difference_of
 from gcrules.mechanisms.proofs import proof_file
 from gcrules.rules.script import ClaimResult, run_script
@@ -40,8 +40,7 @@ def claim(name: str) -> tuple[Expr, Expr, tuple[str, ...]]:
 def test_what_is_given_divides_a_claim(name: str, says: str) -> None:
     """The oracle compares both sides, and sees where the factor is another one."""
     difference, given, ideal = claim(name)
-    found = cofactor(difference, given, 3, ideal)
-    assert found is not None
+    (found,) = multipliers(difference, [given], 3, ideal) or ()
     assert text(found) == text(parse(says, rank=3))
     assert vanishes(sub(difference, mul(found, given), rank=3), rank=3, ideal=ideal)
     assert not vanishes(sub(difference, mul(Number(2), found, given), rank=3), rank=3, ideal=ideal)
@@ -50,7 +49,7 @@ def test_what_is_given_divides_a_claim(name: str, says: str) -> None:
 @pytest.mark.parametrize("name", ["false/thales", "false/steiner"])
 def test_of_false_claims_it_is_no_factor(name: str) -> None:
     difference, given, ideal = claim(name)
-    assert cofactor(difference, given, 3, ideal) is None
+    assert multipliers(difference, [given], 3, ideal) is None
 
 
 @pytest.mark.parametrize(
@@ -65,8 +64,8 @@ def test_of_false_claims_it_is_no_factor(name: str) -> None:
     ],
     ids=["too small", "no multiple", "no scalar", "of no one degree", "other points", "zero"],
 )
-def test_other_expressions_have_no_cofactor(e: str, given: str) -> None:
-    assert cofactor(parse(e, rank=3), parse(given, rank=3), 3) is None
+def test_other_expressions_have_no_multiplier(e: str, given: str) -> None:
+    assert multipliers(parse(e, rank=3), [parse(given, rank=3)], 3) is None
 
 
 def test_a_proof_file_states_the_identity_and_names_it() -> None:

@@ -22,7 +22,7 @@ from gcrules.algebra.proofs.relations import relations
 from gcrules.algebra.proofs.theorem import Theorem
 from gcrules.algebra.proofs.written import Written
 from gcrules.algebra.spelling import normal
-from gcrules.core.errors import EngineFault, InputError, LimitReached
+from gcrules.core.errors import EngineFault, LimitReached
 from gcrules.mechanisms.proofs import proof_file
 from gcrules.rules.script import run_script
 
@@ -51,17 +51,6 @@ def test_a_proof_that_is_too_long_is_refused() -> None:
     terms = expand(parse("[abc][def] - [dbc][aef] - [adc][bef] - [abd][cef]", rank=3)).terms
     with pytest.raises(LimitReached, match="the proof takes more than 0 exchanges"):
         relations(terms, limit=0)
-
-
-@pytest.mark.parametrize(
-    ("equation", "rank", "given", "says"),
-    [
-        ("[[ab,ac,ad,ae,bc,bd,be,cd,ce,de]] == 0", 5, "", "no superbrackets of rank 5 or more"),
-    ],
-)
-def test_what_cannot_be_written_is_refused(equation: str, rank: int, given: str, says: str) -> None:
-    with pytest.raises(InputError, match=says):
-        proved(equation, rank, given)
 
 
 def test_sides_that_are_not_equal_are_a_fault_and_not_left_out() -> None:

@@ -95,9 +95,25 @@ ANSWERS: dict[str, Callable[[], Any]] = {
     "a line through a sum": lambda: gc.prove("[abd] == -2 [cbd]", rank=3, given="collinear(d, b, 2 c + a)"),
     "a plane that is a sum": lambda: gc.prove("[abcd] == [abce]", given="[abcd] == [abce]"),
     "a plane by two assumptions": lambda: gc.prove("[bcde] == 0", given=TOGETHER),
+    "several equations": lambda: gc.prove("[acd] == 0", rank=3, given="[abd] == [abc], [abd] == 2 [abc]"),
+    "equations of points": lambda: gc.prove("a == c", rank=3, given="a + b == c + d, 2 a - (b + c) == c - d"),
+    "Ceva, converse": lambda: gc.prove(r"ad /\ be /\ cf == 0", rank=3, given=CEVA),
+    "a square": lambda: gc.prove("[befa] == 0", given=IN_A_PLANE, ideal="a b"),
+    "a tangent plane": lambda: gc.prove("touches(tangent(c, Q), Q)", letters="quadric Q", given="incident(c, Q)"),
+    "a point of a screw": lambda: gc.prove("[abcd] == 0", letters="screw S", given=r"incident(c, S /\ abd)"),
+    "a screw twice": lambda: gc.prove(SCREW_TWICE, letters="screw S", given=r"S \/ ab == 0"),
+    "a line through a point of a screw": lambda: gc.prove(
+        r"S \/ ad == 0", letters="screw S", given=r"S \/ ab == 0, incident(d, a \/ (S /\ abc))"
+    ),
+    "ten lines": lambda: gc.prove(TEN_LINES, rank=5),
+    "a dual": lambda: gc.prove("dual([abc] [ade] == 0)", rank=3, given="collinear(a, b, c)"),
     "one point said twice": lambda: gc.prove("be == 0", rank=3, given="fb == 0, fe == 0"),
 }
 TOGETHER = "c == e + 2 d, coplanar(e, d, a, f + b), coplanar(a, d, c, e + b)"
+CEVA = "incident(d, bc), incident(e, ca), incident(f, ab), [abd][bce][caf] == [adc][bea][cfb]"
+IN_A_PLANE = r"concurrent(bd, bc), incident(b, dac), incident(f, dac), coplanar(a, f, e, eb /\ fda)"
+SCREW_TWICE = r"(S /\ abc + S /\ abd) \/ (S /\ abe) == -1/2 (S /\ S)([abce] + [abde]) * ab"
+TEN_LINES = "[[ab,ac,ad,ae,bc,bd,bf,cd,ce,de]] == -[[ba,ac,ad,ae,bc,bd,bf,cd,ce,de]]"
 NO_KIND = "collinear(c, d, e), incident(a, be), [bed][bac] == -[bea][bdc]"
 
 
@@ -196,6 +212,9 @@ SEEDS = (
     lambda: gc.prove("[abc][aef] == [abd][aef]", rank=3, given="[abc] == [abd]"),
     lambda: gc.prove("[adef] == 0", given=THREE_LINES),
     lambda: gc.prove("[abce][abdf] == 0", given="concurrent(bf, ae, ab)"),
+    lambda: gc.prove("[acd] == 0", rank=3, given="[abd] == [abc], [abd] == 2 [abc]"),
+    lambda: gc.prove("[abcd] == 0", letters="screw S", given=r"incident(c, S /\ abd)"),
+    lambda: gc.prove(TEN_LINES, rank=5),
 )
 THREE_LINES = r"concurrent(ab, bc, ef), aef /\ cdf /\ abd == 0"
 MENELAUS = "incident(d, bc), incident(e, ca), incident(f, ab), collinear(d, e, f)"

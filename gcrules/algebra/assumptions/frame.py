@@ -41,7 +41,7 @@ from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import LimitReached
 from gcrules.core.linear_algebra import echelon, kernel
 
-__all__ = ["Frame", "frame_of", "zero_by"]
+__all__ = ["Frame", "frame_of", "occurrences", "zero_by"]
 
 _FIRST = 1_000  # terms within which brackets are straightened before a frame is tried
 _SLACK = 28  # a determinant of so many lines is computed through polynomials of up to so many times its degree
@@ -119,7 +119,7 @@ def frame_of(c: Construction, e: Expr) -> Frame | None:
     free = [n for n in c.order if n in named]
     if not free or size.bits > MAX_COEFFICIENT_BITS:
         return None
-    often = _occurrences(free, steps, e)
+    often = occurrences(free, steps, e)
     free.sort(key=lambda n: -often[n])
     base, others, at_infinity = _divided(free, c)
     degrees = _DegreesOf(free)
@@ -182,7 +182,7 @@ def _needed(c: Construction, e: Expr) -> tuple[ConstructionStep, ...]:
     return tuple(reversed(found))
 
 
-def _occurrences(free: Iterable[str], steps: Iterable[ConstructionStep], e: Expr) -> Mapping[str, int]:
+def occurrences(free: Iterable[str], steps: Iterable[ConstructionStep], e: Expr) -> Mapping[str, int]:
     """How often free points occur in an expression with the constructed points written out."""
     known: dict[Expr, Counter[str]] = {Point(n): Counter([n]) for n in free}
 

@@ -21,7 +21,7 @@ from gcrules.algebra.bracket import Coefficient, tableau_order
 from gcrules.algebra.expr import ZERO, Bracket, Expr, Join, Meet, Number, Point, Product, mul, points_of, sub
 from gcrules.algebra.proofs.coverage import quotient
 from gcrules.algebra.proofs.factored import factored
-from gcrules.algebra.proofs.multiples import cofactor
+from gcrules.algebra.proofs.multiples import multipliers
 from gcrules.algebra.proofs.theorem import Theorem, asked, has_part, placed_theorem
 from gcrules.algebra.prove import difference_of
 from gcrules.algebra.space import Assumption, Space
@@ -217,8 +217,8 @@ class _Cases:
                 return placed_theorem(f"{case.name}: {e}", e, right, c, said, self.limit), open_ones
         # It is the product and a multiple of something else that is given.
         for g in plain if number else ():
-            if g.step == 0 and (times := cofactor(sub(e, right), g, self.space.rank, self.space.ideal)) is not None:
-                both = sub(Product((Number(1), e)), mul(times, g))
+            if g.step == 0 and (times := multipliers(sub(e, right), [g], self.space.rank, self.space.ideal)):
+                both = sub(Product((Number(1), e)), mul(*times, g))
                 return placed_theorem(f"{case.name}: {e}", both, right, self.anywhere, (), self.limit), open_ones
         return None
 

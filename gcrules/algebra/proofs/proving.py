@@ -13,7 +13,7 @@ from dataclasses import replace
 
 from gcrules.algebra.assumptions.assumed import kinds
 from gcrules.algebra.expand import MAX_TERMS
-from gcrules.algebra.expr import Expr, Superbracket, common_rank, points_of, subexpressions
+from gcrules.algebra.expr import Expr, common_rank, points_of
 from gcrules.algebra.proofs.cases import by_cases
 from gcrules.algebra.proofs.theorem import Theorem
 from gcrules.algebra.prove import difference_of
@@ -21,8 +21,6 @@ from gcrules.algebra.space import Assumption, Space
 from gcrules.core.errors import InputError
 
 __all__ = ["theorem", "theorems"]
-
-_SUPERBRACKETS = 4  # the highest rank in which the checker expands them
 
 
 def theorem(
@@ -58,10 +56,6 @@ def theorems(
     there other extensors must not vanish. Without `in_cases` no assumption is taken apart. Raises as `theorem` does.
     """
     assumptions, at_infinity = tuple(given), tuple(ideal)
-    if any(
-        isinstance(e, Superbracket) and e.rank > _SUPERBRACKETS for side in (left, right) for e in subexpressions(side)
-    ):
-        raise InputError(f"proof files have no superbrackets of rank {_SUPERBRACKETS + 1} or more")
     rank = common_rank(rank, left, right, *(e for a in assumptions for e in a.args))
     difference = difference_of(left, right, rank)
     found = kinds(Space(rank, (), at_infinity, assumptions), points_of(left, right), (difference,))

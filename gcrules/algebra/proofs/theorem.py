@@ -12,6 +12,7 @@ from gcrules.algebra.bracket import Coefficient, Monomial
 from gcrules.algebra.expand import MAX_TERMS
 from gcrules.algebra.expr import ZERO, Bracket, Expr, Join, Meet, Point, Product, Sum, points_of
 from gcrules.algebra.letters import conic_of, letter_of, marked
+from gcrules.algebra.proofs.basis import has_large_superbracket, in_a_basis
 from gcrules.algebra.proofs.coverage import Flat, Multiple, equal, flats
 from gcrules.algebra.proofs.relations import MAX_RELATIONS, Relation, relations
 from gcrules.algebra.proofs.sequences import Sequences
@@ -30,7 +31,7 @@ _SHORT = 5_000  # exchanges within which every order is tried before longer proo
 @dataclass(frozen=True)
 class PlacedPoint:
     """A constructed point, the extensor that it is on, fresh points of its step, and flats that show that; or the
-    expression that it is `equal` to, and why.
+    expression that it is `equal` to, and why; or any point, on the join of as many free ones as there are coordinates.
     """
 
     name: str
@@ -91,6 +92,11 @@ class Theorem:
         return self.right == ZERO and not self.cases and has_part(self.left, self.given)
 
     @property
+    def in_a_basis(self) -> bool:
+        """Whether points of which nothing is asked are written in others that are a basis."""
+        return any(p.within.step == self.rank for p in (*self.placed, *(p for case in self.cases for p in case.placed)))
+
+    @property
     def size(self) -> int:
         """How many exchanges the proof takes."""
         return sum(len(r.multiplier) for r in self.relations) + sum(case.size for case in self.cases)
@@ -99,7 +105,7 @@ class Theorem:
         """The theorem as `proof.schema.json` describes it; of a case those points stand for all points that do so in
         the whole theorem.
         """
-        if anywhere is None and self.given:
+        if anywhere is None and (self.given or self.placed):
             anywhere = sorted(set(points_of(*self.given)) - {*self.order, *(p.name for p in self.placed)})
         anywhere = anywhere and [n for n in anywhere if n not in self.order]
         written = Written(self._expressions())
@@ -148,6 +154,20 @@ def placed_theorem(
     """The proof that two expressions are equal at all positions to which a construction leads. `nonzero` must not
     vanish: what is `asked` for, at the least. Raises as `theorem` does.
     """
+    difference = difference_of(left, right, c.rank)
+    if has_large_superbracket(difference):
+        return _theorem(name, left, right, in_a_basis(c, difference), nonzero, limit)
+    try:
+        return _theorem(name, left, right, c, nonzero, limit)
+    except LimitReached as limited:
+        try:
+            return _theorem(name, left, right, in_a_basis(c, difference), nonzero, limit)
+        except (InputError, LimitReached):
+            raise limited from None
+
+
+def _theorem(name: str, left: Expr, right: Expr, c: Construction, nonzero: Iterable[Expr], limit: int) -> Theorem:
+    """The proof with the points placed as they are here."""
     said = tuple(nonzero)
     wanted = Sequences(said, {}, c.rank)
     c = replace(c, meets=FrozenMap((n, wanted.of(e)) for n, e in c.meets.items()))
@@ -175,6 +195,9 @@ def _placed(c: Construction) -> Iterator[PlacedPoint]:
     if c.meets and not c.nonzero:
         raise InputError("that all six points of a conic are reached is an argument of density, which is not written")
     for step in c.steps:
+        if step.within.step == c.rank:
+            yield PlacedPoint(step.name, step.within, (), ())
+            continue
         if isinstance(step.within, Sum) and step.within.step == 1 and step.fresh:
             raise InputError(f"proof files do not know how {_called(step.name)} is placed on a conic or a quadric")
         why = equal(step, c) if step.exact else None

@@ -86,6 +86,8 @@ def without_script(file: ProofFile) -> dict[str, str]:
 def _why_not(t: Theorem) -> str:
     if t.given and t.rank not in SPACES:
         return f"it holds under assumptions in rank {t.rank}, and scripts have those in ranks 3 and 4"
+    if t.in_a_basis:
+        return "its points are written in some of them that are a basis, and scripts have exchange relations alone"
     found = cases_proof(t) if t.given else ""
     return found if isinstance(found, str) else ""
 

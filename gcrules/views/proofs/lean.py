@@ -32,18 +32,24 @@ __all__ = ["script"]
 
 def script(file: ProofFile) -> str:
     """The theorems of a file as text of Lean, which nobody has checked before it is compiled; a comment names those
-    under assumptions, which are left out. Raises InputError where there are no others.
+    under assumptions and those written in a basis, which are left out. Raises InputError where there are no others.
     """
-    left_out, theorems = [t.name for t in file.theorems if t.given], [t for t in file.theorems if not t.given]
+    theorems = [t for t in file.theorems if not t.given and not t.in_a_basis]
+    left_out = {
+        t.name: "it holds under assumptions" if t.given else "its points are written in a basis"
+        for t in file.theorems
+        if t not in theorems
+    }
     if not theorems:
-        raise InputError("no theorem can be written for Lean: all of them hold under assumptions")
+        why = "; ".join(f"{name}: {reason}" for name, reason in left_out.items())
+        raise InputError(f"no theorem can be written for Lean: {why}")
     head = (
         f"/- {_comment(file.title)}\n\n"
         "Written for Lean 4 with Mathlib; not checked here. Brackets are unknown elements of a field: b_0_1_2_3 is\n"
         "the bracket of the points 0, 1, 2, 3. The exchange relations that a proof names are its hypotheses. -/\n\n"
         "import Mathlib\n"
     )
-    head += "".join(f"-- Not here, since it holds under assumptions: {' '.join(name.split())}\n" for name in left_out)
+    head += "".join(f"-- Not here, since {why}: {' '.join(name.split())}\n" for name, why in left_out.items())
     return head + "".join(_theorem(number, t) for number, t in enumerate(theorems, start=1))
 
 

@@ -1,0 +1,100 @@
+r"""Claims that follow from several things that are given together: as a sum of multiples of them.
+
+Where N ∨ Y does not vanish for all points Y, since N does not, and (N ∨ Y) times the difference of both sides is a sum
+of multiples of what is given, the sides are equal wherever that vanishes. A line or a plane is closed by further points
+Y, so that all are scalars. By Hilbert's Nullstellensatz every claim that holds over all fields follows so, with powers;
+those that are sought have few factors.
+
+>>> from gcrules.algebra.language.syntax import parse, parse_equation
+>>> given = [parse(e, rank=3) for e in ("[abd] - [abc]", "[abd] - 2 [abc]")]
+>>> found = by_multiples("claim", *parse_equation("[acd] == 0", rank=3), given, [parse("ab", rank=3)], 3)
+>>> print(found.cases[0].right)
+[ab, y]([acd] - 0)
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from itertools import chain, combinations, combinations_with_replacement, islice
+
+from gcrules.algebra.assumptions.construction import Construction
+from gcrules.algebra.bracket import tableau_order
+from gcrules.algebra.expr import Bracket, Expr, Join, Number, Point, Product, Sum, mul, points_of
+from gcrules.algebra.names import primed
+from gcrules.algebra.proofs.multiples import multipliers
+from gcrules.algebra.proofs.theorem import Theorem, placed_theorem
+from gcrules.algebra.prove import difference_of
+from gcrules.core.errors import EngineFault, InputError, LimitReached
+
+__all__ = ["by_multiples"]
+
+_EXPONENT = 2
+_FACTORS = 2  # that do not vanish
+_TRIES = 20  # products of these
+
+
+def by_multiples(
+    name: str,
+    left: Expr,
+    right: Expr,
+    given: Sequence[Expr],
+    nonzero: Sequence[Expr],
+    rank: int,
+    ideal: Iterable[str] = (),
+) -> Theorem | None:
+    """The proof that two expressions are equal wherever what is given vanishes and some things do not, by an identity;
+    None where none is found.
+    """
+    own = points_of(left, right)
+    left, right, *equations = (_scalar(e) if e.step == rank else e for e in (left, right, *given))
+    at_infinity = tuple(ideal)
+    named = points_of(left, right, *given, *nonzero)
+    points = tableau_order(named, (), at_infinity)
+    count = sum(n in at_infinity for n in points)
+    closing: list[str] = []
+    for first in "yzuvw"[: rank - 1]:
+        closing.append(primed(first, lambda new: new in {*points, *closing}))
+    written, difference = Sum((left, Product((Number(-1), right)))), difference_of(left, right, rank)
+    known = [n for n in nonzero if {*points_of(n)} <= {*own, *points_of(*equations)}]
+    for factors, exponent in _products(known):
+        alive = [_closed(n, closing, rank) for n in factors]
+        whole = mul(*alive, *[_closed(difference, closing, rank)] * exponent)
+        parts = [part for g in equations for part in _closings(g, (*points_of(whole), *points_of(g)), rank)]
+        try:
+            found = multipliers(whole, parts, rank, at_infinity)
+            if found is None:
+                continue
+            terms = [Product((m, part)) for m, part in zip(found, parts, strict=True) if m != Number(0)]
+            c = Construction(rank, (*points, *closing), tuple(n for n in points if n in at_infinity))
+            product = Product((*alive, *[_closed(written, closing, rank)] * exponent))
+            lemma = placed_theorem(f"{name}, times what does not vanish", Sum(tuple(terms)), product, c, ())
+        except (EngineFault, InputError, LimitReached):
+            continue
+        return Theorem(name, rank, left, right, points, count, (), tuple(equations), tuple(nonzero), cases=(lemma,))
+    return None
+
+
+def _products(nonzero: Sequence[Expr]) -> Iterator[tuple[tuple[Expr, ...], int]]:
+    """Of what does not vanish, each with an exponent of what does."""
+    for exponent in range(1, _EXPONENT + 1):
+        some = (combinations_with_replacement(nonzero, k) for k in range(_FACTORS + 1))
+        yield from ((factors, exponent) for factors in islice(chain.from_iterable(some), _TRIES))
+
+
+def _scalar(e: Expr) -> Expr:
+    """The bracket of what has full step."""
+    return Bracket(e.args if isinstance(e, Join) else (e,))
+
+
+def _closed(e: Expr, points: Sequence[str], rank: int) -> Expr:
+    """The bracket of an extensor with as many of some points as it lacks; a scalar as it is."""
+    return Bracket((e, *map(Point, points[: rank - e.step]))) if e.step else e
+
+
+def _closings(e: Expr, points: Iterable[str], rank: int) -> Iterator[Expr]:
+    """The brackets of an extensor with any points; a scalar as it is."""
+    if not e.step:
+        yield e
+        return
+    for some in combinations(dict.fromkeys(points), rank - e.step):
+        yield Bracket((e, *map(Point, some)))
