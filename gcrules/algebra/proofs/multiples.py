@@ -41,7 +41,7 @@ def multipliers(e: Expr, given: Sequence[Expr], rank: int, ideal: Iterable[str] 
     count = sum(n in at_infinity for n in names)
     bases: list[tuple[int, tuple[Expr, ...]]] = []
     for i, content in _contents_of_multipliers(e, given):
-        bases += ((i, m) for m in islice(_monomials(content, names, count, rank), _MOST + 1))
+        bases += ((i, m) for m in _monomials(content, names, count, rank))
         if len(bases) > _MOST:
             return None
     if not bases:
@@ -93,7 +93,7 @@ def _monomials(content: _Content, names: tuple[str, ...], ideal: int, rank: int)
         return
     letters = tuple(sorted(names.index(n) for n, k in content if isinstance(n, str) for _ in range(k)))
     if len(letters) % rank == 0:
-        for m in standard_tableaux(letters, rank):
+        for m in sorted(islice(standard_tableaux(letters, rank), _MOST + 1)):
             if not any(row[-1] < ideal for row in m):
                 yield tuple(Bracket(tuple(Point(names[i]) for i in row)) for row in m)
 
