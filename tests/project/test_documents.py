@@ -50,6 +50,10 @@ NOT_RUN = {
         'gcrules prove "[bde][bcd] == 0" --rank 3 --given "collinear(a, b, d), [bcd][abe] == [abd][bce]" '
         "--certificate kinds.json",
     ): "tests/project/test_check_proof.py checks proofs",
+    (
+        "docs/proofs.md",
+        'gcrules prove "[acd] == 0" --rank 3 --given "[abd] == [abc], [abd] == 2 [abc]" --certificate together.json',
+    ): "tests/project/test_check_proof.py checks proofs",
     ("docs/proofs.md", 'gcrules prove "[pab] == 0" --rank 3 --given "p == ab /\\ cd" --certificate meet.json'): (
         "tests/project/test_check_proof.py checks proofs"
     ),
