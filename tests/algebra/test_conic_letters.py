@@ -20,6 +20,7 @@ from places import checker
 
 import gcrules as gc
 from gcrules.algebra import conics
+from gcrules.algebra.assumptions.incidences import equations
 from gcrules.algebra.evaluate import PRIME, evaluate
 from gcrules.algebra.expr import Point
 from gcrules.algebra.language.statements import parse_assumption, parse_letters, parse_script
@@ -227,6 +228,7 @@ def test_a_conic_through_five_points_is_two_lines_where_three_are_on_a_line() ->
 
 # --- claims ----------------------------------------------------------------------------------------------------------
 
+TRIANGLE = "concurrent(pole(ab, K) c, pole(bc, K) a, pole(ca, K) b)"
 VERDICTS = [
     ("", "[a polar(b, K)] == [b polar(a, K)]", "proved"),
     ("", "[a polar(a, K)] == 2 conic(a, K)", "proved"),
@@ -241,6 +243,13 @@ VERDICTS = [
     ("on_conic(a, b, K)", "touches(ab, K)", "refuted"),
     ("incident(a, K), incident(b, tangent(a, K))", "touches(ab, K)", "proved"),
     ("isotropic i j, on_conic(i, j, a, b, c, d, K)", "concyclic(a, b, c, d)", "proved"),
+    ("line L, touches(L, K)", "incident(pole(L, K), L)", "proved"),
+    ("line L, touches(L, K)", "incident(pole(L, K), K)", "proved"),
+    ("touches(ab, K)", "touches(ab, K)", "proved"),
+    ("touches(ab, K), touches(ac, K)", "touches(bc, K)", "refuted"),
+    ("touches(ab, K)", "incident(a, K)", "refuted"),
+    ("touches(ab, K), touches(bc, K), touches(ca, K)", TRIANGLE, "proved"),
+    ("touches(ab, K), touches(bc, K), touches(ca, K)", TRIANGLE.replace(", K) b", ", K) a"), "refuted"),
 ]
 
 
@@ -261,6 +270,28 @@ def test_a_counterexample_satisfies_what_is_given_and_refutes_the_claim() -> Non
     assert evaluate(parse("[p tangent(a, K)]", context=at), points) != 0
     assert "coefficients of x², y², z², yz, zx and xy" in found.text()
     assert not any(mark in found.text().replace("x², y², z²", "") for mark in "¹²³⁴⁵")
+
+
+def test_the_point_in_which_a_line_touches_has_a_name_that_nobody_else_has() -> None:
+    found = gc.prove("incident(t_abK, K)", letters="conic K", given="touches(ab, K)", points="t_abK", rank=3)
+    assert found.verdict == "refuted"
+    assert found.counterexample is not None
+    assert {"t_abK", "t_abK'"} <= found.counterexample.keys()
+
+
+@pytest.mark.parametrize("there", [True, False])
+def test_a_line_touches_in_its_pole(there: bool) -> None:
+    """What is assumed holds, with the pole of the oracle, exactly where its line is a tangent."""
+    for seed in range(10):
+        rng = Random(f"touching {seed}")
+        at = Figure(rng, on=tuple("abcdef"))
+        line = at.polar(at.points["a"]) if there else at.random()
+        p, q = (cross(line, at.random()) for _ in range(2))
+        five = dict(zip(FIVE, (at.points[n] for n in "bcdef"), strict=True))
+        points = {**five, "p": p, "q": q, "t_pqK": at.pole(line)}
+        assumed = parse_assumption("touches(pq, K)", PLANE).given
+        values = [evaluate(e, points, modulus=PRIME) for a in assumed for e in equations(a, 3)]
+        assert (not any(any(v) if isinstance(v, tuple) else v for v in values)) == there
 
 
 def test_points_on_a_conic_are_assumed_to_differ_where_more_is_given() -> None:
@@ -358,7 +389,7 @@ FAULTS = [
     ("rank 3 conic K show polar(K)", "polar(p, K) takes 2 arguments, found 1"),
     ("rank 3 conic K show pole(p, K)", "a point (step 1) where a line is expected"),
     ("rank 3 conic K claim touches(p, K)", "a point (step 1) where a line is expected"),
-    ("rank 3 conic K given touches(ab, K)", "touches(L, K) is claimed, not assumed"),
+    ("rank 3 conic K given touches(a, K)", "a point (step 1) where a line is expected"),
     ("rank 3 conic K show tangent(p, K)", "nothing says that p is on K"),
     ("rank 3 conic K show second_on_conic(p, q, K)", "nothing says that q is on K"),
     ("rank 3 conic K claim dual(incident(p, polar(q, K)))", "the dual of a conic letter has no word"),

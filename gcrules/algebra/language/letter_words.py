@@ -6,7 +6,7 @@ r"""Words that are said of letters for conics and quadrics, which stand behind a
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import partial
 from typing import Any
 
@@ -116,6 +116,19 @@ def _touching(rank: int, own: Sequence[Expr], flat: Expr) -> _Equations:
     return [FORMS[rank].touching(flat, *own)]
 
 
+def _at_point(rank: int, own: Sequence[Expr], t: Expr, flat: Expr) -> Iterator[tuple[str, tuple[Expr, ...]]]:
+    """That a line or plane touches at t: it is on the polar of t, which is a point of the conic or quadric. A line of
+    space has t in common with its polar line.
+    """
+    form = FORMS[rank]
+    if flat.step < rank - 1:
+        yield "incident", (t, flat)
+        yield "incident", (t, quadric_forms.polar_line(flat, *own))
+    else:
+        yield "zero", (form.value(t, *own),)
+        yield "incident", (flat, form.polar(t, *own))
+
+
 def _of_letter(usage: str, meaning: str, takes: str, ranks: tuple[int, ...], **more: Any) -> Relation:
     return Relation(usage, meaning, (takes,), ranks, metric=False, of_conic=True, **more)
 
@@ -126,7 +139,9 @@ RELATIONS_OF_LETTERS: Mapping[int, Mapping[str, Relation]] = {
         3: (
             _of_letter("incident(p, K)", "p is on the conic K", POINT, _PLANE, whole=_on),
             _of_letter("on_conic(p, q, …, K)", "the points are on the conic K", POINT, _PLANE, open=True, whole=_on),
-            _of_letter("touches(L, K)", "the line L touches the conic K", LINE, _PLANE, whole=_touching, assumed=False),
+            _of_letter(
+                "touches(L, K)", "the line L touches the conic K", LINE, _PLANE, whole=_touching, at_point=_at_point
+            ),
         ),
         4: (
             _of_letter("incident(p, Q)", "p is on the quadric Q", POINT, _SPACE, whole=_on),
@@ -139,7 +154,7 @@ RELATIONS_OF_LETTERS: Mapping[int, Mapping[str, Relation]] = {
                 FLAT,
                 _SPACE,
                 whole=_touching,
-                assumed=False,
+                at_point=_at_point,
             ),
         ),
     }.items()

@@ -9,6 +9,7 @@ They are assumed by `given` and claimed by `claim`, and so are equations LHS == 
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
 from itertools import combinations, islice
@@ -17,7 +18,7 @@ from gcrules.algebra import conics, metric, quadric_forms
 from gcrules.algebra import expr as ex
 from gcrules.algebra.assumptions.incidences import MAX_CONDITIONS, equations
 from gcrules.algebra.duality import Dual, dual_of
-from gcrules.algebra.expr import ZERO, Expr, points_of
+from gcrules.algebra.expr import ZERO, Expr, Point, points_of
 from gcrules.algebra.language.conic_words import conic_behind
 from gcrules.algebra.language.letter_words import RELATIONS_OF_LETTERS
 from gcrules.algebra.language.parse_tree import Node, read, span_of
@@ -26,7 +27,7 @@ from gcrules.algebra.language.words import FLAT, POINT, SEGMENT, Relation, Requi
 from gcrules.algebra.letter_forms import FORMS
 from gcrules.algebra.letters import conics_of, named_letter
 from gcrules.algebra.metric import Infinity
-from gcrules.algebra.names import step_name
+from gcrules.algebra.names import primed, step_name
 from gcrules.algebra.screw_letters import refuse_screw
 from gcrules.algebra.space import Assumption, SourcePlace, Space
 from gcrules.core.dataclass import dataclass
@@ -149,17 +150,30 @@ def read_assumptions(
     kind, args, own = _arguments(tree, builder)
     if own:
         word = RELATIONS_OF_LETTERS[builder.rank][kind]
-        if not word.assumed:
-            raise InputError(f"{word.usage} is claimed, not assumed", hint=_TOUCHED[builder.rank])
         exists = _existing(builder)
-        found = word.whole(builder.rank, own, *args)
-        return tuple(Assumption("zero", (e,), text, place, exists=exists) for e in found)
+        if word.at_point is None:
+            whole = word.whole(builder.rank, own, *args)
+            return tuple(Assumption("zero", (e,), text, place, exists=exists) for e in whole)
+        t = _further_point(args[0], own, builder.context)
+        found = word.at_point(builder.rank, own, t, *args)
+        return tuple(Assumption(kind, some, text, place, exists=(*exists, *args)) for kind, some in found)
     if kind in INCIDENCES:
         return (Assumption(kind, args, text, place, exists=_existing(builder)),)
     whole, chain = _expanded(RELATIONS[kind], args, builder.context)
     exists = (*_existing(builder), *(a for a in args if a.step > 1))
     also = tuple(e for e in whole if e not in chain)
     return tuple(Assumption("zero", (e,), text, place, also=also, exists=exists) for e in chain)
+
+
+def _further_point(flat: Expr, own: Sequence[Expr], at: Context) -> Point:
+    """The point in which a line or a plane touches a conic or a quadric, by a name that is not taken: t_PQ."""
+    letter, made_of = named_letter(flat), flat.args if isinstance(flat, ex.Join) else ()
+    if letter is None and not all(isinstance(a, Point) for a in made_of or (flat,)):
+        hint = f"say where: `given incident(a, {conics_of(points_of(*own))[0]})`, and its tangent at a touches there"
+        raise InputError("that something touches is assumed of letters and of joins of points", hint=hint)
+    name = re.sub(r"\W", "", "".join([letter or "".join(points_of(flat)), *conics_of(points_of(*own))]))
+    taken = {*at.points, *points_of(flat, *(e for a in at.given for e in a.args))}
+    return Point(primed(f"t_{name}", taken.__contains__))
 
 
 def _apart(builder: Builder) -> tuple[Expr, ...]:
@@ -365,11 +379,6 @@ RELATIONS: Mapping[str, Relation] = {
     )
 }
 """Relations that are equations of brackets, joins and meets, by their names."""
-
-_TOUCHED = {
-    3: "say where: `given incident(a, K)`, and tangent(a, K) is the line that touches there",
-    4: "say where: `given incident(a, Q)`, and tangent(a, Q) is the plane that touches there",
-}
 
 RELATION_NAMES = tuple(
     dict.fromkeys((*INCIDENCES, *RELATIONS, *(n for some in RELATIONS_OF_LETTERS.values() for n in some)))

@@ -142,12 +142,13 @@ class Relation(Word):
     """A word of `given` and `claim`, for the expressions that vanish where it holds.
 
     `whole` gives all of them, `chain` as many as say the same where the first of the points are in general position.
-    Said of a letter, `whole` takes the rank and the points of the letter first. Not all words are `assumed`.
+    Said of a letter, `whole` takes the rank and the points of the letter first. What is assumed `at_point`, with one
+    more point, says the same as incidences and scalars that vanish.
     """
 
     whole: Callable[..., Iterable[Expr]] = lambda *_: []
     chain: Callable[..., Iterable[Expr]] | None = None
-    assumed: bool = True
+    at_point: Callable[..., Iterable[tuple[str, tuple[Expr, ...]]]] | None = None
 
 
 def constructed(word: Construction, args: Sequence[Expr], at: Space, own: Sequence[Expr] = ()) -> tuple[Expr, bool]:
