@@ -31,6 +31,7 @@ from gcrules.algebra.evaluate import evaluate, random_rational_points, vanishes
 from gcrules.algebra.expand import MAX_TERMS
 from gcrules.algebra.expr import MAX_COEFFICIENT_BITS, ZERO, Expr, common_rank, neg, points_of, sub
 from gcrules.algebra.language.text import text
+from gcrules.algebra.letters import marks_in
 from gcrules.algebra.space import Assumption, Space
 from gcrules.algebra.straightening.straighten import is_zero
 from gcrules.algebra.weights import unit_weights
@@ -246,7 +247,7 @@ def _in_frame(frame: Frame) -> str:
         told += f" are the basis and {frame.unit} is their sum"
     else:
         told += " are the basis" if others else " is the first point of the basis"
-    if any(":" in n for n in (*frame.base, frame.unit or "")):
+    if any(":" in n or marks_in(n) for n in (*frame.base, frame.unit or "")):
         told = "points of the construction are the basis"
     return f"both sides are the same polynomial in coordinates in which {told}"
 
