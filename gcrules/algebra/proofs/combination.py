@@ -9,7 +9,7 @@ those that are sought have few factors.
 >>> given = [parse(e, rank=3) for e in ("[abd] - [abc]", "[abd] - 2 [abc]")]
 >>> found = by_multiples("claim", *parse_equation("[acd] == 0", rank=3), given, [parse("ab", rank=3)], 3)
 >>> print(found.cases[0].right)
-[ab, y]([acd] - 0)
+[ab, y1]([acd] - 0)
 """
 
 from __future__ import annotations
@@ -51,9 +51,7 @@ def by_multiples(
     named = points_of(left, right, *given, *nonzero)
     points = tableau_order(named, (), at_infinity)
     count = sum(n in at_infinity for n in points)
-    closing: list[str] = []
-    for first in "yzuvw"[: rank - 1]:
-        closing.append(primed(first, lambda new: new in {*points, *closing}))
+    closing = [primed(f"y{i}", {*points}.__contains__) for i in range(1, rank)]
     written, difference = Sum((left, Product((Number(-1), right)))), difference_of(left, right, rank)
     known = [n for n in nonzero if {*points_of(n)} <= {*own, *points_of(*equations)}]
     for factors, exponent in _products(known):
