@@ -381,9 +381,52 @@ def test_coq_refuses_a_point_that_is_equal_to_another_expression(said: str, inst
     refused(script[:start] + script[start:end].replace(said, instead) + script[end:], "Theorem a_meet", tmp_path)
 
 
-def test_cases_of_what_holds_for_all_points_have_no_script() -> None:
-    found = ProofFile("All", (assumed("[abce][abdf] == 0", "concurrent(bf, ae, ab)", "all"),))
-    assert coq.without_script(found) == {"all": "it holds under an assumption for all points"}
+def for_all_points() -> list[Theorem]:
+    """Of which an assumption holds for all points: a factor that names them, two of these, and none that is used."""
+    planes = "incident(bd, fec), incident(g, fec), incident(fd, bac), incident(e, bac)"
+    return [
+        assumed("[abce][abdf] == 0", "concurrent(bf, ae, ab)", "all"),
+        assumed("[acde][abde] == 0", "concurrent(ab, ac, de)", "not zero"),
+        assumed("[fbac][eadb] == 0", "concurrent(bg, ca, be)", "another line"),
+        assumed("[gfab][fcge] == 0", f"{planes}, concurrent(bf, de, fa)", "with planes"),
+    ]
+
+
+ON_BF = "(forall any1 : vector space, (((a ∨ b) ∧ (a ∨ e ∨ any1)) ∨ b ∨ f)"
+
+
+def test_what_holds_for_all_points_is_a_hypothesis_for_all_points() -> None:
+    script = coq_script(for_all_points(), "For all points")
+    said = statement(script, "all").split("\n")
+    assert said[0] == "forall a b c d e f : vector space,"
+    assert "  (forall any1 : vector space, (((a ∨ b) ∧ (a ∨ e ∨ any1)) ∨ b ∨ f) = number space 0) ->" in said
+    assert said[-3:-1] == ["  ((bracket (a ∨ b ∨ c ∨ e)) · (bracket (a ∨ b ∨ d ∨ f)))", "  = (number space (0))."]
+    assert "for_all_sound space h_at 0 6 1" in script
+
+
+@pytest.mark.needs("coqc")
+def test_coq_replays_theorems_on_what_holds_for_all_points(tmp_path: Path) -> None:
+    replayed(for_all_points(), "For all points", tmp_path)
+
+
+@pytest.mark.needs("coqc")
+@pytest.mark.parametrize(
+    ("said", "instead"),
+    [
+        (
+            "(forall any1 : vector space, (((a ∨ b) ∧ (a ∨ e ∨ any1)) ∨ b ∨ f)",
+            ON_BF.replace("a ∨ e", "c ∨ d").replace("b ∨ f", "c ∨ d"),
+        ),
+        (ON_BF, "((((a ∨ b) ∧ (a ∨ e ∨ d)) ∨ b ∨ f)"),
+        ("((bracket (a ∨ b ∨ c ∨ e)) · (bracket (a ∨ b ∨ d ∨ f)))\n", "(bracket (a ∨ b ∨ c ∨ e))\n"),
+    ],
+    ids=["another assumption", "for one point", "another claim"],
+)
+def test_coq_refuses_a_theorem_on_what_holds_for_fewer_points(said: str, instead: str, tmp_path: Path) -> None:
+    script = without_proofs_of_coordinates(coq_script(for_all_points()[:1], "For all points"))
+    start = script.index("Theorem all :")
+    assert said in script[start:]
+    refused(script[:start] + script[start:].replace(said, instead, 1), "Theorem all :", tmp_path)
 
 
 def test_cases_of_several_equations_have_no_script() -> None:

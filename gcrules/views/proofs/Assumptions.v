@@ -103,6 +103,54 @@ Proof.
   intros at_ A H. unfold nothing in H. rewrite <- collected_value. destruct (collected A); [reflexivity|discriminate].
 Qed.
 
+(* further points behind the first n *)
+Definition extended (at_ : nat -> vector G) (n : nat) (l : list (vector G)) (i : nat) : vector G :=
+  if Nat.ltb i n then at_ i else nth (i - n) l (at_ 0%nat).
+
+Lemma extended_below : forall at_ n l i, (i < n)%nat -> at_ i = extended at_ n l i.
+Proof. intros at_ n l i Li. unfold extended. apply Nat.ltb_lt in Li. rewrite Li. reflexivity. Qed.
+
+(* what vanishes with all points that close it vanishes *)
+Lemma closed_everywhere : forall at_ ideal n x A C, (forall i, (i < ideal)%nat -> infinite G (at_ i)) ->
+  (ideal <= n)%nat -> points_below n x = true -> expand (rank G) ideal x = Some A ->
+  closed (rank G) ideal n A = Some C ->
+  (forall l, length l = (rank G - length (snd (hd (0%Z, [], []) A)))%nat ->
+    terms_value G (extended at_ n l) C = zero G) ->
+  value G at_ x = zero G.
+Proof.
+  intros at_ ideal n x A C Hi Hn Hx EA EC CZ.
+  assert (Hie : forall l i, (i < ideal)%nat -> infinite G (extended at_ n l i)).
+  { intros l i Li. rewrite <- extended_below by lia. apply Hi, Li. }
+  rewrite (expand_value G at_ ideal Hi x A EA).
+  destruct (closed_value at_ ideal n A C Hi EC) as (m & Hm & V). rewrite <- Hm in CZ.
+  destruct (Nat.eqb m 0) eqn:E0.
+  { set (l := repeat (at_ 0%nat) (rank G - m)).
+    assert (L : terms_value G (extended at_ n l) C = zero G) by (apply CZ; unfold l; apply repeat_length).
+    destruct (closed_value (extended at_ n l) ideal n A C (Hie l) EC) as (m' & Hm' & V').
+    rewrite Hm' in *. rewrite Hm in E0. rewrite E0 in V'. rewrite V' in L.
+    rewrite <- (expand_value G _ ideal (Hie l) x A EA) in L. rewrite <- (expand_value G at_ ideal Hi x A EA).
+    rewrite (value_agrees G at_ (extended at_ n l) n x (extended_below at_ n l) Hx). exact L. }
+  unfold closed in EC. destruct A as [|[[c0 m0] r0] A'] eqn:EA'; [cbn in Hm; subst m; discriminate|].
+  rewrite <- EA' in *. replace (snd (hd (0%Z, [], []) A)) with r0 in Hm by (rewrite EA'; reflexivity). cbv zeta in EC.
+  destruct (forallb (fun t => Nat.eqb (length (snd t)) (length r0)) A && Nat.leb (length r0) (rank G)) eqn:EF; [|discriminate].
+  apply andb_true_iff in EF. destruct EF as [EF EL]. apply Nat.leb_le in EL. rewrite <- Hm in *.
+  apply (closing_zero G (rank G - m) m); [apply pure_terms, EF | lia |].
+  intros l Hl. pose proof (extended_below at_ n l) as He. specialize (Hie l). specialize (CZ l Hl).
+  assert (N : scalar G (top G (join G (terms_value G (extended at_ n l) A)
+    (W G (extended at_ n l) (seq n (rank G - m))))) = zero G).
+  { rewrite E0 in EC. injection EC as EC. transitivity (terms_value G (extended at_ n l) C); [|exact CZ].
+    rewrite <- EC. symmetry. exact (closing_value G _ ideal Hie A _). }
+  apply scalar_zero in N.
+  rewrite <- (expand_value G at_ ideal Hi x A EA), (value_agrees G at_ (extended at_ n l) n x He Hx).
+  rewrite (expand_value G _ ideal Hie x A EA).
+  replace (span G l) with (W G (extended at_ n l) (seq n (rank G - m))); [exact N|]. unfold W. f_equal.
+  rewrite <- Hl. apply (nth_ext _ _ (at_ 0%nat) (at_ 0%nat)); [rewrite length_map_; apply length_seq_|].
+  intros i Li. rewrite length_map_, length_seq_ in Li.
+  rewrite (nth_indep _ _ (extended at_ n l 0%nat)) by (rewrite length_map_, length_seq_; exact Li).
+  rewrite map_nth, seq_nth by exact Li. unfold extended.
+  replace (Nat.ltb (n + i) n) with false by (symmetry; apply Nat.ltb_ge; lia). f_equal. lia.
+Qed.
+
 Theorem follows_sound : forall at_ ideal n x y relations,
   (forall i, (i < ideal)%nat -> infinite G (at_ i)) -> value G at_ y = number G 0 ->
   follows (rank G) ideal n x y relations = true -> value G at_ x = number G 0.
@@ -113,41 +161,46 @@ Proof.
   destruct (expand (rank G) ideal y) as [B|] eqn:EB; [|discriminate]. cbn [both] in H.
   destruct (closed (rank G) ideal n A) as [C|] eqn:EC; [|discriminate].
   destruct (closed (rank G) ideal n B) as [D|] eqn:ED; [|discriminate]. cbn [both] in H.
-  assert (CZ : forall e, (forall i, (i < n)%nat -> at_ i = e i) -> terms_value G e C = zero G).
-  { intros e He. assert (Hie : forall i, (i < ideal)%nat -> infinite G (e i)).
-    { intros i Li. rewrite <- He by lia. apply Hi, Li. }
-    assert (Z : terms_value G e D = zero G).
-    { apply (closed_zero e ideal n B D Hie ED). rewrite <- (expand_value G e ideal Hie y B EB).
-      rewrite <- (value_agrees G at_ e n y He Hy). exact Y. }
-    apply orb_true_iff in H. destruct H as [H|H]; apply (nothing_value e) in H;
-      rewrite !vals_app, (relations_value G e ideal Hie relations), plus_zero_r in H.
-    - rewrite negated_value, Z, scale_zero, plus_zero_r in H. exact H.
-    - rewrite Z, plus_zero_r in H. exact H. }
-  rewrite (expand_value G at_ ideal Hi x A EA).
-  destruct (closed_value at_ ideal n A C Hi EC) as (m & Hm & V).
-  destruct (Nat.eqb m 0) eqn:E0; [rewrite <- V; apply CZ; reflexivity|].
-  unfold closed in EC. destruct A as [|[[c0 m0] r0] A'] eqn:EA'; [cbn in Hm; subst m; discriminate|].
-  rewrite <- EA' in *. replace (snd (hd (0%Z, [], []) A)) with r0 in Hm by (rewrite EA'; reflexivity). cbv zeta in EC.
-  destruct (forallb (fun t => Nat.eqb (length (snd t)) (length r0)) A && Nat.leb (length r0) (rank G)) eqn:EF; [|discriminate].
-  apply andb_true_iff in EF. destruct EF as [EF EL]. apply Nat.leb_le in EL. rewrite <- Hm in *.
-  apply (closing_zero G (rank G - m) m); [apply pure_terms, EF | lia |].
-  intros l Hl.
-  set (e := fun i => if Nat.ltb i n then at_ i else nth (i - n) l (at_ 0%nat)).
-  assert (He : forall i, (i < n)%nat -> at_ i = e i).
-  { intros i Li. unfold e. apply Nat.ltb_lt in Li. rewrite Li. reflexivity. }
+  apply (closed_everywhere at_ ideal n x A C Hi Hn Hx EA EC). intros l _.
+  pose proof (extended_below at_ n l) as He. set (e := extended at_ n l) in *.
   assert (Hie : forall i, (i < ideal)%nat -> infinite G (e i)).
   { intros i Li. rewrite <- He by lia. apply Hi, Li. }
-  assert (N : scalar G (top G (join G (terms_value G e A) (W G e (seq n (rank G - m))))) = zero G).
-  { rewrite E0 in EC. injection EC as EC. transitivity (terms_value G e C); [|exact (CZ e He)].
-    rewrite <- EC. symmetry. exact (closing_value G e ideal Hie A _). }
-  apply scalar_zero in N. rewrite <- (expand_value G at_ ideal Hi x A EA), (value_agrees G at_ e n x He Hx).
-  rewrite (expand_value G e ideal Hie x A EA).
-  replace (span G l) with (W G e (seq n (rank G - m))); [exact N|]. unfold W. f_equal.
-  rewrite <- Hl. apply (nth_ext _ _ (at_ 0%nat) (at_ 0%nat)); [rewrite length_map_; apply length_seq_|].
-  intros i Li. rewrite length_map_, length_seq_ in Li.
-  rewrite (nth_indep _ _ (e 0%nat)) by (rewrite length_map_, length_seq_; exact Li).
-  rewrite map_nth, seq_nth by exact Li. unfold e.
-  replace (Nat.ltb (n + i) n) with false by (symmetry; apply Nat.ltb_ge; lia). f_equal. lia.
+  assert (Z : terms_value G e D = zero G).
+  { apply (closed_zero e ideal n B D Hie ED). rewrite <- (expand_value G e ideal Hie y B EB).
+    rewrite <- (value_agrees G at_ e n y He Hy). exact Y. }
+  apply orb_true_iff in H. destruct H as [H|H]; apply (nothing_value e) in H;
+    rewrite !vals_app, (relations_value G e ideal Hie relations), plus_zero_r in H.
+  - rewrite negated_value, Z, scale_zero, plus_zero_r in H. exact H.
+  - rewrite Z, plus_zero_r in H. exact H.
+Qed.
+
+(* closed by k further points, x is y or its negative, in which these points have numbers from n on *)
+Definition for_all (d ideal n k : nat) (x y : expression) : bool :=
+  Nat.leb ideal n && points_below n x &&
+  match expand d ideal x, expand d ideal y with
+  | Some A, Some B =>
+    Nat.eqb (d - length (snd (hd (0%Z, [], []) A))) k &&
+    match closed d ideal n A with Some C => nothing (C ++ negated B) || nothing (C ++ B) | None => false end
+  | _, _ => false
+  end.
+
+Theorem for_all_sound : forall at_ ideal n k x y, (forall i, (i < ideal)%nat -> infinite G (at_ i)) ->
+  (forall l, length l = k -> value G (extended at_ n l) y = number G 0) ->
+  for_all (rank G) ideal n k x y = true -> value G at_ x = number G 0.
+Proof.
+  intros at_ ideal n k x y Hi Y H. rewrite number_0 in *. unfold for_all in H.
+  rewrite !andb_true_iff in H. destruct H as [[Hn Hx] H]. apply Nat.leb_le in Hn.
+  destruct (expand (rank G) ideal x) as [A|] eqn:EA; [|discriminate].
+  destruct (expand (rank G) ideal y) as [B|] eqn:EB; [|discriminate].
+  apply andb_true_iff in H. destruct H as [K H]. apply Nat.eqb_eq in K.
+  destruct (closed (rank G) ideal n A) as [C|] eqn:EC; [|discriminate].
+  apply (closed_everywhere at_ ideal n x A C Hi Hn Hx EA EC). intros l Hl. rewrite K in Hl. specialize (Y l Hl).
+  assert (Hie : forall i, (i < ideal)%nat -> infinite G (extended at_ n l i)).
+  { intros i Li. rewrite <- extended_below by lia. apply Hi, Li. }
+  rewrite (expand_value G _ ideal Hie y B EB) in Y.
+  apply orb_true_iff in H. destruct H as [H|H]; apply (nothing_value (extended at_ n l)) in H; rewrite !vals_app in H.
+  - rewrite negated_value, Y, scale_zero, plus_zero_r in H. exact H.
+  - rewrite Y, plus_zero_r in H. exact H.
 Qed.
 
 (* an expression of one step *)
@@ -191,6 +244,9 @@ Ltac vanishes :=
   repeat first
     [rewrite join_nothing_l | rewrite join_nothing_r | rewrite meet_nothing_l | rewrite meet_nothing_r | rewrite bracket_nothing];
   reflexivity.
+
+(* what is assumed, also for all points *)
+Ltac assumed := first [assumption | match goal with H : forall _, _ |- _ => solve [apply H] end].
 
 (* ---- a field *)
 

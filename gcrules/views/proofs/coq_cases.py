@@ -14,7 +14,7 @@ from gcrules.views.proofs.coq_assumed import AssumedProof, assumed_proof
 from gcrules.views.proofs.coq_expressions import derived
 from gcrules.views.proofs.coq_facts import Facts
 from gcrules.views.proofs.coq_screws import ScrewProof, adds_points
-from gcrules.views.proofs.coq_statement import CannotWrite, Statement
+from gcrules.views.proofs.coq_statement import CannotWrite, Statement, joined
 
 __all__ = ["Proof", "cases_proof"]
 
@@ -107,7 +107,7 @@ class CasesProof:
         """A theorem at the points of this one, its assumptions among these."""
         own = part.statement
         points = " ".join(self.statement.coq[p] for p in own.own)
-        return f"({name} {points}); assumption" if points else f"{name}; assumption"
+        return f"({name} {points}); assumed" if points else f"{name}; assumed"
 
     def _closed(self, name: str, part: Proof, more: Sequence[tuple[str, str]] = ()) -> str:
         """The end of the proof by a case; `more` does not vanish there by these facts."""
@@ -153,18 +153,40 @@ class FactorsProof(CasesProof):
         if len(others) > 1:
             raise CannotWrite("it is proved in cases of several factors that are sums")
         self.factors = [*brackets, *others]
+        named = [p for f in self.factors for p in s.all_of(f)]
+        if len({*named}) < len(named) or any(s.all_of(self._for_all(f)) for f in self.factors):
+            raise CannotWrite("it is proved in cases of which factors are not those of joins with all points")
+
+    def _for_all(self, factor: Any) -> Any:
+        """Of a bracket that vanishes for all of some points the join of the others, which does, too."""
+        every = self.statement.all_of(factor)
+        rest = [p for p in factor[1:] if p not in every]
+        return joined(rest) if every and factor[0] == "bracket" and rest else factor
 
     def _together(self, names: Sequence[str]) -> Iterator[str]:
         s, h = self.statement, self.statement.prefix
-        equal, zero = f"{h}product", s.says(joined_product(self.factors), "=")
+        whole, case = joined_product(self.factors), self.parts[0].statement
+        every = [p for p in s.any if p in {*s.all_of(["sum", self.left, self.product]), *case.own}]
         yield from s.numbering()
         yield f"  assert ({h}left : {s.says(self.left, '=')})."
-        yield from ("  {", *(f"  {line}" for line in vanishing(s, self.left)), "  }")
-        yield f"  assert ({equal} : {s.says(self.product, '=')})."
-        yield f"  {{ rewrite <- {h}left. symmetry. apply {self._applied(names[0], self.parts[0])}. }}"
-        yield f"  assert ({h}zero_0 : {zero})."
+        yield from (
+            "  {",
+            *(f"  {line}" for line in [*_introduced(s, self.left), *vanishing(s, self.left)]),
+            "  }",
+        )
+        yield f"  assert ({h}zero_0 : {s.says(whole, '=')})."
         yield "  {"
-        yield from (f"    {line}" for line in self.facts.follows(joined_product(self.factors), self.product, [equal]))
+        # Points that stand for all and that the product does not name may be any.
+        given = [p for p in every if p not in s.all_of(whole)]
+        yield from (f"  {line}" for line in _introduced(s, whole))
+        yield from (f"    pose ({s.coq[p]} := {s.stated.points[0]})." for p in given)
+        yield f"    clear {h}at {h}ideal."
+        yield from (f"  {line}" for line in s.numbering(every))
+        left = f"({h}left {s.named(s.all_of(self.left))})" if s.all_of(self.left) else f"{h}left"
+        at = s.among([*s.points, *every])
+        yield f"    assert ({h}product : {at.side(self.product)} = number {s.space} 0)."
+        yield f"    {{ rewrite <- {left}. symmetry. apply {self._applied(names[0], self.parts[0])}. }}"
+        yield from (f"    {line}" for line in self.facts.follows(whole, self.product, [f"{h}product"], at=at))
         yield "  }"
         yield from self._factors(names)
 
@@ -172,21 +194,49 @@ class FactorsProof(CasesProof):
         """Of each factor, that it vanishes and what follows; or that the rest does."""
         s, h = self.statement, self.statement.prefix
         texts = [s.stated.statement(e) for e in s.nonzero]
-        listed = (e for e in s.tree.args(self.product, "product") if e[0] != "number")
+        listed = (self._for_all(e) for e in s.tree.args(self.product, "product") if e[0] != "number")
         open_ones = [f for f in dict.fromkeys(map(s.stated.statement, listed)) if f not in texts]
         known = dict(zip(open_ones, zip(self.parts[1:], names[1:], strict=True), strict=True))
         for n, f in enumerate(self.factors):
-            own, rest = s.stated.statement(f), self.factors[n + 1 :]
-            if rest:
+            alone, rest = self._for_all(f), self.factors[n + 1 :]
+            end = self._where(s.stated.statement(alone), texts, known, f"{h}factor_{n}")
+            if not rest:
+                yield f"  assert ({h}factor_{n} : {s.says(alone, '=')})."
+                yield from ("  {", *(f"    {line}" for line in self._alone(f, f"{h}zero_{n}")), "  }")
+                yield f"  {end}"
+            elif s.all_of(["sum", f, *rest]):
+                ways = f"[{h}factor_{n}|{h}no_{n}]"
+                yield f"  destruct ({s.space}_decided {s.stated.side(alone)} (number {s.space} 0)) as {ways}."
+                yield f"  {{ {end} }}"
+                yield from self._rest(n, f, joined_product(rest))
+            else:
                 after = s.stated.statement(joined_product(rest))
                 ways = f"[{h}zero_{n + 1} | {h}rest_{n}]"
                 yield f"  destruct ({s.space}_decided ({after}) (number {s.space} 0)) as {ways}."
                 yield "  2: {"
                 yield f"    pose proof (cancelled _ _ _ {h}zero_{n} {h}rest_{n}) as {h}factor_{n}."
-                yield f"    {self._where(own, texts, known, f'{h}factor_{n}')}"
+                yield f"    {end}"
                 yield "  }"
-            else:
-                yield f"  {self._where(own, texts, known, f'{h}zero_{n}')}"
+
+    def _alone(self, factor: Any, fact: str) -> Iterator[str]:
+        """The proof that what is left of a factor without all points vanishes, by the fact that the factor does."""
+        alone = self._for_all(factor)
+        yield from [f"exact {fact}."] if alone == factor else self.facts.for_all(alone, factor, fact)
+
+    def _rest(self, n: int, f: Any, rest: Any) -> Iterator[str]:
+        """The lines that tell that the rest of a product vanishes for all points since its first factor need not."""
+        s, h, own, after = self.statement, self.statement.prefix, self.statement.all_of(f), self.statement.all_of(rest)
+        zero = f"({h}zero_{n} {s.named([*own, *after])})"
+        text = s.everywhere.statement(rest)
+        yield f"  assert ({h}zero_{n + 1} : {s.says(rest, '=')})."
+        yield "  {"
+        yield from (f"  {line}" for line in _introduced(s, rest))
+        yield f"    destruct ({s.space}_decided ({text}) (number {s.space} 0)) as [{h}z|{h}z]; [exact {h}z|]."
+        yield f"    exfalso. apply {h}no_{n}."
+        yield f"    assert ({h}all : {s.says(f, '=')})."
+        yield f"    {{ {f'intros {s.named(own)}. ' if own else ''}exact (cancelled _ _ _ {zero} {h}z). }}"
+        yield from (f"    {line}" for line in self._alone(f, f"{h}all"))
+        yield "  }"
 
     def _where(
         self,
@@ -217,6 +267,12 @@ def vanishing(s: Statement, e: Any) -> Iterator[str]:
     """The proof that an expression vanishes since a part of it is given to."""
     (number,) = parts_given(s, e)
     yield f"  rewrite {s.prefix}given_{number}. vanishes."
+
+
+def _introduced(s: Statement, e: Any) -> list[str]:
+    """The line that names the points that stand for all, where some do."""
+    every = s.all_of(e)
+    return [f"  intros {s.named(every)}."] if every else []
 
 
 def renamed(s: Statement) -> dict[str, str]:

@@ -12,6 +12,7 @@ from math import prod
 from typing import Any
 
 from gcrules.algebra.bracket import sorted_row
+from gcrules.views.proofs.coq_expressions import Expressions
 from gcrules.views.proofs.coq_relations import denominator, relation_texts
 from gcrules.views.proofs.coq_statement import CannotWrite, Statement, combination, joined, pairs
 
@@ -63,16 +64,38 @@ class Facts:
         rewritten = " ".join(f"rewrite <- {self._named(n)}." for n in names)
         return self._new(self.says(e, sign), [f"{rewritten} exact {fact}."])
 
-    def follows(self, e: Any, because: Any, rewritten: Iterable[str], relations: Sequence[Any] = ()) -> list[str]:
-        """The proof that an expression vanishes since another one of the same value, up to relations, does."""
-        h, stated = self.statement.prefix, self.stated
+    def follows(
+        self,
+        e: Any,
+        because: Any,
+        rewritten: Iterable[str],
+        relations: Sequence[Any] = (),
+        at: Expressions | None = None,
+    ) -> list[str]:
+        """The proof that an expression vanishes since another one of the same value, up to relations, does; of points
+        that are numbered as `at` says.
+        """
+        h, stated = self.statement.prefix, at or self.stated
         separated = "; ".join(relation_texts(relations))
+        steps = "".join(f"rewrite {r}. " for r in rewritten)
         return [
             f"refine (follows_sound {self.space} {h}at {self.statement.ideal} {len(stated.points)}",
             f"  {stated.data(e)} {stated.data(because)} [{separated}] {h}ideal _ _).",
-            f"- change ({self.says(because, '=')}). {''.join(f'rewrite {r}. ' for r in rewritten)}vanishes.",
+            f"- change ({stated.side(because)} = number {self.space} 0). {steps}vanishes.",
             "- vm_cast_no_check (eq_refl true).",
         ]
+
+    def for_all(self, e: Any, because: Any, fact: str) -> Iterator[str]:
+        """The proof that an expression vanishes since it does so joined with all points, as a fact says."""
+        s, h, every = self.statement, self.statement.prefix, self.statement.all_of(because)
+        at = s.among([*s.points, *every])
+        pattern = ""
+        for p in reversed(every):
+            pattern = f"[|{s.coq[p]} {pattern or '[|]'}]"
+        yield f"refine (for_all_sound {self.space} {h}at {s.ideal} {len(s.points)} {len(every)}"
+        yield f"  {at.data(e)} {at.data(because)} {h}ideal _ _)."
+        yield f"- intros l {h}l. destruct l as {pattern}; try discriminate. exact ({fact} {s.named(every)})."
+        yield "- vm_cast_no_check (eq_refl true)."
 
     def vanishing(self, e: Any, because: Any, rewritten: Iterable[str]) -> str:
         """The fact that an expression vanishes."""
@@ -105,6 +128,8 @@ class Facts:
         if index is None:
             return self.vanishing(e, ["number", 0], [])
         because = self.statement.given[index]
+        if self.statement.all_of(because):
+            raise CannotWrite("it holds under an assumption for all points by which a point is placed")
         because = because if factor == 1 else ["product", ["number", int(factor)], because]
         given = [f"{self.statement.prefix}given_{index}"]
         return self._new(statement, self.follows(e, because, given, self._numbered(relations)))
@@ -112,7 +137,7 @@ class Facts:
     def _numbered(self, relations: Any) -> list[Any]:
         """Relations of the points that the theorem names, by the places that all points have."""
         data = self.statement.data
-        names = [*data["points"], *(p["name"] for p in data["placed"])]
+        names = [*data["points"], *data["any"], *(p["name"] for p in data["placed"])]
         place = [self.stated.place.get(n, -1) for n in names if n not in self.statement.meets]
         place += range(len(self.stated.points), len(self.stated.points) + data["rank"])  # those that close extensors
 

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from typing import Any
 
+from gcrules.algebra.expr import points_of
 from gcrules.algebra.proofs.theorem import Theorem
 from gcrules.views.proofs.coq_expressions import derived
 from gcrules.views.proofs.coq_facts import Facts
@@ -20,8 +21,8 @@ _CANCELLED = {1: "cancelled", 2: "cancelled_twice"}  # by how often a bracket is
 
 
 def adds_points(t: Theorem) -> bool:
-    """Whether the first case names points that a theorem does not name."""
-    return bool(t.cases) and not {*t.cases[0].order} <= {*t.order}
+    """Whether the first case names points that a theorem does not name, not even as those that stand for all."""
+    return bool(t.cases) and not {*t.cases[0].order} <= {*t.order, *points_of(*t.given)}
 
 
 class ScrewProof:

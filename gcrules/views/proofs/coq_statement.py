@@ -33,7 +33,8 @@ class Statement:
         self.points = [n for n in self.data["points"] if n not in fresh] + [p["name"] for p in self.placed]
         self.meets = {n: self.tree.opened(e) for n, e in self.data.get("meets", ())}
         self.own = [n for n in self.points if n not in self.meets]
-        names = [*self.points, *fresh]
+        self.any: list[str] = self.data["any"]  # stand for all points
+        names = [*self.points, *fresh, *self.any]
         self.coq = dict(zip(names, point_names(names), strict=True))
         self.prefix = "h_"
         while any(n.startswith(self.prefix) for n in self.coq.values()):
@@ -46,8 +47,7 @@ class Statement:
             [self.tree.opened(e) for e in self.data[key]] for key in ("claim", "given", "nonzero")
         )
         self.stated = self.among(self.points)
-        if self.data["any"]:
-            raise CannotWrite("it holds under an assumption for all points")
+        self.everywhere = self.among([*self.points, *self.any])
         if any(self.stated.whole(e)[1] != 1 for e in (*self.given, *self.nonzero)):
             raise CannotWrite("it holds under assumptions that have fractions")
 
@@ -61,16 +61,16 @@ class Statement:
         introduced = [f"{self.prefix}{kind}_{i}" for kind, those in assumed.items() for i in range(len(those))]
         return [
             f"Theorem {name} : forall {self.named(self.own)} : vector {self.space},",
-            *(f"  {one} ->" for those in assumed.values() for one in those),
+            *(f"  {f'({one})' if one.startswith('forall') else one} ->" for those in assumed.values() for one in those),
             f"  {sides[0]}",
             f"  = {sides[1]}.",
             "Proof.",
             f"  intros {' '.join([self.named(self.own), *introduced])}.",
         ]
 
-    def numbering(self) -> list[str]:
-        """The lines that number the points, and say which are at infinity."""
-        h, points = self.prefix, self.stated.points
+    def numbering(self, further: Iterable[str] = ()) -> list[str]:
+        """The lines that number the points, further ones behind them, and say which are at infinity."""
+        h, points = self.prefix, [*self.stated.points, *(self.coq[p] for p in further)]
         return [
             f"  pose ({h}at := fun place => nth place [{'; '.join(points)}] {points[0]}).",
             f"  assert ({h}ideal : forall i, (i < {self.ideal})%nat -> infinite {self.space} ({h}at i)).",
@@ -102,8 +102,14 @@ class Statement:
         return found
 
     def says(self, e: Any, sign: str) -> str:
-        """That an expression vanishes (=), or that it does not (<>)."""
-        return f"{self.stated.side(e)} {sign} number {self.space} 0"
+        """That an expression vanishes (=), or that it does not (<>); for all points that its points may stand for."""
+        every = self.all_of(e)
+        of_all = f"forall {self.named(every)} : vector {self.space}, " if every else ""
+        return f"{of_all}{self.everywhere.side(e)} {sign} number {self.space} 0"
+
+    def all_of(self, e: Any) -> list[str]:
+        """Those that stand for all points in an expression."""
+        return [p for p in self.any if p in self.tree.names(e)]
 
 
 class Tree:
