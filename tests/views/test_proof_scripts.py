@@ -359,8 +359,50 @@ def test_a_point_that_is_equal_to_an_expression_is_written_as_that() -> None:
     script = coq_script(with_sums()[:1], "A meet")
     assert "(p + ((number plane (-1)) · ((a ∨ b) ∧ (c ∨ d)))) = number plane 0 ->" in script
     assert "refine (equal_to plane _ _ h_1 _ _ _)." in script
-    halves = ProofFile("Halves", (assumed("[pab] == 0", r"2 p == ab /\ cd", "half a meet", rank=3),))
-    assert coq.without_script(halves) == {"half a meet": "it holds under assumptions of which fractions are used"}
+
+
+def with_fractions() -> list[Theorem]:
+    """Points that are placed by a half or a third of something, on which the claim depends in unlike degrees."""
+    middles = "x == 1/2 b + 1/2 c, y == 1/2 a + 1/2 c"
+    return [
+        assumed("[apc] == 1/2 [abc]", "p == 1/2 a + 1/2 b", "the middle", rank=3),
+        assumed("[pab] == 0", r"2 p == ab /\ cd", "half a meet", rank=3),
+        assumed(r"[axg] == 0", f"{middles}, g == 1/3 a + 1/3 b + 1/3 c", "a third", rank=3),
+        assumed(r"ax /\ by /\ cz == 0", f"{middles}, z == 1/2 a + 1/2 b", "three medians", rank=3),
+        assumed("[pcde] == 1/2 [acde] + 1/2 [bcde]", "p == 1/2 a + 1/2 b", "in space"),
+    ]
+
+
+def test_numbers_by_which_a_proof_divides_are_said_not_to_vanish() -> None:
+    script = coq_script(with_fractions(), "Fractions")
+    assert statement(script, "the_middle").split("\n")[1:3] == [
+        "  (a + b + ((number plane (-2)) · p)) = number plane 0 ->",
+        "  (number plane (2)) <> number plane 0 ->",
+    ]
+    assert "(number plane (6)) <> number plane 0 ->" in statement(script, "a_third")
+    assert " <> " not in statement(coq_script(with_sums()[:1], "A meet"), "a_meet")
+
+
+@pytest.mark.needs("coqc")
+def test_coq_replays_theorems_with_fractions(tmp_path: Path) -> None:
+    replayed(with_fractions(), "Fractions", tmp_path)
+
+
+@pytest.mark.needs("coqc")
+@pytest.mark.parametrize(
+    ("said", "instead"),
+    [
+        ("(number plane (-2)) · p", "(number plane (-3)) · p"),
+        ("(number plane (2)) <> number plane 0 ->", "(number plane (1)) <> number plane 0 ->"),
+        ("((number plane (2)) · (bracket (a ∨ p ∨ c)))", "(bracket (a ∨ p ∨ c))"),
+    ],
+    ids=["a third of it", "in a field where 2 may vanish", "another claim"],
+)
+def test_coq_refuses_a_theorem_with_another_fraction(said: str, instead: str, tmp_path: Path) -> None:
+    script = without_proofs_of_coordinates(coq_script(with_fractions()[:1], "Fractions"))
+    start = script.index("Theorem the_middle :")
+    assert said in script[start:]
+    refused(script[:start] + script[start:].replace(said, instead, 1), "Theorem the_middle :", tmp_path)
 
 
 @pytest.mark.needs("coqc")

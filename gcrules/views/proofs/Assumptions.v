@@ -67,15 +67,17 @@ Qed.
 Definition nothing (A : list term) : bool := match collected A with [] => true | _ => false end.
 
 (* closed by further points, x is y or its negative and the sum of relations *)
-Definition follows (d ideal n : nat) (x y : expression) (relations : list relation) : bool :=
+Definition follows_by (zero : list term -> bool) (d ideal n : nat) (x y : expression) (relations : list relation) :=
   let rest := flat_map (multiplied d ideal) relations in
   Nat.leb ideal n && points_below n x && points_below n y &&
-  match both (fun A B => both (fun C D => nothing (C ++ negated D ++ rest) || nothing (C ++ D ++ rest))
+  match both (fun A B => both (fun C D => zero (C ++ negated D ++ rest) || zero (C ++ D ++ rest))
                            (closed d ideal n A) (closed d ideal n B))
              (expand d ideal x) (expand d ideal y) with
   | Some (Some b) => b
   | _ => false
   end.
+
+Definition follows := follows_by nothing.
 
 Lemma closed_value : forall at_ ideal n A C, (forall i, (i < ideal)%nat -> infinite G (at_ i)) ->
   closed (rank G) ideal n A = Some C -> exists m,
@@ -151,27 +153,117 @@ Proof.
   replace (Nat.ltb (n + i) n) with false by (symmetry; apply Nat.ltb_ge; lia). f_equal. lia.
 Qed.
 
-Theorem follows_sound : forall at_ ideal n x y relations,
+Lemma follows_by_sound : forall test at_ ideal n x y relations,
+  (forall l A, test A = true -> terms_value G (extended at_ n l) A = number G 0) ->
   (forall i, (i < ideal)%nat -> infinite G (at_ i)) -> value G at_ y = number G 0 ->
-  follows (rank G) ideal n x y relations = true -> value G at_ x = number G 0.
+  follows_by test (rank G) ideal n x y relations = true -> value G at_ x = number G 0.
 Proof.
-  intros at_ ideal n x y relations Hi Y H. rewrite number_0 in *. unfold follows in H. cbv zeta in H.
+  intros test at_ ideal n x y relations HZ Hi Y H. rewrite number_0 in *. unfold follows_by in H. cbv zeta in H.
   rewrite !andb_true_iff in H. destruct H as [[[Hn Hx] Hy] H]. apply Nat.leb_le in Hn.
   destruct (expand (rank G) ideal x) as [A|] eqn:EA; [|discriminate].
   destruct (expand (rank G) ideal y) as [B|] eqn:EB; [|discriminate]. cbn [both] in H.
   destruct (closed (rank G) ideal n A) as [C|] eqn:EC; [|discriminate].
   destruct (closed (rank G) ideal n B) as [D|] eqn:ED; [|discriminate]. cbn [both] in H.
   apply (closed_everywhere at_ ideal n x A C Hi Hn Hx EA EC). intros l _.
-  pose proof (extended_below at_ n l) as He. set (e := extended at_ n l) in *.
+  specialize (HZ l). pose proof (extended_below at_ n l) as He. set (e := extended at_ n l) in *.
   assert (Hie : forall i, (i < ideal)%nat -> infinite G (e i)).
   { intros i Li. rewrite <- He by lia. apply Hi, Li. }
   assert (Z : terms_value G e D = zero G).
   { apply (closed_zero e ideal n B D Hie ED). rewrite <- (expand_value G e ideal Hie y B EB).
     rewrite <- (value_agrees G at_ e n y He Hy). exact Y. }
-  apply orb_true_iff in H. destruct H as [H|H]; apply (nothing_value e) in H;
+  apply orb_true_iff in H. destruct H as [H|H]; apply HZ in H;
     rewrite !vals_app, (relations_value G e ideal Hie relations), plus_zero_r in H.
   - rewrite negated_value, Z, scale_zero, plus_zero_r in H. exact H.
   - rewrite Z, plus_zero_r in H. exact H.
+Qed.
+
+Theorem follows_sound : forall at_ ideal n x y relations,
+  (forall i, (i < ideal)%nat -> infinite G (at_ i)) -> value G at_ y = number G 0 ->
+  follows (rank G) ideal n x y relations = true -> value G at_ x = number G 0.
+Proof.
+  intros at_ ideal n x y relations. apply follows_by_sound. intros. rewrite number_0. apply nothing_value. assumption.
+Qed.
+
+(* ---- fractions: a bracket r stands for 1 / N, and what vanishes times a power of N does *)
+
+Fixpoint repeated (x : R) (k : nat) : R := match k with O => 1 | S k' => x * repeated x k' end.
+Fixpoint repeated_whole (c : Z) (k : nat) : Z := match k with O => 1%Z | S k' => (c * repeated_whole c k')%Z end.
+
+Lemma whole_repeated : forall c k, whole (repeated_whole c k) = repeated (whole c) k.
+Proof. intros c. induction k; cbn [repeated repeated_whole]; [apply whole_1 | rewrite whole_mul, IHk; reflexivity]. Qed.
+
+Lemma repeated_one : forall x y k, x * y = 1 -> repeated x k * repeated y k = 1.
+Proof.
+  intros x y k H. induction k; cbn [repeated]; [ring|].
+  transitivity ((x * y) * (repeated x k * repeated y k)); [ring | rewrite H, IHk; ring].
+Qed.
+
+Lemma repeated_plus : forall x j k, repeated x (j + k) = repeated x j * repeated x k.
+Proof. intros x j k. induction j; cbn [repeated Nat.add]; [ring | rewrite IHj; ring]. Qed.
+
+(* how often a bracket is a factor, and the other factors *)
+Fixpoint taken (r : row) (m : list row) : nat * list row :=
+  match m with
+  | [] => (0%nat, [])
+  | s :: m' => let (k, rest) := taken r m' in
+    match compare_rows r s with Eq => (S k, rest) | _ => (k, s :: rest) end
+  end.
+
+Lemma taken_value : forall at_ r m,
+  monomial_value G at_ m = repeated (bracket_value G at_ r) (fst (taken r m)) * monomial_value G at_ (snd (taken r m)).
+Proof.
+  intros at_ r. induction m as [|s m IH]; cbn [taken]; [cbn; ring|].
+  destruct (taken r m) as [k rest]. cbn [fst snd] in IH.
+  change (monomial_value G at_ (s :: m)) with (bracket_value G at_ s * monomial_value G at_ m). rewrite IH.
+  destruct (compare_rows r s) eqn:E; [apply compare_rows_eq in E; subst s | |]; cbn [fst snd repeated]; [ring | |];
+    change (monomial_value G at_ (s :: rest)) with (bracket_value G at_ s * monomial_value G at_ rest); ring.
+Qed.
+
+Definition cleared (c : Z) (r : row) (e : nat) (t : term) : term :=
+  let '(x, m, l) := t in
+  ((x * repeated_whole c (e - fst (taken r m)))%Z, snd (taken r m), l).
+
+Fixpoint most (r : row) (A : list term) : nat :=
+  match A with [] => 0%nat | t :: A' => Nat.max (fst (taken r (snd (fst t)))) (most r A') end.
+
+Lemma cleared_value : forall at_ c r e A, whole c * bracket_value G at_ r = 1 -> (most r A <= e)%nat ->
+  terms_value G at_ (map (cleared c r e) A) = scale G (repeated (whole c) e) (terms_value G at_ A).
+Proof.
+  intros at_ c r e A H. induction A as [|[[x m] l] A IH]; intros L; [symmetry; apply scale_zero|].
+  cbn [most fst snd] in L. change (terms_value G at_ (map (cleared c r e) ((x, m, l) :: A))) with
+    (plus G (term_value G at_ (cleared c r e (x, m, l))) (terms_value G at_ (map (cleared c r e) A))).
+  change (terms_value G at_ ((x, m, l) :: A)) with (plus G (term_value G at_ (x, m, l)) (terms_value G at_ A)).
+  rewrite scale_plus, IH by lia. f_equal. cbn [cleared term_value]. rewrite <- scale_mul. f_equal.
+  rewrite (taken_value at_ r m), whole_mul, whole_repeated. set (k := fst (taken r m)) in *.
+  replace (repeated (whole c) e) with (repeated (whole c) (e - k) * repeated (whole c) k)
+    by (rewrite <- repeated_plus; f_equal; lia).
+  pose proof (repeated_one _ _ k H) as O.
+  transitivity (whole x * repeated (whole c) (e - k) * monomial_value G at_ (snd (taken r m))
+    * (repeated (whole c) k * repeated (bracket_value G at_ r) k)); [rewrite O; ring | ring].
+Qed.
+
+Definition nothing_in_fractions (c : Z) (r : row) (A : list term) : bool := nothing (map (cleared c r (most r A)) A).
+
+Lemma nothing_in_fractions_value : forall at_ c r A, whole c * bracket_value G at_ r = 1 ->
+  nothing_in_fractions c r A = true -> terms_value G at_ A = zero G.
+Proof.
+  intros at_ c r A H Z. apply (nothing_value at_) in Z. rewrite (cleared_value at_ c r _ A H) in Z by lia.
+  rewrite <- (scale_1 G (terms_value G at_ A)), <- (repeated_one _ _ (most r A) H).
+  replace (repeated (whole c) (most r A) * repeated (bracket_value G at_ r) (most r A))
+    with (repeated (bracket_value G at_ r) (most r A) * repeated (whole c) (most r A)) by ring.
+  rewrite scale_mul, Z. apply scale_zero.
+Qed.
+
+Definition follows_in_fractions (c : Z) (r : row) := follows_by (nothing_in_fractions c r).
+
+Theorem follows_in_fractions_sound : forall c r at_ ideal n x y relations,
+  whole c * bracket_value G at_ r = 1 -> forallb (fun i => Nat.ltb i n) r = true ->
+  (forall i, (i < ideal)%nat -> infinite G (at_ i)) -> value G at_ y = number G 0 ->
+  follows_in_fractions c r (rank G) ideal n x y relations = true -> value G at_ x = number G 0.
+Proof.
+  intros c r at_ ideal n x y relations H L. apply follows_by_sound. intros l A. rewrite number_0.
+  apply nothing_in_fractions_value. rewrite <- H. f_equal. unfold bracket_value, W. do 2 f_equal.
+  apply map_ext_in. intros i I. symmetry. apply extended_below. rewrite forallb_forall in L. apply Nat.ltb_lt, L, I.
 Qed.
 
 (* closed by k further points, x is y or its negative, in which these points have numbers from n on *)
@@ -778,6 +870,36 @@ Proof.
   - rewrite plus_assoc, H. apply plus_zero.
   - rewrite <- (scale_1 G W) at 2. rewrite <- scale_add. rewrite <- whole_1, <- whole_add.
     change (-1 + 1)%Z with 0%Z. rewrite whole_0. apply scale_0.
+Qed.
+
+(* ---- fractions *)
+
+Theorem replay_in_fractions : forall (G : geometry) c r at_ ideal n x y places relations,
+  whole c * bracket_value G at_ r = 1 -> forallb (fun i => Nat.ltb i n) r = true ->
+  (forall i, (i < ideal)%nat -> infinite G (at_ i)) -> placed G at_ places ->
+  follows_in_fractions c r (rank G) ideal n (Sum (all_put places x) (Join (Number (-1)) (all_put places y))) (Number 0)
+    relations = true ->
+  value G at_ x = value G at_ y.
+Proof.
+  intros G c r at_ ideal n x y places relations Hc L Hi Hp H.
+  apply (follows_in_fractions_sound G c r at_ ideal n _ (Number 0) _ Hc L Hi (eq_refl _)) in H. cbn [value] in H.
+  rewrite !(all_put_value G at_ places _ Hp) in H. exact (equal_to G _ _ H _ _ (fun e => e)).
+Qed.
+
+Lemma plane_inverse : forall c, number plane c <> number plane 0 ->
+  exists s : vector plane, whole c * top plane (span plane [s; plane_2; plane_3]) = 1.
+Proof.
+  intros c H. exists (plane_scalar (inverse (whole c))).
+  assert (N : whole c <> 0). { intros Z. apply H. unfold number. rewrite Z, whole_0. reflexivity. }
+  rewrite <- (inverse_left _ N). cbn. ring.
+Qed.
+
+Lemma space_inverse : forall c, number space c <> number space 0 ->
+  exists s : vector space, whole c * top space (span space [s; space_2; space_3; space_4]) = 1.
+Proof.
+  intros c H. exists (space_scalar (inverse (whole c))).
+  assert (N : whole c <> 0). { intros Z. apply H. unfold number. rewrite Z, whole_0. reflexivity. }
+  rewrite <- (inverse_left _ N). cbn. ring.
 Qed.
 
 (* ---- points on two lines of space that meet: E ∨ a is a plane through the line E *)

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
+from fractions import Fraction
 from functools import lru_cache
 from itertools import chain, product
 from math import lcm
@@ -23,7 +24,7 @@ from gcrules.core.errors import LimitReached
 from gcrules.views.proofs.coq_expressions import derived, multiple
 from gcrules.views.proofs.coq_facts import NO_RULE, Facts
 from gcrules.views.proofs.coq_relations import denominator, written_relations
-from gcrules.views.proofs.coq_statement import CannotWrite, Statement, combination, joined, pairs
+from gcrules.views.proofs.coq_statement import CannotWrite, Statement, Tree, combination, joined, pairs
 
 __all__ = ["AssumedProof", "assumed_proof"]
 
@@ -52,6 +53,19 @@ def _aligned(t: Theorem) -> Theorem:
     return t if placed == t.placed else with_roles(replace(t, placed=placed), {})
 
 
+def _divided_by(t: Theorem) -> int:
+    """A whole number by which the places of points, and the reasons for these, are whole."""
+    data = t.to_json()
+    becauses = [p["equal"] for p in data["placed"] if "equal" in p]
+    becauses += [b for p in data["placed"] for flat in p["flats"] for b in flat["because"]]
+    tree = Tree(data)
+    numbers = [x for p in data["placed"] for x in tree.numbers(tree.opened(p["on"]))]
+    numbers += [Fraction(b[1]) for b in becauses if b]
+    relations = [r for b in becauses for rs in b[2:] for r in rs]
+    found = lcm(*(x.denominator for x in numbers), denominator(relations))
+    return lcm(found, denominator(data["relations"])) if found > 1 else 1
+
+
 class AssumedProof:
     """The proof of one theorem under assumptions."""
 
@@ -61,7 +75,7 @@ class AssumedProof:
         ):
             raise CannotWrite("it holds under assumptions that place a point together")
         t = _aligned(t)
-        self.statement = s = Statement(t)
+        self.statement = s = Statement(t, _divided_by(t))
         self.facts = Facts(s)
         self.steps: list[_Step] = []
         parts = 0
@@ -216,7 +230,7 @@ class _Variant:
         data = with_roles(t, roles).to_json() if roles else s.data
         placed = [roles.get(step.name, step.name) for step in steps]
         free, scalars = data["points"], [x for step in steps for x in step.scalars]
-        self.at = s.among([*free, *scalars, *s.units, *placed])
+        self.at = s.among([*free, *scalars, *s.inverse, *s.units, *placed])
         units = [self.at.place[u] for u in s.units]
         behind = len(self.at.points) - len(free)
 
@@ -230,6 +244,7 @@ class _Variant:
             [row(first), row(second), count, [[c, *sorted(map(row, rows))] for c, *rows in multiplier]]
             for first, second, count, multiplier in data["relations"]
         ]
+        self.relations = s.whole_relations(self.relations, self.at)
         self.denominator = denominator(self.relations)
         self.places = [
             (self.at.place[by], self.at.data(step.in_role(by, s.rank)))
@@ -249,9 +264,13 @@ class _Variant:
         """The lines that replay the claim."""
         s, points, parts = self.statement, self.at.points, ("left", "right", "places", "relations")
         on = pairs([f"{s.prefix}on_{n}" for n in reversed(range(len(self.places)))])
+        lemma, divided = f"replay_placed {s.space}", ""
+        if s.inverse:
+            lemma = f"replay_in_fractions {s.space} {s.number} [{'; '.join(map(str, s.row(self.at)))}]"
+            divided = f"{s.prefix}half (eq_refl true) "
         return [
-            f"  refine (replay_placed {s.space} (fun place => nth place [{'; '.join(points)}] {points[0]}) {s.ideal}",
-            f"    {len(points)} {' '.join(derived(name, part) for part in parts)} _ {on} _).",
+            f"  refine ({lemma} (fun place => nth place [{'; '.join(points)}] {points[0]}) {s.ideal}",
+            f"    {len(points)} {' '.join(derived(name, part) for part in parts)} {divided}_ {on} _).",
             "  - let n := fresh in let below := fresh in intros n below;",
             f"    do {s.ideal} (destruct n as [|n]; [assumption|]); lia.",
             "  - vm_cast_no_check (eq_refl true).",

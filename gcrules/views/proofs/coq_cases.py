@@ -70,7 +70,7 @@ class CasesProof:
             part = cases_proof(case)
             if isinstance(part, str):
                 raise CannotWrite(f"of its cases one has no script: {part}")
-            if part.factor != 1:
+            if part.factor != 1 or part.statement.inverse:
                 raise CannotWrite("it is proved in cases that have fractions")
             self.parts.append(part)
 

@@ -41,6 +41,7 @@ class Expressions:
         self.points = point_names(t["points"])
         self.place = {p: i for i, p in enumerate(t["points"])}
         self.factors: dict[str, int] = {}
+        self.inverse: tuple[int, str] | None = None  # a number and the point that is a bracket 1 / number
         self.definitions: list[tuple[str, Any]] = []
         for n, e in t["definitions"]:
             found, factor = self.whole(e)
@@ -67,6 +68,14 @@ class Expressions:
             factor *= further
         return [kind, *(part for part, _ in found)], factor
 
+    def fraction(self, e: Any) -> Any:
+        """A number that is no whole one as a whole one times a bracket; any other as it is."""
+        if self.inverse is None or Fraction(e[1]).denominator == 1:
+            return e
+        number, point = self.inverse
+        units = [f"unit {i}" for i in range(2, self.rank + 1)]
+        return ["product", ["number", int(Fraction(e[1]) * number)], ["bracket", point, *units]]
+
     def plain(self, e: Any) -> Any:
         """A superbracket as what it is: on a line one bracket, in the plane the meet of three lines."""
         instead = {2: "bracket", 3: "meet"}.get(self.rank)
@@ -76,7 +85,7 @@ class Expressions:
         """An expression on points."""
         if isinstance(e, str):
             return self.points[self.place[e]] if e in self.place else defined(e)
-        kind, *parts = self.plain(e)
+        kind, *parts = self.plain(self.fraction(e) if e[0] == "number" else e)
         if kind == "number":
             return f"(number {geometry(self.rank)} ({parts[0]}))"
         if kind == "power":
@@ -97,7 +106,7 @@ class Expressions:
         """An expression as it is computed with."""
         if isinstance(e, str):
             return f"(Point {self.place[e]})" if e in self.place else derived(self.name, defined(e))
-        kind, *parts = self.plain(e)
+        kind, *parts = self.plain(self.fraction(e) if e[0] == "number" else e)
         if kind == "number":
             return f"(Number ({parts[0]}))"
         if kind == "power":

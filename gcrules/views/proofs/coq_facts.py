@@ -13,7 +13,7 @@ from typing import Any
 
 from gcrules.algebra.bracket import sorted_row
 from gcrules.views.proofs.coq_expressions import Expressions
-from gcrules.views.proofs.coq_relations import denominator, relation_texts
+from gcrules.views.proofs.coq_relations import relation_texts
 from gcrules.views.proofs.coq_statement import CannotWrite, Statement, combination, joined, pairs
 
 __all__ = ["NO_RULE", "Facts"]
@@ -78,9 +78,14 @@ class Facts:
         h, stated = self.statement.prefix, at or self.stated
         separated = "; ".join(relation_texts(relations))
         steps = "".join(f"rewrite {r}. " for r in rewritten)
+        lemma, given = f"follows_sound {self.space}", ""
+        if self.statement.inverse:
+            row = "; ".join(map(str, self.statement.row(stated)))
+            lemma = f"follows_in_fractions_sound {self.space} {self.statement.number} [{row}]"
+            given = f"{h}half (eq_refl true) "
         return [
-            f"refine (follows_sound {self.space} {h}at {self.statement.ideal} {len(stated.points)}",
-            f"  {stated.data(e)} {stated.data(because)} [{separated}] {h}ideal _ _).",
+            f"refine ({lemma} {h}at {self.statement.ideal} {len(stated.points)}",
+            f"  {stated.data(e)} {stated.data(because)} [{separated}] {given}{h}ideal _ _).",
             f"- change ({stated.side(because)} = number {self.space} 0). {steps}vanishes.",
             "- vm_cast_no_check (eq_refl true).",
         ]
@@ -120,8 +125,6 @@ class Facts:
         statement, factor = self.says(e, "="), Fraction(number)
         if statement in self.known:
             return self.known[statement]
-        if factor.denominator != 1 or denominator(relations) != 1:
-            raise CannotWrite("it holds under assumptions of which fractions are used")
         opened = self.statement.written_out(e)
         if opened != e:
             return self._of_auxiliary(e, "=", self.multiple_of_given(opened, index, number, relations))
@@ -130,7 +133,7 @@ class Facts:
         because = self.statement.given[index]
         if self.statement.all_of(because):
             raise CannotWrite("it holds under an assumption for all points by which a point is placed")
-        because = because if factor == 1 else ["product", ["number", int(factor)], because]
+        because = because if factor == 1 else ["product", ["number", str(factor)], because]
         given = [f"{self.statement.prefix}given_{index}"]
         return self._new(statement, self.follows(e, because, given, self._numbered(relations)))
 
@@ -153,6 +156,7 @@ class Facts:
             [row(first), row(second), count, [term(*one) for one in multiplier]]
             for first, second, count, multiplier in relations
         ]
+        found = self.statement.whole_relations(found, self.stated)
         self.relations += found
         return found
 
@@ -222,7 +226,7 @@ class Facts:
     def _otherwise(self, e: Any, other: Any) -> bool:
         """Whether the same extensors have sums, and meets that stand in another sequence, which no script compares."""
         keys = (self.tree.key(x, turned=False) for x in (e, other))
-        return "'sum'" in str(e) and len({*keys}) > 1
+        return len({*keys}) > 1
 
     def not_zero(self, e: Any) -> str | None:
         """The fact that an expression does not vanish, as a part of something that does not; None where it is none."""

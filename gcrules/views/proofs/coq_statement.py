@@ -24,7 +24,9 @@ class CannotWrite(Exception):
 class Statement:
     """A theorem under assumptions with the names that its points have in Coq; definitions are written out."""
 
-    def __init__(self, t: Theorem) -> None:
+    def __init__(self, t: Theorem, number: int = 1) -> None:
+        """With the inverse of a whole number, where the proof divides by this."""
+        self.number = number
         self.data = t.to_json() if t.given else t.to_json(anywhere=[])
         self.rank, self.space, self.ideal = t.rank, geometry(t.rank), t.ideal
         self.tree = Tree(self.data)
@@ -39,6 +41,8 @@ class Statement:
         self.prefix = "h_"
         while any(n.startswith(self.prefix) for n in self.coq.values()):
             self.prefix = f"h{self.prefix}"
+        self.inverse = ["the inverse"] if number > 1 else []
+        self.coq |= dict.fromkeys(self.inverse, f"{self.prefix}inverse")
         self.units = [f"unit {i}" for i in range(2, self.rank + 1)]
         self.coq |= {f"unit {i}": f"{self.space}_{i}" for i in range(2, self.rank + 1)}
         if sum(self.tree.size(e) for key in ("claim", "given", "nonzero") for e in self.data[key]) > _LONGEST:
@@ -46,8 +50,9 @@ class Statement:
         self.claim, self.given, self.nonzero = (
             [self.tree.opened(e) for e in self.data[key]] for key in ("claim", "given", "nonzero")
         )
-        self.stated = self.among(self.points)
-        self.everywhere = self.among([*self.points, *self.any])
+        divided = [*self.inverse, *self.units] if self.inverse else []
+        self.stated = self.among([*self.points, *divided])
+        self.everywhere = self.among([*self.points, *self.any, *divided])
         if any(self.stated.whole(e)[1] != 1 for e in (*self.given, *self.nonzero)):
             raise CannotWrite("it holds under assumptions that have fractions")
 
@@ -57,6 +62,7 @@ class Statement:
             "infinite": [f"infinite {self.space} {p}" for p in self.stated.points[: self.ideal]],
             "given": [self.says(e, "=") for e in self.given],
             "nonzero": [self.says(e, "<>") for e in self.nonzero],
+            "number": [self.says(["number", self.number], "<>") for _ in self.inverse],
         }
         introduced = [f"{self.prefix}{kind}_{i}" for kind, those in assumed.items() for i in range(len(those))]
         return [
@@ -66,6 +72,10 @@ class Statement:
             f"  = {sides[1]}.",
             "Proof.",
             f"  intros {' '.join([self.named(self.own), *introduced])}.",
+            *(
+                f"  destruct ({self.space}_inverse _ {self.prefix}number_0) as [{self.coq[i]} {self.prefix}half]."
+                for i in self.inverse
+            ),
         ]
 
     def numbering(self, further: Iterable[str] = ()) -> list[str]:
@@ -84,6 +94,22 @@ class Statement:
             return self.meets.get(e, e)
         return e if e[0] == "number" else [e[0], *(x if isinstance(x, int) else self.written_out(x) for x in e[1:])]
 
+    def row(self, at: Expressions) -> list[int]:
+        """The bracket that is the inverse of the number by which the proof divides."""
+        return [at.place[p] for p in (*self.inverse, *self.units)]
+
+    def whole_relations(self, relations: Iterable[Any], at: Expressions) -> list[Any]:
+        """Relations with whole coefficients, where the proof divides by a number times its inverse."""
+        if not self.inverse:
+            return list(relations)
+
+        def term(c: Any, *rows: list[int]) -> list[Any]:
+            if Fraction(c).denominator == 1:
+                return [c, *rows]
+            return [Fraction(c) * self.number, *sorted([*rows, self.row(at)])]
+
+        return [[*first, [term(*one) for one in multiplier]] for *first, multiplier in relations]
+
     def scalar(self, number: object) -> str:
         """The point of which a scalar is a coordinate."""
         name = f"scalar {number}"
@@ -99,6 +125,7 @@ class Statement:
         found = Expressions("", {"rank": self.rank, "points": [], "definitions": []})
         found.points = [self.coq[p] for p in points]
         found.place = {p: i for i, p in enumerate(points)}
+        found.inverse = (self.number, self.inverse[0]) if self.inverse else None
         return found
 
     def says(self, e: Any, sign: str) -> str:
@@ -187,6 +214,13 @@ class Tree:
         if isinstance(e, str):
             return {e}
         return set() if e[0] == "number" else {n for p in e[1:] if not isinstance(p, int) for n in self.names(p)}
+
+    def numbers(self, e: Any) -> list[Fraction]:
+        """The numbers that occur."""
+        if isinstance(e, str):
+            return []
+        inside = (p for p in e[1:] if isinstance(p, list))
+        return [Fraction(e[1])] if e[0] == "number" else [x for p in inside for x in self.numbers(p)]
 
     def parts(self, e: Any) -> list[Any]:
         """An expression and the parts of it that are not zero where it is not."""
