@@ -15,7 +15,7 @@ those that are sought have few factors.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from itertools import chain, combinations, combinations_with_replacement, islice
+from itertools import chain, combinations, combinations_with_replacement, count, islice
 
 from gcrules.algebra.assumptions.construction import Construction
 from gcrules.algebra.bracket import tableau_order
@@ -50,13 +50,15 @@ def by_multiples(
     at_infinity = tuple(ideal)
     named = points_of(left, right, *given, *nonzero)
     points = tableau_order(named, (), at_infinity)
-    count = sum(n in at_infinity for n in points)
-    closing = [primed(f"y{i}", {*points}.__contains__) for i in range(1, rank)]
+    number = sum(n in at_infinity for n in points)
     written, difference = Sum((left, Product((Number(-1), right)))), difference_of(left, right, rank)
     known = [n for n in nonzero if {*points_of(n)} <= {*own, *points_of(*equations)}]
     for factors, exponent in _products(known):
-        alive = [_closed(n, closing, rank) for n in factors]
-        whole = mul(*alive, *[_closed(difference, closing, rank)] * exponent)
+        further = (primed(f"y{i}", {*points}.__contains__) for i in count(1))
+        closed = [[*islice(further, (rank - e.step) % rank)] for e in (*factors, *[difference] * exponent)]
+        alive = [_closed(n, ends) for n, ends in zip(factors, closed, strict=False)]
+        whole = mul(*alive, *(_closed(difference, ends) for ends in closed[len(factors) :]))
+        closing = [n for ends in closed for n in ends]
         parts = [part for g in equations for part in _closings(g, (*points_of(whole), *points_of(g)), rank)]
         try:
             found = multipliers(whole, parts, rank, at_infinity)
@@ -64,11 +66,11 @@ def by_multiples(
                 continue
             terms = [Product((m, part)) for m, part in zip(found, parts, strict=True) if m != Number(0)]
             c = Construction(rank, (*points, *closing), tuple(n for n in points if n in at_infinity))
-            product = Product((*alive, *[_closed(written, closing, rank)] * exponent))
+            product = _nested([*alive, *(_closed(written, ends) for ends in closed[len(factors) :])])
             lemma = placed_theorem(f"{name}, times what does not vanish", Sum(tuple(terms)), product, c, ())
         except (EngineFault, InputError, LimitReached):
             continue
-        return Theorem(name, rank, left, right, points, count, (), tuple(equations), tuple(nonzero), cases=(lemma,))
+        return Theorem(name, rank, left, right, points, number, (), tuple(equations), tuple(nonzero), cases=(lemma,))
     return None
 
 
@@ -84,9 +86,15 @@ def _scalar(e: Expr) -> Expr:
     return Bracket(e.args if isinstance(e, Join) else (e,))
 
 
-def _closed(e: Expr, points: Sequence[str], rank: int) -> Expr:
-    """The bracket of an extensor with as many of some points as it lacks; a scalar as it is."""
-    return Bracket((e, *map(Point, points[: rank - e.step]))) if e.step else e
+def _nested(factors: Sequence[Expr]) -> Expr:
+    """A product as one factor times the product of the others."""
+    first, *others = factors
+    return Product((first, _nested(others))) if others else first
+
+
+def _closed(e: Expr, points: Sequence[str]) -> Expr:
+    """The bracket of an extensor with further points; a scalar as it is."""
+    return Bracket((e, *map(Point, points))) if points else e
 
 
 def _closings(e: Expr, points: Iterable[str], rank: int) -> Iterator[Expr]:

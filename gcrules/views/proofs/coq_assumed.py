@@ -55,7 +55,7 @@ def _aligned(t: Theorem) -> Theorem:
 
 def _divided_by(t: Theorem) -> int:
     """A whole number by which the places of points, and the reasons for these, are whole."""
-    data = t.to_json()
+    data = t.to_json() if t.given else t.to_json(anywhere=[])
     becauses = [p["equal"] for p in data["placed"] if "equal" in p]
     becauses += [b for p in data["placed"] for flat in p["flats"] for b in flat["because"]]
     tree = Tree(data)

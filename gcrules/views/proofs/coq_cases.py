@@ -13,8 +13,9 @@ from gcrules.algebra.proofs.theorem import Theorem
 from gcrules.views.proofs.coq_assumed import AssumedProof, assumed_proof
 from gcrules.views.proofs.coq_expressions import derived
 from gcrules.views.proofs.coq_facts import Facts
-from gcrules.views.proofs.coq_screws import ScrewProof, adds_points
-from gcrules.views.proofs.coq_statement import CannotWrite, Statement, joined
+from gcrules.views.proofs.coq_screws import ScrewProof, is_about_screw
+from gcrules.views.proofs.coq_statement import CannotWrite, Statement
+from gcrules.views.proofs.coq_sums import SumProof, is_sum, nested
 
 __all__ = ["Proof", "cases_proof"]
 
@@ -27,8 +28,10 @@ def cases_proof(t: Theorem) -> Proof | str:
     try:
         if t.at_once:
             return PartProof(t)
-        if adds_points(t):
+        if is_about_screw(t):
             return ScrewProof(t, cases_proof)
+        if is_sum(t):
+            return SumProof(t, cases_proof)
         return FactorsProof(t) if t.split is None else SplitProof(t)
     except CannotWrite as why:
         return str(why)
@@ -154,18 +157,12 @@ class FactorsProof(CasesProof):
             raise CannotWrite("it is proved in cases of several factors that are sums")
         self.factors = [*brackets, *others]
         named = [p for f in self.factors for p in s.all_of(f)]
-        if len({*named}) < len(named) or any(s.all_of(self._for_all(f)) for f in self.factors):
+        if len({*named}) < len(named) or any(s.all_of(s.for_all(f)) for f in self.factors):
             raise CannotWrite("it is proved in cases of which factors are not those of joins with all points")
-
-    def _for_all(self, factor: Any) -> Any:
-        """Of a bracket that vanishes for all of some points the join of the others, which does, too."""
-        every = self.statement.all_of(factor)
-        rest = [p for p in factor[1:] if p not in every]
-        return joined(rest) if every and factor[0] == "bracket" and rest else factor
 
     def _together(self, names: Sequence[str]) -> Iterator[str]:
         s, h = self.statement, self.statement.prefix
-        whole, case = joined_product(self.factors), self.parts[0].statement
+        whole, case = nested(self.factors), self.parts[0].statement
         every = [p for p in s.any if p in {*s.all_of(["sum", self.left, self.product]), *case.own}]
         yield from s.numbering()
         yield f"  assert ({h}left : {s.says(self.left, '=')})."
@@ -194,11 +191,11 @@ class FactorsProof(CasesProof):
         """Of each factor, that it vanishes and what follows; or that the rest does."""
         s, h = self.statement, self.statement.prefix
         texts = [s.stated.statement(e) for e in s.nonzero]
-        listed = (self._for_all(e) for e in s.tree.args(self.product, "product") if e[0] != "number")
+        listed = (self.statement.for_all(e) for e in s.tree.args(self.product, "product") if e[0] != "number")
         open_ones = [f for f in dict.fromkeys(map(s.stated.statement, listed)) if f not in texts]
         known = dict(zip(open_ones, zip(self.parts[1:], names[1:], strict=True), strict=True))
         for n, f in enumerate(self.factors):
-            alone, rest = self._for_all(f), self.factors[n + 1 :]
+            alone, rest = self.statement.for_all(f), self.factors[n + 1 :]
             end = self._where(s.stated.statement(alone), texts, known, f"{h}factor_{n}")
             if not rest:
                 yield f"  assert ({h}factor_{n} : {s.says(alone, '=')})."
@@ -208,9 +205,9 @@ class FactorsProof(CasesProof):
                 ways = f"[{h}factor_{n}|{h}no_{n}]"
                 yield f"  destruct ({s.space}_decided {s.stated.side(alone)} (number {s.space} 0)) as {ways}."
                 yield f"  {{ {end} }}"
-                yield from self._rest(n, f, joined_product(rest))
+                yield from self._rest(n, f, nested(rest))
             else:
-                after = s.stated.statement(joined_product(rest))
+                after = s.stated.statement(nested(rest))
                 ways = f"[{h}zero_{n + 1} | {h}rest_{n}]"
                 yield f"  destruct ({s.space}_decided ({after}) (number {s.space} 0)) as {ways}."
                 yield "  2: {"
@@ -220,7 +217,7 @@ class FactorsProof(CasesProof):
 
     def _alone(self, factor: Any, fact: str) -> Iterator[str]:
         """The proof that what is left of a factor without all points vanishes, by the fact that the factor does."""
-        alone = self._for_all(factor)
+        alone = self.statement.for_all(factor)
         yield from [f"exact {fact}."] if alone == factor else self.facts.for_all(alone, factor, fact)
 
     def _rest(self, n: int, f: Any, rest: Any) -> Iterator[str]:
@@ -252,7 +249,7 @@ class FactorsProof(CasesProof):
         return self._closed(name, part)
 
 
-Proof = CasesProof | AssumedProof | PartProof | ScrewProof
+Proof = CasesProof | AssumedProof | PartProof | ScrewProof | SumProof
 
 
 def parts_given(s: Statement, e: Any) -> list[int]:
@@ -278,9 +275,3 @@ def _introduced(s: Statement, e: Any) -> list[str]:
 def renamed(s: Statement) -> dict[str, str]:
     """The points that have other names in Coq."""
     return {p: s.coq[p] for p in s.own if s.coq[p] != p}
-
-
-def joined_product(factors: Sequence[Any]) -> Any:
-    """A product as one factor times the product of the others."""
-    first, *others = factors
-    return ["product", first, joined_product(others)] if others else first

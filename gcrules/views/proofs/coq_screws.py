@@ -9,20 +9,23 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from typing import Any
 
-from gcrules.algebra.expr import points_of
+from gcrules.algebra.expr import Bracket, Join
 from gcrules.algebra.proofs.theorem import Theorem
 from gcrules.views.proofs.coq_expressions import derived
 from gcrules.views.proofs.coq_facts import Facts
 from gcrules.views.proofs.coq_statement import CannotWrite, Statement
 
-__all__ = ["ScrewProof", "adds_points"]
+__all__ = ["ScrewProof", "is_about_screw"]
 
 _CANCELLED = {1: "cancelled", 2: "cancelled_twice"}  # by how often a bracket is a factor
 
 
-def adds_points(t: Theorem) -> bool:
-    """Whether the first case names points that a theorem does not name, not even as those that stand for all."""
-    return bool(t.cases) and not {*t.cases[0].order} <= {*t.order, *points_of(*t.given)}
+def is_about_screw(t: Theorem) -> bool:
+    """Whether by its one case the bracket of a screw vanishes with the first of what does not vanish."""
+    if len(t.cases) != 1:
+        return False
+    first, away = (some[0] if some else None for some in (t.given, t.nonzero))
+    return isinstance(first, Bracket) and isinstance(away, Join) and first.args[:-1] == away.args
 
 
 class ScrewProof:

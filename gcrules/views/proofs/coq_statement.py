@@ -24,8 +24,10 @@ class CannotWrite(Exception):
 class Statement:
     """A theorem under assumptions with the names that its points have in Coq; definitions are written out."""
 
-    def __init__(self, t: Theorem, number: int = 1) -> None:
-        """With the inverse of a whole number, where the proof divides by this."""
+    def __init__(self, t: Theorem, number: int = 1, further: Sequence[str] = ()) -> None:
+        """With the inverse of a whole number, where the proof divides by this, and with further points that stand for
+        all.
+        """
         self.number = number
         self.data = t.to_json() if t.given else t.to_json(anywhere=[])
         self.rank, self.space, self.ideal = t.rank, geometry(t.rank), t.ideal
@@ -35,7 +37,7 @@ class Statement:
         self.points = [n for n in self.data["points"] if n not in fresh] + [p["name"] for p in self.placed]
         self.meets = {n: self.tree.opened(e) for n, e in self.data.get("meets", ())}
         self.own = [n for n in self.points if n not in self.meets]
-        self.any: list[str] = self.data["any"]  # stand for all points
+        self.any: list[str] = [*self.data["any"], *further]  # stand for all points
         names = [*self.points, *fresh, *self.any]
         self.coq = dict(zip(names, point_names(names), strict=True))
         self.prefix = "h_"
@@ -133,6 +135,12 @@ class Statement:
         every = self.all_of(e)
         of_all = f"forall {self.named(every)} : vector {self.space}, " if every else ""
         return f"{of_all}{self.everywhere.side(e)} {sign} number {self.space} 0"
+
+    def for_all(self, factor: Any) -> Any:
+        """Of a bracket that vanishes for all of some points the join of the others, which does, too."""
+        every = self.all_of(factor)
+        rest = [p for p in factor[1:] if p not in every]
+        return joined(rest) if every and factor[0] == "bracket" and rest else factor
 
     def all_of(self, e: Any) -> list[str]:
         """Those that stand for all points in an expression."""
