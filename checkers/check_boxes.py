@@ -144,7 +144,7 @@ def words(robot, q, counts, unseen, share, number, digest):
 
 
 def main():
-    return answered("Prove the boxes of gcrules map boxes again.", checked, FORMAT)
+    return answered("Prove the boxes of gcrules map boxes again.", checked, (FORMAT,))
 
 
 if __name__ == "__main__":

@@ -201,7 +201,7 @@ def shown(c):
 
 
 def main():
-    return answered("Prove a region of gcrules free again.", checked, JOINTS, MOST)
+    return answered("Prove a region of gcrules free again.", checked, (JOINTS,), MOST)
 
 
 if __name__ == "__main__":

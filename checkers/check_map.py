@@ -17,7 +17,8 @@ A pose moves each point p of the platform to R (p - c) + c + t. It is singular w
   quarter turns, values at nodes are exact.
 
 Of a robot of joints it takes closed forms of the limbs, and decides which cells home's working mode reaches without a
-singular pose, or does not reach: `map_joints.py` says how.
+singular pose, or does not reach: `map_joints.py` says how. Over the amounts of its actuators it closes the loops of the
+joints, or holds the rods' lengths: `map_actuators.py` says how.
 
 Exit codes: 0 all cells are as the file says, and none is undecided; 1 one is not; 2 the file is no certificate of a map
 that is known here, or names another digest; 3 cells are undecided, by the file or here, the others are as it says.
@@ -30,6 +31,7 @@ import sys
 from itertools import product
 
 from certificate_bounds import Refused
+from map_actuators import DRIVEN, checked_driven
 from map_cells import counted, listed_cells, named
 from map_files import answered, check_digest
 from map_joints import FORMAT, checked_joints
@@ -40,6 +42,7 @@ from map_turns import Turned
 WORDS = {"f": "free", "x": "crossed", "u": "undecided"}
 DEPTH = {True: 14, False: 6}  # halvings of a cell, where the determinant is a polynomial and where not
 PARTS = {True: 3_000, False: 600}  # of a cell at once
+OF_JOINTS = {FORMAT: checked_joints, DRIVEN: checked_driven}
 
 
 def status(one, cell, is_exact):
@@ -95,8 +98,8 @@ def cells_of(one, shape, is_exact, say=None):
 
 def checked(data, say=None):
     """What is proved, in words, and how many cells are left undecided, by the file or here. Raises Refused."""
-    if data.get("format") == FORMAT:
-        return checked_joints(data, say)
+    if data.get("format") in OF_JOINTS:
+        return OF_JOINTS[data["format"]](data, say)
     s = Slice(data)
     check_digest(data)
     counts = counted(listed_cells(data["cells"], s.shape, WORDS), data["claim"], WORDS)
@@ -144,7 +147,7 @@ def checked(data, say=None):
 
 
 def main():
-    return answered("Recompute the cells of a map of gcrules.", checked, FORMAT)
+    return answered("Recompute the cells of a map of gcrules.", checked, tuple(OF_JOINTS))
 
 
 if __name__ == "__main__":

@@ -33,8 +33,8 @@ def check_digest(data):
     expect(data["digest"] == hashlib.sha256(text.encode()).hexdigest(), "it names another digest")
 
 
-def read(name, of_joints):
-    """The contents of a file; only the format `of_joints` has numbers that are not whole. Raises Malformed."""
+def read(name, of_joints=()):
+    """The contents of a file; only the formats `of_joints` have numbers that are not whole. Raises Malformed."""
     with open(name, "rb") as file:
         data = file.read(MOST_BYTES + 1)
     if data[:2] == b"\x1f\x8b":
@@ -45,7 +45,7 @@ def read(name, of_joints):
     except Refused:
         raise Malformed("a name twice, or a number that is none") from None
     expect(isinstance(found, dict), "no certificate")
-    expect(found.get("format") == of_joints or not has_float(found), "a number is not whole")
+    expect(found.get("format") in of_joints or not has_float(found), "a number is not whole")
     return found
 
 
@@ -61,7 +61,7 @@ def has_float(value):
     return isinstance(value, float) or any(map(has_float, inner))
 
 
-def answered(words, checked, of_joints=None, most=None):
+def answered(words, checked, of_joints=(), most=None):
     """The exit code of a program that is called with a file, whose answer it prints: `checked` gives it in words, with
     a number that is not 0 where a part is not decided. With `most` it takes --most N too.
     """

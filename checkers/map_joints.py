@@ -30,6 +30,11 @@ from map_slice import MOST_CELLS, Axis, Malformed, exact, expect
 
 FORMAT = "gcrules map certificate of joints 1"
 WORDS = {"f": "free", "x": "crossed", "u": "undecided", "o": "outside"}
+MEANS = (
+    "free: home's working mode reaches all poses, and none is singular; crossed: some pose of it is singular",
+    "outside: a corner is not reached in home's working mode; the cells cover the slice",
+    "in floats, with bounds of all that they leave out; recomputed, not proved in Coq; limits are not considered",
+)
 FOUND = {**WORDS, "o": "not reached in a part of it", "r": "reached at all its corners"}
 KEYS = {"format", "made by", "title", "question", "geometry", "cells", "claim", "digest"}
 ASKED = {"robot", "about", "over", "rest", "limits", "cones", "tilt"}
@@ -51,24 +56,32 @@ class JointRanges:
         expect(isinstance(q["robot"], dict) and isinstance(q["rest"], dict), "no robot, or no rest of the pose")
         over = q["over"]
         expect(isinstance(over, list) and least <= len(over) <= most, f"{least} to {most} axes are expected")
-        self.axes = [Axis.of_range(r, numbered) for r in over]
+        every, turning = self._known(geometry)
+        self.axes = [Axis.of_range(r, numbered, turning) for r in over]
         length = q["robot"].get("units") or ""
         expect(isinstance(length, str) and len(length) < 13 and (length.isalnum() or not length), "no unit")
         expect(length not in ("deg", "rad"), "lengths in another unit")
         names = [a.name for a in self.axes]
-        expect(len(set(names)) == len(names) and set(names) <= set(NAMES), "a coordinate occurs twice, or is none")
+        expect(len(set(names)) == len(names) and (turning or set(names) <= set(NAMES)), "a coordinate twice, or none")
         expect(all(a.turn or a.unit == length for a in self.axes), "lengths in another unit")
-        self.rest, rods = q["rest"], "rods" in geometry
+        self.rest = q["rest"]
         expect(all(type(v) is float and math.isfinite(v) for v in self.rest.values()), "no rest of the pose")
-        every = list(NAMES) if rods else geometry.get("names")
         expect(isinstance(every, list) and sorted([*names, *self.rest]) == sorted(every), "other coordinates")
-        if not rods:
-            check_sizes(geometry)
         try:
-            self.robot = Rods(data) if rods else Joints(data, roots=True)
+            self.robot = self._robot(data, every)
         except (KeyError, TypeError, IndexError, AttributeError, ValueError, ArithmeticError) as fault:
             raise Malformed(f"no robot of joints that is known here ({type(fault).__name__})") from None
         self.units = [math.pi / 180 if a.unit == "deg" else 1.0 for a in self.axes]
+
+    def _known(self, geometry):
+        """The names of all coordinates, and of actuators which of them turn."""
+        return (list(NAMES) if "rods" in geometry else geometry.get("names")), None
+
+    def _robot(self, data, every):
+        if "rods" in data["geometry"]:
+            return Rods(data)
+        check_sizes(data["geometry"])
+        return Joints(data, roots=True)
 
     def at(self, k, node):
         """A coordinate at a node, in rad or the file's unit."""
@@ -85,7 +98,7 @@ class JointRanges:
     def words(self):
         turns = f"turned about {' '.join(map(str, self.robot.centre))}"
         rest = ", ".join(f"{n} {v}" for n, v in self.rest.items())
-        limbs = [] if isinstance(self.robot, Rods) else joint_words(self.robot)
+        limbs = joint_words(self.robot) if hasattr(self.robot, "limbs") else []
         at = [f"at {rest} (rad, or the file's unit)"] if rest else []
         return [self.robot.words, *limbs, turns, *self.over, *at]
 
@@ -121,7 +134,7 @@ def numbers(values):
     return " ".join(f"{v:.6g}" for v in values)
 
 
-def check_sizes(geometry):
+def check_sizes(geometry, programs=("wrenches", "amounts", "roots")):
     """Joints, limbs and constants that are not endless."""
     limbs = geometry.get("limbs")
     expect(isinstance(limbs, list) and 0 < len(limbs) <= MOST, "no limbs, or too many")
@@ -133,7 +146,7 @@ def check_sizes(geometry):
             "a screw or a point",
         )
         expect(all(type(c) is int and 0 <= c < MOST for c in limb["coordinates"]), "a coordinate of a joint")
-    for name in ("wrenches", "amounts", "roots"):
+    for name in programs:
         program = geometry.get(name)
         for line in [] if program is None else [*program["lines"], program["results"]]:
             for part in line:
@@ -314,14 +327,13 @@ def samples(cells, letters):
         s.robot.reaches(s.pose([s.at(k, n) for k, n in enumerate(node)]))
 
 
-def checked_joints(data, say=None):
-    """What is proved, in words, and how many cells are left undecided, by the file or here. Raises Refused."""
-    s = JointSlice(data)
-    check_digest(data)
-    letters = list(listed_cells(data["cells"], s.shape, WORDS))
-    counts = counted(letters, data["claim"], WORDS)
-    cells = Cells(s, say)
-    more, unseen = dict.fromkeys(WORDS, 0), dict.fromkeys(WORDS.values(), 0)
+def compared(s, cells, data, words, found, means, say=None):
+    """What is proved of the letters of a file, in words, and how many cells are left undecided, by the file or here;
+    `words` are those of letters, `found` those of what is seen, `means` what they mean. Raises Refused.
+    """
+    letters = list(listed_cells(data["cells"], s.shape, words))
+    counts = counted(letters, data["claim"], words)
+    more, unseen = dict.fromkeys(found, 0), dict.fromkeys(words.values(), 0)
     for n, (place, letter) in enumerate(letters, 1):
         if say and n % 1000 == 0:
             say(f"{n:,} of {len(letters):,} cells compared")
@@ -329,25 +341,34 @@ def checked_joints(data, say=None):
         if letter == "u":
             more[what] += 1
         elif what == "u":
-            unseen[WORDS[letter]] += 1
+            unseen[words[letter]] += 1
         elif what != letter:
-            raise Refused(f"the cell {named(s.axes, place)} is called {WORDS[letter]}, and it is {FOUND[what]}")
-    samples(cells, letters)
-    left = counts["undecided"]
-    known = f" (of which {more['f']:,} are free, {more['x']:,} crossed and {more['o']:,} outside, as is seen here)"
+            raise Refused(f"the cell {named(s.axes, place)} is called {words[letter]}, and it is {found[what]}")
+    left, sure = counts["undecided"], {word: counts[word] - n for word, n in unseen.items() if word != "undecided"}
+    known = [f"{more[letter]:,} {word}" for letter, word in words.items() if letter != "u"]
+    known[0] = known[0].replace(" free", " are free")
+    seen = f" (of which {', '.join(known[:-1])} and {known[-1]}, as is seen here)"
     lines = [
-        f"recomputed: {counts['free'] - unseen['free']:,} cells free, "
-        + f"{counts['crossed'] - unseen['crossed']:,} crossed, {counts['outside'] - unseen['outside']:,} outside, "
-        + f"undecided: {f'{left:,}{known}' if left else 'none'}",
+        f"recomputed: {', '.join(f'{n:,} cells {w}' if w == 'free' else f'{n:,} {w}' for w, n in sure.items())}, "
+        + f"undecided: {f'{left:,}{seen}' if left else 'none'}",
         *(
             f"NOT decided here: {n:,} cells that are called {word}; nothing speaks against it, and nothing for it"
             for word, n in unseen.items()
             if n
         ),
-        "  free: home's working mode reaches all poses, and none is singular; crossed: some pose of it is singular",
-        "  outside: a corner is not reached in home's working mode; the cells cover the slice",
-        "  in floats, with bounds of all that they leave out; recomputed, not proved in Coq; limits are not considered",
-        *(f"  {line}" for line in s.words()),
+        *(f"  {line}" for line in (*means, *s.words())),
         f"digest {data['digest']}",
     ]
     return "\n".join(lines), left + sum(unseen.values())
+
+
+def checked_joints(data, say=None):
+    """What is proved, in words, and how many cells are left undecided, by the file or here. Raises Refused."""
+    s = JointSlice(data)
+    check_digest(data)
+    letters = list(listed_cells(data["cells"], s.shape, WORDS))
+    counted(letters, data["claim"], WORDS)
+    cells = Cells(s, say)
+    answer = compared(s, cells, data, WORDS, FOUND, MEANS, say)
+    samples(cells, letters)
+    return answer

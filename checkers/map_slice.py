@@ -60,13 +60,17 @@ def euler(name):
 class Axis:
     """A coordinate, at node k start + k step."""
 
-    def __init__(self, data):
+    def __init__(self, data, turning=None):
         expect(isinstance(data, dict) and set(data) == {"name", "start", "stop", "number", "unit"}, "not an axis")
         self.name, self.unit = data["name"], data["unit"]
         expect(isinstance(self.name, str) and isinstance(self.unit, str), "an axis without a name")
-        self.turn = None if self.name in TRANSLATION else TURNS.get(self.name) or euler(self.name)
-        expect(self.name in TRANSLATION or self.turn, f"an unknown coordinate {self.name!r}")
-        expect(self.turn is None or self.unit in ("deg", "rad"), "an angle without a unit")
+        if turning is None:
+            self.turn = None if self.name in TRANSLATION else TURNS.get(self.name) or euler(self.name)
+            expect(self.name in TRANSLATION or self.turn, f"an unknown coordinate {self.name!r}")
+        else:
+            expect(self.name in turning, f"an unknown actuator {self.name!r}")
+            self.turn = turning[self.name]
+        expect(not self.turn or self.unit in ("deg", "rad"), "an angle without a unit")
         self.start, stop = exact(data["start"]), exact(data["stop"])
         expect(self.start < stop, "a range that is none")
         self.cells = whole(data["number"], 2, 100_000) - 1
@@ -74,12 +78,14 @@ class Axis:
         self.words = f"{self.name} {self.start}..{stop} {self.unit}".strip() + f" in {self.cells} cells"
 
     @classmethod
-    def of_range(cls, data, numbered=False):
-        """A coordinate as questions have it; one without a number of nodes has two, its ends."""
+    def of_range(cls, data, numbered=False, turning=None):
+        """A coordinate as questions have it; one without a number of nodes has two, its ends. Of actuators `turning`
+        tells which of them turn.
+        """
         keys = {"coordinate": "name", "low": "start", "high": "stop", "unit": "unit"}
         keys |= {"number": "number"} if numbered else {}
         expect(isinstance(data, dict) and set(data) == set(keys), "not an axis")
-        return cls({"number": 2, **{keys[k]: v for k, v in data.items()}})
+        return cls({"number": 2, **{keys[k]: v for k, v in data.items()}}, turning)
 
 
 class Platform:

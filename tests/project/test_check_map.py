@@ -29,7 +29,7 @@ from gcrules.poses.maps.axes import read_axes
 CHECK = checker("check_map")
 FILES = [
     ROOT / "checkers" / f"{name}.py"
-    for name in ("check_map", "map_slice", "map_polynomials", "map_turns", "map_cells", "map_joints")
+    for name in ("check_map", "map_slice", "map_polynomials", "map_turns", "map_cells", "map_joints", "map_actuators")
 ]
 OCTAHEDRAL = str(EXAMPLES / "octahedral.yaml")
 FLAT = {"legs": "ad ae be bf cf cd", "points": {n: (k, k * k, 0) for k, n in enumerate("abc")}}

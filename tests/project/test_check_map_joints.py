@@ -143,7 +143,7 @@ def test_the_command_writes_what_the_program_reads(
 @pytest.mark.parametrize(
     ("source", "over", "says"),
     [
-        ("3-rpr", ["q1 -0.1:0.1:3", "q2 -0.1:0.1:3"], "a map over actuators has no certificate"),
+        ("delta", ["q1 -5:5:3 deg", "q2 -5:5:3 deg"], "its loops have 12 equations for 9 undriven amounts"),
         ("h4", ["x -0.1:0.1:3", "y -0.1:0.1:3"], "has loops inside its limbs"),
         ("agile-eye", ["roll -5:5:3 deg", "yaw -5:5:3 deg"], "no closed forms of all its limbs are known"),
     ],
@@ -422,7 +422,7 @@ def test_files_have_the_fields_of_the_published_schema() -> None:
     for name in MAPS:
         file = data(name)
         for value, one in [(file, schema), *((file[k], schema["properties"][k]) for k in ("question", "claim"))]:
-            assert {*one["required"]} == value.keys() == one["properties"].keys()
+            assert {*one["required"]} <= value.keys() == one["properties"].keys()
         axis = schema["properties"]["question"]["properties"]["over"]["items"]
         assert all(part.keys() == axis["properties"].keys() for part in file["question"]["over"])
         assert file["geometry"].keys() <= schema["properties"]["geometry"]["properties"].keys()

@@ -78,6 +78,10 @@ NOT_RUN = {
         "docs/map.md",
         'gcrules map 3-rps --over "roll -60:60:13 deg" --over "pitch -60:60:13 deg" --certificate cells.json',
     ): "tests/project/test_check_map_joints.py checks such maps",
+    (
+        "docs/map.md",
+        'gcrules map 6-pus --over "q1 -0.2:0.2:9" --over "q2 -0.2:0.2:9" --certificate cells.json',
+    ): "tests/project/test_check_map_actuators.py checks such maps",
     ("docs/map.md", "recomputed: 1,110 cells free, 90 crossed, undecided: none"): (
         "tests/project/test_check_map.py reads what it prints"
     ),

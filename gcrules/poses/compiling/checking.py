@@ -6,12 +6,15 @@ the screws of the joints at home, with the closed forms of wrenches and actuator
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from fractions import Fraction
 from typing import Any
 
 import numpy as np
 
 from gcrules.core.errors import LimitReached
+from gcrules.mechanisms.kinematics.leading import leading
+from gcrules.mechanisms.kinematics.linkage import Actuator
 from gcrules.mechanisms.kinematics.targets import Target
 from gcrules.mechanisms.limbs import Limbs
 from gcrules.mechanisms.mechanism import Mechanism
@@ -25,7 +28,7 @@ from gcrules.poses.compiling.tape import Program, lower
 from gcrules.poses.compiling.turns import turned_by
 from gcrules.poses.methods import Methods, method
 
-__all__ = ["checkable", "geometry", "placing_program", "program_lines"]
+__all__ = ["checkable", "geometry", "led", "placing_program", "program_lines"]
 
 
 def geometry(m: Mechanism, names: tuple[str, ...]) -> dict[str, Any] | None:
@@ -48,18 +51,53 @@ def checkable(m: Limbs, names: tuple[str, ...], what: str, *, driven: bool = Fal
             f"a {what} over actuators has no certificate: no closed form tells the pose by them",
             hint=f"take a {what} over coordinates of the platform",
         )
-    hint = f"gcrules {what.split()[0]} gives its proof all the same; the file is for programs that recompute it"
-    if m.linkage.looped:
-        raise LimitReached(
-            f"a {what} of {m.robot.id} has no certificate: it has loops inside its limbs, which no checker closes",
-            hint=hint,
-        )
+    hint = _hint(what)
+    _check_loops(m, what, hint)
     found, roots = geometry(m, names), placing_program(m, names)
     if found is None or roots is None:
         raise LimitReached(
             f"a {what} of {m.robot.id} has no certificate: no closed forms of all its limbs are known", hint=hint
         )
     return found if "rods" in found else {**found, "roots": program_lines(roots)}, roots
+
+
+def led(m: Limbs, what: str) -> dict[str, Any]:
+    """The geometry of a robot that is led by its actuators: six rods, or the screws of its joints at home and the
+    actuators that lead. Raises LimitReached where a checker cannot close its loops: for loops inside limbs, and where
+    there are not as many undriven amounts as equations.
+    """
+    hint, k = _hint(what), m.linkage
+    _check_loops(m, what, hint)
+    if found := _rods(m):
+        return found
+    limbs, known = _limbs(m), leading(k)
+    free = sum(1 + max(limb["coordinates"]) - len(limb["held"]) for limb in limbs) - len(known)
+    wanted = (3 if m.robot.family.plane else 6) * (len(limbs) - 1)
+    if free != wanted or any(c.runs for c in k.home.chains):
+        raise LimitReached(
+            f"a {what} over actuators of {m.robot.id} has no certificate: its loops have {wanted} equations for {free} "
+            "undriven amounts",
+            hint=hint,
+        )
+    return {
+        "centre": _plain(k.centre),
+        "size": float(k.size),
+        "plane": bool(m.robot.family.plane),
+        "limbs": limbs,
+        "actuators": _actuators(known),
+    }
+
+
+def _hint(what: str) -> str:
+    return f"gcrules {what.split()[0]} gives its proof all the same; the file is for programs that recompute it"
+
+
+def _check_loops(m: Limbs, what: str, hint: str) -> None:
+    if m.linkage.looped:
+        raise LimitReached(
+            f"a {what} of {m.robot.id} has no certificate: it has loops inside its limbs, which no checker closes",
+            hint=hint,
+        )
 
 
 def placing_program(m: Limbs, names: tuple[str, ...]) -> Program | None:
@@ -126,19 +164,8 @@ def _joints(m: Limbs, names: tuple[str, ...]) -> dict[str, Any] | None:
     except NoForm:
         driven = None
     limbs = [
-        {
-            "screws": [_plain(s) for s in chain.screws],
-            "coordinates": list(chain.uses),
-            "signs": _plain(chain.signs),
-            "held": [at for limb, at, *_ in k.locked if limb == n],
-            "end": _plain(k.ends[n]),
-            "ball": bool(k.ball_ended[n]),
-            "wrenches": counts[n],
-        }
-        for n, chain in enumerate(k.home.chains)
-    ]
-    actuators = [
-        {"name": a.name, "limb": a.place, "coordinate": a.coordinate, "turns": bool(a.angle)} for a in k.actuators
+        {**limb, "ball": bool(ball), "wrenches": count}
+        for limb, ball, count in zip(_limbs(m), k.ball_ended, counts, strict=True)
     ]
     return {
         "centre": _plain(k.centre),
@@ -146,10 +173,29 @@ def _joints(m: Limbs, names: tuple[str, ...]) -> dict[str, Any] | None:
         "size": float(k.size),
         "plane": bool(m.robot.family.plane),
         "limbs": limbs,
-        "actuators": actuators,
+        "actuators": _actuators(k.actuators),
         "wrenches": program_lines(lines),
         "amounts": driven,
     }
+
+
+def _limbs(m: Limbs) -> list[dict[str, Any]]:
+    """The joints of each limb at home, from the base to the platform."""
+    k = m.linkage
+    return [
+        {
+            "screws": [_plain(s) for s in chain.screws],
+            "coordinates": list(chain.uses),
+            "signs": _plain(chain.signs),
+            "held": [at for limb, at, *_ in k.locked if limb == n],
+            "end": _plain(k.ends[n]),
+        }
+        for n, chain in enumerate(k.home.chains)
+    ]
+
+
+def _actuators(known: Sequence[Actuator]) -> list[dict[str, Any]]:
+    return [{"name": a.name, "limb": a.place, "coordinate": a.coordinate, "turns": bool(a.angle)} for a in known]
 
 
 def program_lines(program: Program) -> dict[str, Any]:

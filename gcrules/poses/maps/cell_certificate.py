@@ -16,7 +16,7 @@ from typing import Any, Protocol
 
 from gcrules.core.errors import InputError, LimitReached
 from gcrules.poses.certificate_files import platform_parts, pose_parts, signed, texts
-from gcrules.poses.compiling.checking import checkable
+from gcrules.poses.compiling.checking import checkable, led
 from gcrules.poses.compiling.tape import Program
 from gcrules.poses.maps.cells import MEANINGS
 from gcrules.poses.maps.grid import Grid
@@ -26,6 +26,7 @@ from gcrules.poses.maps.slices import SliceFactor
 from gcrules.poses.maps.task import MapTask, Slice
 
 __all__ = [
+    "DRIVEN",
     "FORMAT",
     "JOINTS",
     "LETTERS",
@@ -36,8 +37,9 @@ __all__ = [
 
 FORMAT = "gcrules map certificate 1"
 JOINTS = "gcrules map certificate of joints 1"
+DRIVEN = "gcrules map certificate of actuators 1"
 LETTERS = "fxuo"
-"""Of the statuses, in their order; o is for robots of joints."""
+"""Of the statuses, in their order; o is for robots of joints over coordinates of their pose."""
 MAX_CELLS = 4_000_000
 """Cells that a certificate may have."""
 
@@ -59,15 +61,18 @@ class _Map(Protocol):
     def values(self, name: str) -> Any: ...
 
 
-def check_cells(task: MapTask) -> tuple[dict[str, Any], Program] | None:
-    """The geometry and the roots of a robot of joints, None for six legs. Raises LimitReached for more than `MAX_CELLS`
-    cells, and for robots of joints whose limbs have no closed forms.
+def check_cells(task: MapTask) -> tuple[dict[str, Any], Program | None] | None:
+    """The geometry and the roots of a robot of joints, without roots over actuators; None for six legs. Raises
+    LimitReached for more than `MAX_CELLS` cells, for robots of joints whose limbs have no closed forms, and over
+    actuators where no checker closes the loops.
     """
     if math.prod(n - 1 for n in task.grid.shape) > MAX_CELLS:
         raise LimitReached(f"a certificate has at most {MAX_CELLS:,} cells", hint="use a coarser grid, or several maps")
     if not isinstance(task, LimbsTask):
         return None
-    return checkable(task.mechanism, task.grid.names, "map", driven=task.grid.driven)
+    if task.grid.driven:
+        return led(task.mechanism, "map"), None
+    return checkable(task.mechanism, task.grid.names, "map")
 
 
 def cell_certificate(m: _Map) -> dict[str, Any]:
@@ -85,9 +90,10 @@ def cell_certificate(m: _Map) -> dict[str, Any]:
         title, parts = grid.title, {"question": limb_question(grid, m.recipe), "geometry": geometry}
     else:
         title, parts = _of_legs(m)
-    meanings = MEANINGS if forms else MEANINGS[:3]
+    kind = FORMAT if not forms else JOINTS if forms[1] else DRIVEN
+    meanings = MEANINGS if kind == JOINTS else MEANINGS[:3]
     claim = {word: int((status == k).sum()) for k, word in enumerate(meanings)}
-    return signed(JOINTS if forms else FORMAT, title, **parts, cells=_rows(status), claim=claim)
+    return signed(kind, title, **parts, cells=_rows(status), claim=claim)
 
 
 def _of_legs(m: _Map) -> tuple[str, dict[str, Any]]:

@@ -36,10 +36,12 @@ def limb_question(grid: LimbsGrid, recipe: Mapping[str, Any]) -> dict[str, Any]:
     }
 
 
-def stated_cells(grid: LimbsGrid, status: Statuses, roots: Program) -> Statuses:
+def stated_cells(grid: LimbsGrid, status: Statuses, roots: Program | None) -> Statuses:
     """The status of each cell as a certificate states it: outside where a root does not exist at a corner; where a map
-    calls a cell outside for another reason, undecided.
+    calls a cell outside for another reason, undecided, as everywhere over actuators, for which there are no roots.
     """
+    if roots is None:
+        return np.where(status == OUTSIDE, UNDECIDED, status)
     origin, steps = grid.linear
     places = np.stack(np.meshgrid(*map(np.arange, grid.shape), indexing="ij"), axis=-1).reshape(-1, len(grid.axes))
     with np.errstate(invalid="ignore"):

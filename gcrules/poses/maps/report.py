@@ -229,7 +229,7 @@ class SingularMap(HoldsArrays, Shown):
         """The status of each cell with all that another program needs to recompute it, as JSON: see `save_certificate`.
 
         Raises InputError where nothing is proved, LimitReached for robots of joints without closed forms of their
-        limbs, for maps over actuators and for too many cells.
+        limbs, over actuators for those whose loops no checker closes, and for too many cells.
         """
         return cell_certificate(self)
 
