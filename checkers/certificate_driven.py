@@ -73,7 +73,7 @@ class Driven:
             back = None if found is None else inverse([[v.c for v in row] for row in found[1][0]])
             if back is None:
                 return None
-            steps = [_sum(row, [v.c for v in found[0]]) for row in back]
+            steps = [total(row, [v.c for v in found[0]]) for row in back]
             x = [a - b for a, b in zip(x, steps)]
             far = max([abs(b) / (1 + abs(a)) for a, b in zip(x, steps)])
             if not far < 10:
@@ -82,9 +82,9 @@ class Driven:
                 return x, back
         return None
 
-    def known(self, q, ways, x):
+    def known(self, q, ways, x, room=None):
         """A box with one solution for each of its amounts, the one in the middle near x, or None where that is not
-        proved; `ways` are along other actuators each, or it is one.
+        proved; `ways` are along other actuators each, or it is one. Around it there is some `room`.
         """
         there = self.solved(q, x)
         if there is None:
@@ -94,9 +94,10 @@ class Driven:
         if point is None:
             return None
         size, thick = sizes(back), [16 * U * (abs(c) + sum([abs(w[k]) for w in ways])) for k, c in enumerate(q)]
+        thick = [a + b for a, b in zip(thick, room or none)]
         off = _parted(back, size, [[v] for v in point[0]])
         moved = times(back, [[v.c for v in row] for row in point[1][1]])
-        slopes = [[-_sum(row, way) for row in moved] for way in ways]
+        slopes = [[-total(row, way) for row in moved] for way in ways]
         along = self.look(q, ways, thick, x, slopes, [0.0] * len(x))
         if along is None:
             return None
@@ -104,7 +105,7 @@ class Driven:
         for slope, way in zip(slopes, ways):
             change = [[mix((*a, *b), (*slope, *way))] for a, b in zip(*along[1])]
             start = [a + row[0] for a, row in zip(start, _parted(back, size, change, 0.5))]
-        start = [a + _sum(row, thick) for a, row in zip(start, _parted(back, size, along[1][1]))]
+        start = [a + total(row, thick) for a, row in zip(start, _parted(back, size, along[1][1]))]
         least = [(4 * row[0] + 1e-9 * (1 + abs(c))) if ways else 1e-12 * (1 + abs(c)) for row, c in zip(off, x)]
         reach, beside = [1.2 * a + b for a, b in zip(start, least)], [none] * len(x)
         for _ in range(TRIES):
@@ -113,11 +114,11 @@ class Driven:
             if found is None:
                 return None
             rest = _parted(back, size, found[1][0], less=True)
-            needed = [(a + _sum(row, reach)) * MORE for a, row in zip(start, rest)]
+            needed = [(a + total(row, reach)) * MORE for a, row in zip(start, rest)]
             if all(a < b for a, b in zip(needed, reach)):
                 return Branch(q, ways, thick, x, slopes, reach)
             for _ in range(20):  # what the bounds would be if those of the derivative did not grow with them
-                needed = [a + _sum(row, needed) for a, row in zip(start, rest)]
+                needed = [a + total(row, needed) for a, row in zip(start, rest)]
             if not max(needed) < 10 * (1 + max(map(abs, x))):
                 return None
             reach = [1.2 * a + b for a, b in zip(needed, least)]
@@ -317,7 +318,7 @@ def _product(a, b):
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 
 
-def _sum(a, b):
+def total(a, b):
     return sum(map(mul, a, b))
 
 

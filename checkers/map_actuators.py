@@ -9,8 +9,10 @@ amounts there is one solution near by, and a continuous one, with no singular co
   one before.
 * A cell is free where boxes fill it, all those that are neighbours have solutions in common where they meet, and one of
   them has that of a corner that is reached.
-* Nothing else is proved. That home's branch does not reach a cell is told by nobody, and no such branch goes on where
-  the determinant is 0; so cells that are called crossed are not confirmed.
+* A cell is crossed where along an edge of it, from a corner that is reached, home's branch comes to a singular
+  configuration: the curve of solutions over the edge goes on, and beyond it the determinant has the other sign.
+* Nothing else is proved. That home's branch does not reach a cell is told by nobody. Of a cell that is called free and
+  is not seen to be so, nothing is said, since the branch may have several sheets.
 """
 
 from __future__ import annotations
@@ -19,6 +21,7 @@ from collections import deque
 from itertools import product
 
 from certificate_driven import DrivenJoints, DrivenRods
+from certificate_ends import turns_back
 from map_cells import counted, listed_cells
 from map_files import check_digest
 from map_joints import JointSlice, check_sizes, compared
@@ -28,6 +31,7 @@ DRIVEN = "gcrules map certificate of actuators 1"
 WORDS = {"f": "free", "x": "crossed", "u": "undecided"}
 MEANS = (
     "free: for all amounts home's branch has a configuration, and none of these is singular",
+    "crossed: home's branch ends in the cell, at a singular configuration",
     "the cells cover the slice; other configurations for the same amounts are not considered",
     "in floats, with bounds of all that they leave out; recomputed, not proved in Coq; limits are not considered",
 )
@@ -66,8 +70,7 @@ class DrivenCells:
 
     def __init__(self, s, letters, say=None):
         self.s, self.robot, self.letters, self.say = s, s.robot, letters, say
-        self.free, self.tried, self.nodes, self.edges = set(), set(), {}, set()
-        self.left = sum(letter == "f" for letter in letters.values())
+        self.free, self.tried, self.nodes, self.ends = set(), set(), {}, {}
         start = tuple(max(0, min(round(-a.start / a.step), a.cells)) for a in s.axes)
         home = self.robot.place([0.0] * len(self.robot.names), [0.0] * len(self.robot.unknown))
         there = None if home is None else self.robot.way(home, s.amounts(start), CUTS["home"])
@@ -78,7 +81,7 @@ class DrivenCells:
         """Notes free cells and nodes that are reached: through free cells first, then along edges."""
         waiting, later = deque([start]), deque()
         self.nodes[start] = there
-        while waiting or (later and self.left):
+        while waiting or later:
             if not waiting:
                 one, other = later.popleft()
                 if other not in self.nodes:
@@ -121,7 +124,6 @@ class DrivenCells:
                 corners[other] = place
             else:
                 self.free.add(cell)
-                self.left -= self.letters[cell] == "f"
                 if self.say and len(self.free) % 100 == 0:
                     self.say(f"{len(self.free):,} cells are free")
                 return corners
@@ -171,8 +173,25 @@ class DrivenCells:
         return self.robot.known(middle, ways, place.x)
 
     def seen(self, cell, letter):
-        """f where a cell is free, u where that is not seen."""
-        return "f" if cell in self.free else "u"
+        """f where a cell is free, x where it is crossed, u where neither is seen."""
+        if cell in self.free:
+            return "f"
+        return "x" if letter != "f" and self._crossed(cell) else "u"
+
+    def _crossed(self, cell):
+        """Whether home's branch ends on an edge of a cell."""
+        for side in product((0, 1), repeat=len(cell)):
+            one = tuple(a + b for a, b in zip(cell, side))
+            for k in range(len(cell)) if one in self.nodes else ():
+                other = (*one[:k], 2 * cell[k] + 1 - one[k], *one[k + 1 :])
+                if other not in self.nodes and self._ends(one, other):
+                    return True
+        return False
+
+    def _ends(self, one, other):
+        if (one, other) not in self.ends:
+            self.ends[one, other] = turns_back(self.robot, self.nodes[one], self.s.amounts(other))
+        return self.ends[one, other]
 
 
 def checked_driven(data, say=None):

@@ -19,7 +19,8 @@ from places import ROOT, checker
 
 import gcrules as gc
 
-CHECK, DRIVEN, LOOPS = checker("check_map"), checker("map_actuators"), checker("certificate_driven")
+CHECK, DRIVEN = checker("check_map"), checker("map_actuators")
+LOOPS, ENDS = checker("certificate_driven"), checker("certificate_ends")
 MAPS: dict[str, tuple[str, list[str], dict[str, Any]]] = {
     "6-pus": ("6-pus", ["q1 -0.1:0.1:4", "q2 -0.1:0.1:4"], {}),
     "6-rus": ("6-rus", ["q1 -2:2:4 deg", "q3 -1:3:4 deg"], {"at": "q2=0.5deg"}),
@@ -147,6 +148,64 @@ def test_in_free_cells_the_determinant_keeps_the_sign_of_home() -> None:
         corner = np.array([0.2, 0.2, 0.0])
         way = [*np.linspace(np.zeros(3), corner, 20), *np.linspace(corner, place, 60)]
         assert robot.signs(way) == home
+
+
+def test_where_a_branch_ends_lies_a_singular_pose() -> None:
+    """In steps that become shorter the legs of 3-RPR are led until Newton's method ends, where the determinant is 0."""
+    known = DRIVEN.ActuatorSlice(data("3-rpr")).robot
+    home, robot = known.place([0.0] * 3, [0.0] * 6), Rpr()
+    start = np.linalg.norm(robot.ends - robot.base, axis=1)
+    for goal, end in (((-0.8, 0.0, 0.0), 0.2974), ((0.0, -0.8, 0.0), 0.3408)):
+        assert ENDS.turns_back(known, home, list(goal))
+        short = [c * (end - 0.005) for c in goal]
+        assert not ENDS.turns_back(known, home, short)
+        robot.signs(np.linspace(np.zeros(3), short, 100))
+        z = np.array([0.0, 0.0, 0.0, end])
+        for t in np.linspace(0, end - 0.002, 200):
+            for _ in range(20):
+                rest = np.linalg.norm(robot.lines(z[:3])[0], axis=1) - start - t * np.array(goal)
+                z[:3] -= np.linalg.solve(robot.jacobian(z[:3]), rest)
+
+        def gaps(z: Any, goal: Any = goal) -> Any:
+            legs = np.linalg.norm(robot.lines(z[:3])[0], axis=1) - start - z[3] * np.array(goal)
+            return np.array([*legs, np.linalg.det(robot.jacobian(z[:3]))])
+
+        for _ in range(30):
+            slopes = np.array([(gaps(z + h) - gaps(z - h)) / 2e-6 for h in 1e-6 * np.eye(4)]).T
+            z = z - np.linalg.solve(slopes, gaps(z))
+        assert np.abs(gaps(z)).max() < 1e-9
+        assert z[3] == pytest.approx(end, abs=1e-3)
+
+
+def test_crossed_cells_are_confirmed_only_where_the_branch_ends() -> None:
+    """A slice over the end of home's branch: cells on it are seen to be crossed, those beyond it by nobody."""
+    file = data("3-rpr")
+    file["question"]["over"][0].update(low="-2/5", high="0")
+    file["question"]["over"][1].update(low="-1/20", high="1/20", number=2)
+    file["cells"] = ["u"] * 4
+    words, left = CHECK.checked(all_called(file, "u"))
+    assert "undecided: 4 (of which 0 are free and 1 crossed, as is seen here)" in words, words
+    assert left == 4
+    new = {**file, "cells": ["x", "x", "u", "u"], "claim": claimed(crossed=2, undecided=2)}
+    words, left = CHECK.checked(signed(new))
+    assert left == 3
+    assert "recomputed: 0 cells free, 1 crossed, undecided: 2" in words
+    assert "NOT decided here: 1 cells that are called crossed" in words
+    words, left = CHECK.checked(all_called(file, "f"))
+    assert "NOT decided here" in words
+    assert "0 crossed" in words
+    assert left in (2, 3)
+
+
+def claimed(**more: int) -> dict[str, int]:
+    return {**dict.fromkeys(DRIVEN.WORDS.values(), 0), **more}
+
+
+def test_a_way_that_ends_nowhere_has_no_end() -> None:
+    robot = DRIVEN.ActuatorSlice(data("6-pus")).robot
+    home = robot.place([0.0] * 6, [0.0] * 6)
+    assert not ENDS.turns_back(robot, home, [0.1, 0.0, 0.0, 0.0, 0.0, 0.0])
+    assert ENDS.turns_back(robot, home, [3.0, 0.0, 0.0, 0.0, 0.0, 0.0]) is not None
 
 
 @pytest.mark.parametrize("name", ["6-pus", "6-rus", "3-rpr", "3-rps", "5r"])
@@ -321,7 +380,7 @@ def test_files_have_the_fields_of_the_published_schema() -> None:
 
 
 def test_programs_do_not_load_gcrules() -> None:
-    for module in (DRIVEN, LOOPS):
+    for module in (DRIVEN, LOOPS, ENDS):
         words = Path(module.__file__).read_text(encoding="utf-8").split("\n")
         assert not any(line.startswith(("import", "from")) and "gcrules" in line for line in words)
     assert {*itertools.chain.from_iterable(cells_of(data(name)).values() for name in MAPS)} <= {*"fu"}
