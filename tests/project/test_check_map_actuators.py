@@ -205,7 +205,7 @@ def test_a_way_that_ends_nowhere_has_no_end() -> None:
     robot = DRIVEN.ActuatorSlice(data("6-pus")).robot
     home = robot.place([0.0] * 6, [0.0] * 6)
     assert not ENDS.turns_back(robot, home, [0.1, 0.0, 0.0, 0.0, 0.0, 0.0])
-    assert ENDS.turns_back(robot, home, [3.0, 0.0, 0.0, 0.0, 0.0, 0.0]) is not None
+    assert ENDS.turns_back(robot, home, [3.0, 0.0, 0.0, 0.0, 0.0, 0.0])
 
 
 @pytest.mark.parametrize("name", ["6-pus", "6-rus", "3-rpr", "3-rps", "5r"])
@@ -236,6 +236,40 @@ def test_boxes_enclose_what_happens_in_them(name: str) -> None:
                     ends.append(robot.look(at, [], none, beside, [], still))
                 for one, other, row in zip(ends[0][0], ends[1][0], found[1][k], strict=True):
                     assert row[j].c == pytest.approx((one.c - other.c) / 2e-6, abs=1e-8)
+
+
+def turned(axis: Any, angle: float) -> Any:
+    """The turn about an axis."""
+    x, y, z = np.array(axis) / np.linalg.norm(axis)
+    skew = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
+    return np.eye(3) + np.sin(angle) * skew + (1 - np.cos(angle)) * skew @ skew
+
+
+@pytest.mark.parametrize("name", ["6-pus", "6-rus"])
+def test_rods_keep_their_lengths(name: str) -> None:
+    """At poses that are found the ends of all rods, as their drives and the platform carry them, are as far apart as at
+    home, and the rods' wrenches are not singular.
+    """
+    file = data(name)
+    robot, rng = DRIVEN.ActuatorSlice(file).robot, np.random.default_rng(2)
+    for _ in range(5):
+        q = rng.uniform(-0.1, 0.1, 6).tolist()
+        place = robot.place(q, [0.0] * 6)
+        *shift, roll, pitch, yaw = place.x
+        turn = turned([0, 0, 1], yaw) @ turned([0, 1, 0], pitch) @ turned([1, 0, 0], roll)
+        centre, wrenches = np.array(file["geometry"]["centre"]), []
+        for rod in file["geometry"]["rods"]:
+            start, end = map(np.array, rod["ends"])
+            amount = q[robot.names.index(rod["actuator"])]
+            if rod["drive"] == "turn":
+                through = np.array(rod["through"])
+                carried = turned(rod["axis"], amount) @ (start - through) + through
+            else:
+                carried = start + amount * np.array(rod["axis"]) / np.linalg.norm(rod["axis"])
+            far = turn @ (end - centre) + centre + shift
+            assert np.linalg.norm(far - carried) == pytest.approx(np.linalg.norm(end - start), abs=1e-10)
+            wrenches.append([*(far - carried), *np.cross(far, far - carried)])
+        assert np.linalg.matrix_rank(wrenches) == 6
 
 
 def test_two_branches_are_not_taken_for_one() -> None:
