@@ -50,8 +50,7 @@ SIGN = {"join": r" \/ ", "meet": r" /\ ", "sum": " + ", "product": " * ", "power
 BRACKETS = {"bracket": "[{}]", "superbracket": "[[{}]]"}
 
 
-class NotProved(Exception):  # a theorem does not follow from what the file gives
-    pass
+class NotProved(Exception): ...  # a theorem does not follow from what the file gives
 
 
 def expect(condition, what, fault=ValueError):
@@ -120,8 +119,9 @@ class Reader:  # reads expressions and expands them: a step, and {points of an e
         expect(type(self.ideal) is int and 0 <= self.ideal <= len(theorem["points"]), "`ideal` is no number of points")
         self.known = {p: (1, {(i,): {(): 1}}) for i, p in enumerate(self.points)}
 
-    def open(self, e):  # what a definition stands for
-        return self.open(self.definitions[e]) if isinstance(e, str) and e in self.definitions else e
+    def open(self, e):  # what a definition, or a join of one part, stands for
+        known = self.definitions.get(e) if isinstance(e, str) else e[1] if e[0] == "join" and len(e) == 2 else None
+        return e if known is None else self.open(known)
 
     def names(self, e):
         e = self.open(e)
@@ -136,8 +136,8 @@ class Reader:  # reads expressions and expands them: a step, and {points of an e
             return self.known[e]
         if e[0] == "number":
             return 0, {(): {(): Fraction(e[1])}} if Fraction(e[1]) else {}
-        powers = e[0] != "power" or (len(e) == 3 and e[2] in range(2, 65))
-        expect(len(e) > 1 and e[0] in [*SIGN, *BRACKETS] and powers, f"no expression: {e}"[:200])
+        fits = len(e) > 1 and e[0] in [*SIGN, *BRACKETS] and (e[0] != "power" or (len(e) == 3 and e[2] in range(2, 65)))
+        expect(fits, f"no expression: {e}"[:200])
         parts = [self.read(e[1])] * e[2] if e[0] == "power" else [self.read(part) for part in e[1:]]
         if e[0] not in ("product", "power"):
             return getattr(self, e[0])(parts)
@@ -340,7 +340,7 @@ def split(theorem, claim, given, nonzero):  # checks all cases of what these tex
     def for_all(f):  # of a bracket that vanishes for all of some points the join of the others, which does, too
         rest = ["join", *(p for p in f[1:] if not (isinstance(p, str) and p in every))]
         alone = f[0] == "bracket" and 1 < len(rest) < len(f) == len({*map(str, f)}) and not r.names(rest) & every
-        return (rest if len(rest) > 2 else rest[1]) if alone else f
+        return rest if alone else f
 
     if "split" in theorem:
         either = own.text(theorem["split"])

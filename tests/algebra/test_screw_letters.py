@@ -356,6 +356,10 @@ OF_RECIPROCAL = {
     "both sides": (r"S \/ ba == T \/ dc", r"S \/ ab == 0, T \/ cd == 0"),
     "a line of two planes": (r"(abc /\ def) \/ (S /\ abc) == 0", r"S \/ (abc /\ def) == 0"),
     "twice in a product": (r"coplanar(a, b, S /\ acd, S /\ abe)", r"S \/ ab == 0"),
+    "twice in a sum": (
+        r"(S /\ abc + S /\ abd) \/ (S /\ abe) == -1/2 (S /\ S) ([abce] + [abde]) ab",
+        r"S \/ ab == 0",
+    ),
     "twice on both sides": (r"(S /\ abc) \/ (S /\ abd) == -1/2 (S /\ S) [abcd] ab", r"S \/ ab == 0"),
 }
 
@@ -367,12 +371,6 @@ def test_claims_about_reciprocal_screws_have_proof_files(claim: str, given: str)
     assert {str(e).strip("()") for e in theorem.nonzero} <= {*map(str, proof.conditions), "S", "T"}
     printed = checker("check_proof").check(theorem.to_json())
     assert "y" not in printed
-
-
-def test_what_is_no_product_of_powers_has_no_proof_file() -> None:
-    claim = r"((S /\ abc) + (S /\ abd)) \/ (S /\ abe) == -1/2 (S /\ S) ([abce] + [abde]) ab"
-    with pytest.raises(InputError, match=r"S \\/ ab == 0 is about a screw, and no identity is known"):
-        gc.proof_file(gc.prove(claim, letters="screw S", given=r"S \/ ab == 0"))
 
 
 def test_proof_files_are_of_screws_of_which_nothing_is_given() -> None:

@@ -343,7 +343,7 @@ TRUE: dict[str, tuple[Changes, str]] = {
     ),
     "points that a case adds": (
         for_all(bracket(*"cyz")),
-        "'attack' in the file: (a \\/ x) == 0, where (a \\/ x) == 0 and (c) != 0 (rank 3)",
+        "'attack' in the file: (a \\/ x) == 0, where (a \\/ x) == 0 and c != 0 (rank 3)",
     ),
 }
 
