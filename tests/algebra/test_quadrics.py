@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import json
 import random
 from fractions import Fraction
+from pathlib import Path
 
 import pytest
 from algebra.under_assumptions import script_of
 from commands import invoke
+from places import checker
 
 import gcrules as gc
 from gcrules.algebra.assumptions.assumed import equations, kinds, resolve
@@ -183,12 +186,14 @@ def test_a_circle_by_its_centre_is_all_of_it() -> None:
         assert all(evaluate(e, some) for e in resolve(at).nonzero)
 
 
-def test_no_proof_file_is_written() -> None:
-    """Those know no points of quadrics, and say so."""
+def test_the_claim_is_a_sum_of_multiples_in_its_proof_file(tmp_path: Path) -> None:
+    file = tmp_path / "proof.json"
     done = invoke("prove", CLAIMS["three lengths"][2], "--rank", "3", "--ideal", "i j", "--given",
-                  CLAIMS["three lengths"][1], "--certificate", "proof.json")  # fmt: skip
-    assert done.exit_code == 2
-    assert "there is no proof to write: claim: proof files do not know how" in done.stderr
+                  CLAIMS["three lengths"][1], "--certificate", str(file))  # fmt: skip
+    assert done.exit_code == 0
+    (theorem,) = json.loads(file.read_text(encoding="utf-8"))["theorems"]
+    assert len(theorem["cases"]) == 1
+    assert "where" in checker("check_proof").check(theorem)
 
 
 def test_what_is_still_refused() -> None:
