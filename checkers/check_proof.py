@@ -120,8 +120,8 @@ class Reader:  # reads expressions and expands them: a step, and {points of an e
         self.known = {p: (1, {(i,): {(): 1}}) for i, p in enumerate(self.points)}
 
     def open(self, e):  # what a definition, or a join of one part, stands for
-        known = self.definitions.get(e) if isinstance(e, str) else e[1] if e[0] == "join" and len(e) == 2 else None
-        return e if known is None else self.open(known)
+        known = e[1] if type(e) is list and e[0] == "join" and len(e) == 2 else self.definitions.get(str(e))
+        return self.open(known) if known else e
 
     def names(self, e):
         e = self.open(e)

@@ -19,7 +19,7 @@ from itertools import chain, combinations, combinations_with_replacement, count,
 
 from gcrules.algebra.assumptions.construction import Construction
 from gcrules.algebra.bracket import tableau_order
-from gcrules.algebra.expr import Bracket, Expr, Join, Number, Point, Product, Sum, mul, points_of
+from gcrules.algebra.expr import Bracket, Expr, Join, Number, Point, Power, Product, Sum, mul, points_of
 from gcrules.algebra.names import primed
 from gcrules.algebra.proofs.multiples import multipliers
 from gcrules.algebra.proofs.theorem import Theorem, placed_theorem
@@ -47,12 +47,13 @@ def by_multiples(
     """
     own = points_of(left, right)
     left, right, *equations = (_scalar(e) if e.step == rank else e for e in (left, right, *given))
-    at_infinity = tuple(ideal)
+    at_infinity, blocks = tuple(ideal), [tuple(_factors(n)) for n in nonzero]
+    nonzero = tuple(dict.fromkeys(chain.from_iterable(blocks)))
     named = points_of(left, right, *given, *nonzero)
     points = tableau_order(named, (), at_infinity)
     number = sum(n in at_infinity for n in points)
     written, difference = Sum((left, Product((Number(-1), right)))), difference_of(left, right, rank)
-    known = [n for n in nonzero if {*points_of(n)} <= {*own, *points_of(*equations)}]
+    known = [block for block in blocks if {*points_of(*block)} <= {*own, *points_of(*equations)}]
     for factors, exponent in _products(known):
         further = (primed(f"y{i}", {*points}.__contains__) for i in count(1))
         closed = [[*islice(further, (rank - e.step) % rank)] for e in (*factors, *[difference] * exponent)]
@@ -70,15 +71,29 @@ def by_multiples(
             lemma = placed_theorem(f"{name}, times what does not vanish", Sum(tuple(terms)), product, c, ())
         except (EngineFault, InputError, LimitReached):
             continue
-        return Theorem(name, rank, left, right, points, number, (), tuple(equations), tuple(nonzero), cases=(lemma,))
+        return Theorem(name, rank, left, right, points, number, (), tuple(equations), nonzero, cases=(lemma,))
     return None
 
 
-def _products(nonzero: Sequence[Expr]) -> Iterator[tuple[tuple[Expr, ...], int]]:
-    """Of what does not vanish, each with an exponent of what does."""
+def _products(nonzero: Sequence[tuple[Expr, ...]]) -> Iterator[tuple[tuple[Expr, ...], int]]:
+    """Of what does not vanish, by its factors, each with an exponent of what does."""
     for exponent in range(1, _EXPONENT + 1):
         some = (combinations_with_replacement(nonzero, k) for k in range(_FACTORS + 1))
-        yield from ((factors, exponent) for factors in islice(chain.from_iterable(some), _TRIES))
+        for chosen in islice(chain.from_iterable(some), _TRIES):
+            yield tuple(chain.from_iterable(chosen)), exponent
+
+
+def _factors(e: Expr) -> Iterator[Expr]:
+    """The factors of a product, powers written out: none of them vanishes where it does not."""
+    match e:
+        case Product(factors=factors):
+            yield from (f for factor in factors for f in _factors(factor))
+        case Power(base=base, exponent=n):
+            yield from (*_factors(base),) * n
+        case Number():
+            return
+        case _:
+            yield e
 
 
 def _scalar(e: Expr) -> Expr:
