@@ -8,6 +8,7 @@ from random import Random
 
 import pytest
 from faults import refused
+from places import checker
 
 import gcrules as gc
 from gcrules.algebra import expr as ex
@@ -19,7 +20,6 @@ from gcrules.algebra.language.statements import parse_assumption, parse_letters,
 from gcrules.algebra.language.syntax import Context, parse
 from gcrules.algebra.letters import letter_of, letters_of, names_of
 from gcrules.apps.repl.interpreter import Interpreter
-from gcrules.core.errors import GcrulesError
 from gcrules.rules.script import ClaimResult, run_script
 
 EXPRESSIONS = [
@@ -182,8 +182,12 @@ def test_the_answer_says_what_the_dual_is() -> None:
     ]
     assert found.to_json()["dual"]["letters"] == ["plane a b c d"]
     assert "the dual fails at the hyperplanes with these coordinates" in gc.prove("dual([abcd] == 0)").text()
-    with pytest.raises(GcrulesError, match="by duality"):
-        gc.proof_file(found)
+
+
+def test_the_proof_file_of_a_dual_is_that_of_what_it_is_the_dual_of() -> None:
+    (theorem,) = gc.proof_file(gc.prove("dual([abcd] == 0)", given="coplanar(a, b, c, d)")).theorems
+    assert theorem.name == "what the claim is the dual of"
+    assert checker("check_proof").check(theorem.to_json()) == "[a b c d] == 0, where [a b c d] == 0 (rank 4)"
 
 
 def test_the_prompt_decides_duals() -> None:
