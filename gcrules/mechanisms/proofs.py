@@ -36,7 +36,7 @@ from gcrules.conditions.transversals import Transversals
 from gcrules.core.budget import checkpoint, report
 from gcrules.core.dataclass import dataclass
 from gcrules.core.english import counted
-from gcrules.core.errors import InputError, LimitReached
+from gcrules.core.errors import EngineFault, InputError, LimitReached
 from gcrules.mechanisms.conditions.robot_analysis import RobotAnalysis
 from gcrules.rules.catalog.catalog import Catalog
 from gcrules.rules.catalog.entries import Entry
@@ -120,13 +120,17 @@ def _written(claim: _Claim) -> Sequence[Theorem]:
     """The theorems that a claim is: as it is proved in a file, or else as a sum of multiples of what is given."""
     try:
         return _proved_by_positions(claim)
-    except (InputError, LimitReached):
+    except (EngineFault, InputError, LimitReached) as fault:
         given = [e for a in claim.given for e in equations(a, claim.rank)]
         args = (given, claim.nonzero, claim.rank, claim.ideal)
         found = by_multiples(claim.name, claim.left, claim.right, *args) if given else None
-        if found is None:
-            raise
-        return (found,)
+        if found is not None:
+            return (found,)
+        if given and isinstance(fault, EngineFault):
+            raise InputError(
+                "it holds where points of a conic are not on a line, which its file does not say"
+            ) from None
+        raise
 
 
 def _proved_by_positions(claim: _Claim) -> Sequence[Theorem]:

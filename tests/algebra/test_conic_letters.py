@@ -316,6 +316,15 @@ def test_three_points_are_off_a_line_only_where_one_conic_holds_them() -> None:
     assert set(found.assumed) == {"[abd]", "ab", "bd", "da"}
 
 
+@pytest.mark.parametrize("given", ["collinear(ab /\\ cd, a, f)", "[abc][abf] == 0"])
+def test_what_needs_a_conic_that_no_claim_names_has_no_proof_file(given: str) -> None:
+    on = f"on_conic(a, b, c, d, e, K), {given}"
+    found = gc.prove("[abf] == 0", rank=3, letters="conic K", given=on)
+    assert found.proved
+    with pytest.raises(InputError, match="something does not vanish that is not among its conditions"):
+        gc.proof_file(found)
+
+
 UNNAMED = [
     ("collinear(ab /\\ cd, a, f)", "collinear(a, b, f)", "proved"),
     ("[abc][abf] == 0", "[abf] == 0", "proved"),
