@@ -127,9 +127,8 @@ def _written(claim: _Claim) -> Sequence[Theorem]:
         if found is not None:
             return (found,)
         if given and isinstance(fault, EngineFault):
-            raise InputError(
-                "it holds where points of a conic are not on a line, which its file does not say"
-            ) from None
+            why = "it holds where something does not vanish that is not among its conditions"
+            raise InputError(why) from None
         raise
 
 
