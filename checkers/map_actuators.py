@@ -199,5 +199,5 @@ def checked_driven(data, say=None):
     s = ActuatorSlice(data)
     check_digest(data)
     letters = list(listed_cells(data["cells"], s.shape, WORDS))
-    counted(letters, data["claim"], WORDS)
-    return compared(s, DrivenCells(s, dict(letters), say), data, WORDS, WORDS, MEANS, say)
+    claim = counted(letters, data["claim"], WORDS)
+    return compared(s, DrivenCells(s, dict(letters), say), letters, claim, WORDS, WORDS, MEANS, say)

@@ -108,6 +108,7 @@ class JointSlice(JointRanges):
 
     def __init__(self, data):
         super().__init__(data, KEYS, 2, 3, numbered=True)
+        self.digest = data["digest"]
         self.over = [f"over {', '.join(a.words for a in self.axes)}"]
         self.shape = tuple(a.cells for a in self.axes)
         expect(math.prod(self.shape) <= MOST_CELLS, f"more than {MOST_CELLS:,} cells")
@@ -327,12 +328,11 @@ def samples(cells, letters):
         s.robot.reaches(s.pose([s.at(k, n) for k, n in enumerate(node)]))
 
 
-def compared(s, cells, data, words, found, means, say=None):
+def compared(s, cells, letters, claim, words, found, means, say=None):
     """What is proved of the letters of a file, in words, and how many cells are left undecided, by the file or here;
-    `words` are those of letters, `found` those of what is seen, `means` what they mean. Raises Refused.
+    `claim` counts them, `words` are those of letters, `found` those of what is seen, `means` what they mean. Raises
+    Refused.
     """
-    letters = list(listed_cells(data["cells"], s.shape, words))
-    counts = counted(letters, data["claim"], words)
     more, unseen = dict.fromkeys(found, 0), dict.fromkeys(words.values(), 0)
     for n, (place, letter) in enumerate(letters, 1):
         if say and n % 1000 == 0:
@@ -344,7 +344,7 @@ def compared(s, cells, data, words, found, means, say=None):
             unseen[words[letter]] += 1
         elif what != letter:
             raise Refused(f"the cell {named(s.axes, place)} is called {words[letter]}, and it is {found[what]}")
-    left, sure = counts["undecided"], {word: counts[word] - n for word, n in unseen.items() if word != "undecided"}
+    left, sure = claim["undecided"], {word: claim[word] - n for word, n in unseen.items() if word != "undecided"}
     known = [f"{more[letter]:,} {word}" for letter, word in words.items() if letter != "u"]
     known[0] = known[0].replace(" free", " are free")
     seen = f" (of which {', '.join(known[:-1])} and {known[-1]}, as is seen here)"
@@ -357,7 +357,7 @@ def compared(s, cells, data, words, found, means, say=None):
             if n
         ),
         *(f"  {line}" for line in (*means, *s.words())),
-        f"digest {data['digest']}",
+        f"digest {s.digest}",
     ]
     return "\n".join(lines), left + sum(unseen.values())
 
@@ -367,8 +367,7 @@ def checked_joints(data, say=None):
     s = JointSlice(data)
     check_digest(data)
     letters = list(listed_cells(data["cells"], s.shape, WORDS))
-    counted(letters, data["claim"], WORDS)
-    cells = Cells(s, say)
-    answer = compared(s, cells, data, WORDS, FOUND, MEANS, say)
+    claim, cells = counted(letters, data["claim"], WORDS), Cells(s, say)
+    answer = compared(s, cells, letters, claim, WORDS, FOUND, MEANS, say)
     samples(cells, letters)
     return answer

@@ -5,14 +5,37 @@ from __future__ import annotations
 import copy
 import hashlib
 import json
+import random
 from collections.abc import Callable, Iterator
+from functools import cache
 from pathlib import Path
 from typing import Any
 
 import pytest
 from places import checker
 
+import gcrules as gc
+
 JUNK: list[Any] = [None, True, -1, 10**30, 1.5, "", "nan", "1/0", "9" * 500, [], {}, [[]], "x" * 7, ["1", "2", "3"]]
+
+
+Maps = dict[str, tuple[str, list[str], dict[str, Any]]]
+"""Of maps by names: the robot, the axes, and more of the question."""
+
+
+def stored(maps: Maps) -> tuple[Callable[[str], str], Callable[[str], dict[str, Any]]]:
+    """The certificate of a map by its name, computed once: as text, and as a new object each time."""
+
+    @cache
+    def text(name: str) -> str:
+        source, over, more = maps[name]
+        return json.dumps(gc.singular_map(source, over, **more).certificate())
+
+    def data(name: str) -> dict[str, Any]:
+        found: dict[str, Any] = json.loads(text(name))
+        return found
+
+    return text, data
 
 
 def signed(file: dict[str, Any]) -> dict[str, Any]:
@@ -53,6 +76,21 @@ def put(file: dict[str, Any], path: tuple[Any, ...], value: Any) -> dict[str, An
         inner = inner[key]
     inner[path[-1]] = value
     return new
+
+
+def with_junk(
+    file: dict[str, Any], number: int, folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> Iterator[tuple[tuple[Any, ...], int]]:
+    """Places in which junk is put, each with the exit code where the file is signed anew; with the old digest all of
+    them are seen.
+    """
+    rng = random.Random(1)
+    places = [p for p in leaves(file) if p and p[0] not in ("made by", "title", "digest")]
+    for path in rng.sample(places, number):
+        new = put(file, path, rng.choice(JUNK))
+        if new != file:
+            assert run(json.dumps(new), folder, monkeypatch) in (1, 2)
+            yield path, run(json.dumps(signed(new)), folder, monkeypatch)
 
 
 def _joint(number: int, screw: list[float]) -> Callable[[dict[str, Any]], Any]:

@@ -5,6 +5,8 @@ Under assumptions both sides are written out with the points that satisfy them b
 >>> from gcrules.algebra.language.syntax import parse_equation
 >>> print(prove(*parse_equation("ab /\\ cd == [abcd]")).verdict)
 proved
+>>> print(prove(*parse_equation("ab /\\ cde == cde /\\ ab")).verdict)
+proved
 >>> print(prove(*parse_equation("a /\\ bcd == bcd /\\ a")).verdict)
 refuted
 """
@@ -28,7 +30,7 @@ from gcrules.algebra.duality import Dual
 from gcrules.algebra.evaluate import evaluate, random_rational_points, vanishes
 from gcrules.algebra.expand import MAX_TERMS
 from gcrules.algebra.expr import MAX_COEFFICIENT_BITS, ZERO, Expr, common_rank, neg, points_of, sub
-from gcrules.algebra.language.text import text
+from gcrules.algebra.language.text import number_text, text
 from gcrules.algebra.letters import marks_in
 from gcrules.algebra.space import Assumption, Space
 from gcrules.algebra.straightening.straighten import is_zero
@@ -90,7 +92,8 @@ class Proof(Shown):
     `relation` may be several equations; then `parts` holds the proofs of all, and the sides are those of the one that
     decides. A claim is about all homogeneous coordinates of its points; `unit_weights` says that one that is refuted
     holds nevertheless wherever finite points have last coordinate 1. `rank`, `ideal` and `given` are those of the
-    claim. With a `dual` that is what is claimed, of hyperplanes; all else is about points.
+    claim, which is about positions at which nothing of `nonzero` vanishes. With a `dual` that is what is claimed, of
+    hyperplanes; all else is about points.
     """
 
     left: Expr
@@ -103,6 +106,7 @@ class Proof(Shown):
     assumed: tuple[str, ...] = ()
     meanings: tuple[str, ...] = field(default=(), compare=False, repr=False)
     conditions: tuple[Expr, ...] = field(default=(), compare=False, repr=False)
+    nonzero: tuple[Expr, ...] = field(default=(), compare=False, repr=False)
     together: tuple[tuple[str, str], ...] = ()
     kinds: tuple[KindVerdict, ...] = ()
     unit_weights: bool = False
@@ -171,7 +175,7 @@ def prove(
     order, at_infinity = tuple(points), tuple(ideal)
     space, where = Space(rank, order, at_infinity, assumptions), _Positions.of(assumptions, nonzero)
     proof = (_under_assumptions if assumptions else _everywhere)(left, right, difference, space, where, limit)
-    return replace(proof, rank=rank, ideal=at_infinity, given=assumptions)
+    return replace(proof, rank=rank, ideal=at_infinity, given=assumptions, nonzero=where.nonzero)
 
 
 @dataclass(frozen=True)
@@ -389,11 +393,3 @@ def _plain(value: Any) -> Any:
     if isinstance(value, tuple):
         return [_plain(v) for v in value]
     return value if isinstance(value, int) and value.bit_length() <= MAX_COEFFICIENT_BITS else number_text(value)
-
-
-def number_text(value: Any) -> str:
-    """A number, or a tuple of them; of one that is very long only its size."""
-    if isinstance(value, tuple):
-        return f"({', '.join(map(number_text, value))})"
-    bits = max(abs(value.numerator), value.denominator).bit_length()
-    return str(value) if bits <= MAX_COEFFICIENT_BITS else f"a number of {bits:,} bits"

@@ -190,7 +190,8 @@ def _equations(name: str, proof: Proof) -> Iterator[_Claim | LeftOut]:
         yield LeftOut(name, f"it is {proof.verdict}")
         return
     for i, p in enumerate(proof.parts or (proof,), 1):
-        yield _Claim(f"{name}, {i}" if proof.parts else name, p.left, p.right, p.rank, p.ideal, p.given, p.conditions)
+        own, nonzero = f"{name}, {i}" if proof.parts else name, (*p.conditions, *p.nonzero)
+        yield _Claim(own, p.left, p.right, p.rank, p.ideal, p.given, nonzero)
 
 
 def _of_factorization(found: Factorization) -> _Claims:

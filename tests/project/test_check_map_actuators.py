@@ -14,14 +14,14 @@ from typing import Any
 import numpy as np
 import pytest
 from commands import invoke
-from map_certificates import JUNK, leaves, put, run, signed
+from map_certificates import Maps, run, signed, stored, with_junk
 from places import ROOT, checker
 
 import gcrules as gc
 
 CHECK, DRIVEN = checker("check_map"), checker("map_actuators")
 LOOPS, ENDS = checker("certificate_driven"), checker("certificate_ends")
-MAPS: dict[str, tuple[str, list[str], dict[str, Any]]] = {
+MAPS: Maps = {
     "6-pus": ("6-pus", ["q1 -0.1:0.1:4", "q2 -0.1:0.1:4"], {}),
     "6-rus": ("6-rus", ["q1 -2:2:4 deg", "q3 -1:3:4 deg"], {"at": "q2=0.5deg"}),
     "3-rpr": ("3-rpr", ["q1 -0.1:0.3:5", "q2 -0.1:0.3:5"], {}),
@@ -33,15 +33,7 @@ MAPS: dict[str, tuple[str, list[str], dict[str, Any]]] = {
 }
 
 
-@cache
-def text(name: str) -> str:
-    source, over, more = MAPS[name]
-    return json.dumps(gc.singular_map(source, over, **more).certificate())
-
-
-def data(name: str) -> dict[str, Any]:
-    found: dict[str, Any] = json.loads(text(name))
-    return found
+text, data = stored(MAPS)
 
 
 @cache
@@ -389,14 +381,7 @@ def test_files_that_were_changed_are_refused_or_say_the_same(
     name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     """With the old digest every change is seen; with a new one nothing ends in a trace."""
-    file, rng = data(name), random.Random(1)
-    places = [p for p in leaves(file) if p and p[0] not in ("made by", "title", "digest")]
-    for path in rng.sample(places, 30):
-        new = put(file, path, rng.choice(JUNK))
-        if new == file:
-            continue
-        assert run(json.dumps(new), tmp_path, monkeypatch) in (1, 2)
-        code = run(json.dumps(signed(new)), tmp_path, monkeypatch)
+    for path, code in with_junk(data(name), 30, tmp_path, monkeypatch):
         assert "Traceback" not in capsys.readouterr().out
         assert code in (1, 2, 3) or UNREAD & {*path}, path
 

@@ -16,13 +16,13 @@ from typing import Any
 import numpy as np
 import pytest
 from commands import invoke
-from map_certificates import FALSE_JOINTS, JUNK, leaves, put, run, signed, with_false_joints
+from map_certificates import FALSE_JOINTS, Maps, leaves, put, run, signed, stored, with_false_joints, with_junk
 from places import ROOT, checker
 
 import gcrules as gc
 
 CHECK, JOINTS = checker("check_map"), checker("map_joints")
-MAPS: dict[str, tuple[str, list[str], dict[str, Any]]] = {
+MAPS: Maps = {
     "3-rpr": ("3-rpr", ["x -0.5:0.5:4", "yaw 0:60:5 deg"], {"at": "y=0.01"}),
     "in space": ("3-rpr", ["x -0.2:0.2:3", "y -0.2:0.2:3", "yaw -5:55:4 deg"], {}),
     "3-rps": ("3-rps", ["roll -60:-20:5 deg", "pitch -30:0:4 deg"], {}),
@@ -33,15 +33,7 @@ MAPS: dict[str, tuple[str, list[str], dict[str, Any]]] = {
 }
 
 
-@cache
-def text(name: str) -> str:
-    source, over, more = MAPS[name]
-    return json.dumps(gc.singular_map(source, over, **more).certificate())
-
-
-def data(name: str) -> dict[str, Any]:
-    found: dict[str, Any] = json.loads(text(name))
-    return found
+text, data = stored(MAPS)
 
 
 @cache
@@ -382,14 +374,7 @@ def test_files_that_were_changed_are_refused_or_say_the_same(
     name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     """With the old digest every change is seen; with a new one nothing ends in a trace."""
-    file, rng = data(name), random.Random(1)
-    places = [p for p in leaves(file) if p and p[0] not in ("made by", "title", "digest")]
-    for path in rng.sample(places, 12):
-        new = put(file, path, rng.choice(JUNK))
-        if new == file:
-            continue
-        assert run(json.dumps(new), tmp_path, monkeypatch) in (1, 2)
-        code = run(json.dumps(signed(new)), tmp_path, monkeypatch)
+    for path, code in with_junk(data(name), 12, tmp_path, monkeypatch):
         assert "Traceback" not in capsys.readouterr().out
         assert code in (1, 2) or UNREAD & {*path}, path
 

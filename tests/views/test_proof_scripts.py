@@ -97,6 +97,16 @@ def refused(script: str, theorem: str, folder: Path) -> None:
     assert line > script[: script.index(theorem)].count("\n"), done.stderr
 
 
+def refused_otherwise(
+    theorems: Sequence[Theorem], title: str, theorem: str, said: str, instead: str, folder: Path
+) -> None:
+    """Sees that Coq refuses a theorem that says something else in one place."""
+    script = without_proofs_of_coordinates(coq_script(theorems, title))
+    start = script.index(theorem)
+    assert said in script[start:]
+    refused(script[:start] + script[start:].replace(said, instead, 1), theorem, folder)
+
+
 def test_statements_are_read_as_they_were_written() -> None:
     script = coq_script(theorems(), "Five theorems")
     assert script.startswith("(* Five theorems *)")
@@ -349,10 +359,7 @@ def test_coq_replays_theorems_about_screws(tmp_path: Path) -> None:
     ids=["another line", "what may vanish is another", "another claim"],
 )
 def test_coq_refuses_a_theorem_about_another_screw(said: str, instead: str, tmp_path: Path) -> None:
-    script = without_proofs_of_coordinates(coq_script(of_screws()[:1], "Screws"))
-    start = script.index("Theorem a_line :")
-    assert said in script[start:]
-    refused(script[:start] + script[start:].replace(said, instead, 1), "Theorem a_line :", tmp_path)
+    refused_otherwise(of_screws()[:1], "Screws", "Theorem a_line :", said, instead, tmp_path)
 
 
 def test_a_point_that_is_equal_to_an_expression_is_written_as_that() -> None:
@@ -399,10 +406,7 @@ def test_coq_replays_theorems_with_fractions(tmp_path: Path) -> None:
     ids=["a third of it", "in a field where 2 may vanish", "another claim"],
 )
 def test_coq_refuses_a_theorem_with_another_fraction(said: str, instead: str, tmp_path: Path) -> None:
-    script = without_proofs_of_coordinates(coq_script(with_fractions()[:1], "Fractions"))
-    start = script.index("Theorem the_middle :")
-    assert said in script[start:]
-    refused(script[:start] + script[start:].replace(said, instead, 1), "Theorem the_middle :", tmp_path)
+    refused_otherwise(with_fractions()[:1], "Fractions", "Theorem the_middle :", said, instead, tmp_path)
 
 
 @pytest.mark.needs("coqc")
@@ -465,10 +469,7 @@ def test_coq_replays_theorems_on_what_holds_for_all_points(tmp_path: Path) -> No
     ids=["another assumption", "for one point", "another claim"],
 )
 def test_coq_refuses_a_theorem_on_what_holds_for_fewer_points(said: str, instead: str, tmp_path: Path) -> None:
-    script = without_proofs_of_coordinates(coq_script(for_all_points()[:1], "For all points"))
-    start = script.index("Theorem all :")
-    assert said in script[start:]
-    refused(script[:start] + script[start:].replace(said, instead, 1), "Theorem all :", tmp_path)
+    refused_otherwise(for_all_points()[:1], "For all points", "Theorem all :", said, instead, tmp_path)
 
 
 def test_cases_of_several_equations_have_no_script() -> None:
@@ -495,10 +496,7 @@ def test_coq_replays_theorems_in_cases(tmp_path: Path) -> None:
     ids=["another assumption", "another claim"],
 )
 def test_coq_refuses_a_theorem_in_cases_that_are_of_another(said: str, instead: str, tmp_path: Path) -> None:
-    script = without_proofs_of_coordinates(coq_script(in_cases()[:1], "In cases"))
-    start = script.index("Theorem squares :")
-    assert said in script[start:]
-    refused(script[:start] + script[start:].replace(said, instead, 1), "Theorem squares :", tmp_path)
+    refused_otherwise(in_cases()[:1], "In cases", "Theorem squares :", said, instead, tmp_path)
 
 
 @pytest.mark.needs("coqc")

@@ -5,13 +5,14 @@ from __future__ import annotations
 import re
 import unicodedata
 from collections.abc import Iterable, Mapping, Sequence
+from typing import Any
 
-from gcrules.algebra.expr import Expr
+from gcrules.algebra.expr import MAX_COEFFICIENT_BITS, Expr
 from gcrules.algebra.language.notation import Digits, Mark, Raised, Row, Sign, Term, signs, terms
 from gcrules.algebra.letters import marked
 from gcrules.core.dataclass import dataclass
 
-__all__ = ["SHORT_NAME", "Names", "split_names", "text", "text_terms"]
+__all__ = ["SHORT_NAME", "Names", "number_text", "split_names", "text", "text_terms"]
 
 SHORT_NAME = re.compile(r"[A-Za-z](?:_?[0-9]+)?'*")
 """Names that need no declaration: a letter, digits (after an underscore if you like), primes."""
@@ -105,3 +106,11 @@ def _dotted(row: Row, style: _Style) -> str:
         return " ".join("." * d + n for n, d in row.dotted)
     words = [unicodedata.normalize("NFC", f"{n[0]}\u0307{n[1:]}") if d else n for n, d in row.dotted]
     return (" " if style.spaced else "").join(words)
+
+
+def number_text(value: Any) -> str:
+    """A number, or a tuple of them; of one that is very long only its size."""
+    if isinstance(value, tuple):
+        return f"({', '.join(map(number_text, value))})"
+    bits = max(abs(value.numerator), value.denominator).bit_length()
+    return str(value) if bits <= MAX_COEFFICIENT_BITS else f"a number of {bits:,} bits"

@@ -14,12 +14,12 @@ those that are sought have few factors.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from itertools import chain, combinations, combinations_with_replacement, count, islice
 
 from gcrules.algebra.assumptions.construction import Construction
 from gcrules.algebra.bracket import tableau_order
-from gcrules.algebra.expr import Bracket, Expr, Join, Number, Point, Power, Product, Sum, mul, points_of
+from gcrules.algebra.expr import ZERO, Bracket, Expr, Join, Number, Point, Power, Product, Sum, mul, points_of
 from gcrules.algebra.names import primed
 from gcrules.algebra.proofs.multiples import multipliers
 from gcrules.algebra.proofs.theorem import Theorem, placed_theorem
@@ -47,38 +47,40 @@ def by_multiples(
     """
     own = points_of(left, right)
     left, right, *equations = (_scalar(e) if e.step == rank else e for e in (left, right, *given))
-    at_infinity, blocks = tuple(ideal), [tuple(_factors(n)) for n in nonzero]
-    nonzero = tuple(dict.fromkeys(chain.from_iterable(blocks)))
-    named = points_of(left, right, *given, *nonzero)
-    points = tableau_order(named, (), at_infinity)
-    number = sum(n in at_infinity for n in points)
+    at_infinity = tuple(ideal)
     written, difference = Sum((left, Product((Number(-1), right)))), difference_of(left, right, rank)
-    known = [block for block in blocks if {*points_of(*block)} <= {*own, *points_of(*equations)}]
-    for factors, exponent in _products(known):
-        further = (primed(f"y{i}", {*points}.__contains__) for i in count(1))
-        closed = [[*islice(further, (rank - e.step) % rank)] for e in (*factors, *[difference] * exponent)]
-        alive = [_closed(n, ends) for n, ends in zip(factors, closed, strict=False)]
-        whole = mul(*alive, *(_closed(difference, ends) for ends in closed[len(factors) :]))
-        closing = [n for ends in closed for n in ends]
+    taken = {*points_of(left, right, *given, *nonzero)}
+    for factors, exponent in _products(nonzero, {*own, *points_of(*equations)}):
+        # Each factor is closed by points of its own; the difference is not written as it is computed with.
+        each = [*((n, n) for n in factors), *[(difference, written)] * exponent]
+        further = (primed(f"y{i}", taken.__contains__) for i in count(1))
+        ends = [tuple(islice(further, (rank - e.step) % rank)) for e, _ in each]
+        whole = mul(*(_closed(e, some) for (e, _), some in zip(each, ends, strict=True)))
         parts = [part for g in equations for part in _closings(g, (*points_of(whole), *points_of(g)), rank)]
+        points = tableau_order(points_of(left, right, *equations, *factors), (), at_infinity)
+        infinite = tuple(n for n in points if n in at_infinity)
+        c = Construction(rank, (*points, *chain.from_iterable(ends)), infinite)
         try:
             found = multipliers(whole, parts, rank, at_infinity)
             if found is None:
                 continue
-            terms = [Product((m, part)) for m, part in zip(found, parts, strict=True) if m != Number(0)]
-            c = Construction(rank, (*points, *closing), tuple(n for n in points if n in at_infinity))
-            product = _nested([*alive, *(_closed(written, ends) for ends in closed[len(factors) :])])
-            lemma = placed_theorem(f"{name}, times what does not vanish", Sum(tuple(terms)), product, c, ())
+            terms = tuple(Product((m, part)) for m, part in zip(found, parts, strict=True) if m != ZERO)
+            product = _nested([_closed(e, some) for (_, e), some in zip(each, ends, strict=True)])
+            lemma = placed_theorem(f"{name}, times what does not vanish", Sum(terms), product, c, ())
         except (EngineFault, InputError, LimitReached):
             continue
-        return Theorem(name, rank, left, right, points, number, (), tuple(equations), nonzero, cases=(lemma,))
+        away = tuple(dict.fromkeys(factors))
+        return Theorem(name, rank, left, right, points, len(infinite), (), tuple(equations), away, cases=(lemma,))
     return None
 
 
-def _products(nonzero: Sequence[tuple[Expr, ...]]) -> Iterator[tuple[tuple[Expr, ...], int]]:
-    """Of what does not vanish, by its factors, each with an exponent of what does."""
+def _products(nonzero: Sequence[Expr], names: Collection[str]) -> Iterator[tuple[tuple[Expr, ...], int]]:
+    """Of what does not vanish of some points, each with an exponent of what does: of single factors first."""
+    whole = [tuple(_factors(n)) for n in nonzero]
+    alone = [(f,) for f in chain.from_iterable(whole)]
+    blocks = [block for block in dict.fromkeys((*alone, *whole)) if {*points_of(*block)} <= {*names}]
     for exponent in range(1, _EXPONENT + 1):
-        some = (combinations_with_replacement(nonzero, k) for k in range(_FACTORS + 1))
+        some = (combinations_with_replacement(blocks, k) for k in range(_FACTORS + 1))
         for chosen in islice(chain.from_iterable(some), _TRIES):
             yield tuple(chain.from_iterable(chosen)), exponent
 

@@ -41,7 +41,7 @@ def multipliers(e: Expr, given: Sequence[Expr], rank: int, ideal: Iterable[str] 
     count = sum(n in at_infinity for n in names)
     bases: list[tuple[int, tuple[Expr, ...]]] = []
     for i, content in _contents_of_multipliers(e, given):
-        bases += ((i, m) for m in _monomials(content, names, count, rank))
+        bases += ((i, m) for m in islice(_monomials(content, names, count, rank), _MOST + 1))
         if len(bases) > _MOST:
             return None
     if not bases:

@@ -94,7 +94,7 @@ class Theorem:
     @property
     def in_a_basis(self) -> bool:
         """Whether points of which nothing is asked are written in others that are a basis."""
-        return any(p.within.step == self.rank for p in (*self.placed, *(p for case in self.cases for p in case.placed)))
+        return any(p.within.step == self.rank for p in self.placed) or any(case.in_a_basis for case in self.cases)
 
     @property
     def size(self) -> int:

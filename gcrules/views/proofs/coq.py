@@ -105,7 +105,7 @@ def _proof(t: Theorem) -> Proof:
 
 def _assumed(name: str, t: Theorem) -> str:
     proof = _proof(t)
-    return f"\n{_note(t.name, proof.factor, proof.renamed)}\n{proof.text(name)}"
+    return f"\n{_note(t.name, proof.factor, proof.statement.renamed)}\n{proof.text(name)}"
 
 
 def _note(name: str, factor: int, renamed: Mapping[str, str]) -> str:

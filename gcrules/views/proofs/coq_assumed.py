@@ -104,11 +104,6 @@ class AssumedProof:
         for v in self.variants:
             yield from v.relations
 
-    @property
-    def renamed(self) -> dict[str, str]:
-        """The points that have other names in Coq."""
-        return {p: self.statement.coq[p] for p in self.statement.own if self.statement.coq[p] != p}
-
     def text(self, name: str) -> str:
         """The theorem with its proof."""
         s, stated, factor = self.statement, self.statement.stated, self.factor

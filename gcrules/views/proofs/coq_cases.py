@@ -48,11 +48,6 @@ class PartProof:
         if self.statement.stated.whole(self.statement.claim[0])[1] != 1:
             raise CannotWrite("it is proved in cases that have fractions")
 
-    @property
-    def renamed(self) -> dict[str, str]:
-        """The points that have other names in Coq."""
-        return renamed(self.statement)
-
     def text(self, name: str) -> str:
         """The theorem with its proof."""
         s = self.statement
@@ -83,11 +78,6 @@ class CasesProof:
         yield from self.facts.relations
         for part in self.parts:
             yield from part.relations
-
-    @property
-    def renamed(self) -> dict[str, str]:
-        """The points that have other names in Coq."""
-        return renamed(self.statement)
 
     def text(self, name: str) -> str:
         """The theorem with its proof, after those of its cases."""
@@ -146,7 +136,7 @@ class FactorsProof(CasesProof):
         super().__init__(t)
         s = self.statement
         self.left, self.product = self.parts[0].statement.claim
-        if not parts_given(s, self.left):
+        if not s.parts_given(self.left):
             raise CannotWrite("it is proved in cases that come of several equations")
         factors = s.tree.args(self.product, "product")
         if any(e[0] == "number" and abs(Fraction(e[1])) != 1 for e in factors):
@@ -252,17 +242,9 @@ class FactorsProof(CasesProof):
 Proof = CasesProof | AssumedProof | PartProof | ScrewProof | SumProof
 
 
-def parts_given(s: Statement, e: Any) -> list[int]:
-    """The numbers of what is given of which a part of an expression is; none where none is, or it is a sum."""
-    if e in s.given:
-        return [s.given.index(e)]
-    inside = e[1:] if isinstance(e, list) and e[0] in ("join", "meet", "bracket", "product") else []
-    return [n for part in inside for n in parts_given(s, part)][:1]
-
-
 def vanishing(s: Statement, e: Any) -> Iterator[str]:
     """The proof that an expression vanishes since a part of it is given to."""
-    (number,) = parts_given(s, e)
+    (number,) = s.parts_given(e)
     yield f"  rewrite {s.prefix}given_{number}. vanishes."
 
 
@@ -270,8 +252,3 @@ def _introduced(s: Statement, e: Any) -> list[str]:
     """The line that names the points that stand for all, where some do."""
     every = s.all_of(e)
     return [f"  intros {s.named(every)}."] if every else []
-
-
-def renamed(s: Statement) -> dict[str, str]:
-    """The points that have other names in Coq."""
-    return {p: s.coq[p] for p in s.own if s.coq[p] != p}

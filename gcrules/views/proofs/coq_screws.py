@@ -6,14 +6,13 @@ difference of the sides; and E is not zero.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from typing import Any
 
 from gcrules.algebra.expr import Bracket, Join
 from gcrules.algebra.proofs.theorem import Theorem
 from gcrules.views.proofs.coq_expressions import derived
-from gcrules.views.proofs.coq_facts import Facts
-from gcrules.views.proofs.coq_statement import CannotWrite, Statement
+from gcrules.views.proofs.coq_sums import OneCaseProof
 
 __all__ = ["ScrewProof", "is_about_screw"]
 
@@ -28,36 +27,20 @@ def is_about_screw(t: Theorem) -> bool:
     return isinstance(first, Bracket) and isinstance(away, Join) and first.args[:-1] == away.args
 
 
-class ScrewProof:
-    """The proof of one theorem about a screw, by that of its case."""
+class ScrewProof(OneCaseProof):
+    """The proof of one theorem about a screw."""
 
-    factor = 1
+    kind = "it holds under assumptions on screws"
 
     def __init__(self, t: Theorem, proof_of: Callable[[Theorem], Any]) -> None:
-        self.statement = s = Statement(t)
-        self.facts = Facts(s)
-        self.part = proof_of(t.cases[0])
-        if isinstance(self.part, str):
-            raise CannotWrite(f"of its cases one has no script: {self.part}")
+        super().__init__(t, proof_of)
+        s = self.statement
         self.extensor = s.nonzero[0]
         *brackets, self.difference = s.tree.args(self.part.statement.claim[1], "product")
         self.ends = [p for p in brackets[0][1:] if isinstance(p, str) and p not in s.coq]
-        if (len(t.cases), len(self.ends), t.rank) != (1, 2, 4) or len(brackets) not in _CANCELLED:
-            raise CannotWrite("it holds under assumptions on screws, of a kind of which scripts have no rule")
-        if self.part.factor != 1 or any(s.stated.whole(e)[1] != 1 for e in s.claim):
-            raise CannotWrite("it holds under assumptions on screws, and has fractions")
+        if (len(self.ends), t.rank) != (2, 4) or len(brackets) not in _CANCELLED:
+            raise self.no_rule()
         self.degree = len(brackets)
-
-    @property
-    def relations(self) -> Iterator[Any]:
-        """All that it uses."""
-        yield from self.facts.relations
-        yield from self.part.relations
-
-    @property
-    def renamed(self) -> dict[str, str]:
-        """The points that have other names in Coq."""
-        return {p: self.statement.coq[p] for p in self.statement.own if self.statement.coq[p] != p}
 
     def text(self, name: str) -> str:
         """The theorem with its proof, after that of its case."""

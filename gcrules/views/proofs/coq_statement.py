@@ -58,6 +58,11 @@ class Statement:
         if any(self.stated.whole(e)[1] != 1 for e in (*self.given, *self.nonzero)):
             raise CannotWrite("it holds under assumptions that have fractions")
 
+    @property
+    def renamed(self) -> dict[str, str]:
+        """The points that have other names in Coq."""
+        return {p: self.coq[p] for p in self.own if self.coq[p] != p}
+
     def opening(self, name: str, sides: Sequence[str]) -> list[str]:
         """The lines that state the theorem, and name its assumptions."""
         assumed = {
@@ -141,6 +146,13 @@ class Statement:
         every = self.all_of(factor)
         rest = [p for p in factor[1:] if p not in every]
         return joined(rest) if every and factor[0] == "bracket" and rest else factor
+
+    def parts_given(self, e: Any) -> list[int]:
+        """The number of what is given of which a part of an expression is; none where none is, or it is a sum."""
+        if e in self.given:
+            return [self.given.index(e)]
+        inside = e[1:] if isinstance(e, list) and e[0] in ("join", "meet", "bracket", "product") else []
+        return [n for part in inside for n in self.parts_given(part)][:1]
 
     def all_of(self, e: Any) -> list[str]:
         """Those that stand for all points in an expression."""

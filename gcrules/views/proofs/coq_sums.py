@@ -16,7 +16,7 @@ from gcrules.views.proofs.coq_expressions import derived
 from gcrules.views.proofs.coq_facts import Facts
 from gcrules.views.proofs.coq_statement import CannotWrite, Statement
 
-__all__ = ["SumProof", "is_sum", "nested"]
+__all__ = ["OneCaseProof", "SumProof", "is_sum", "nested"]
 
 
 def is_sum(t: Theorem) -> bool:
@@ -30,35 +30,21 @@ def is_sum(t: Theorem) -> bool:
     return inside == Sum((t.left, Product((Number(-1), t.right))))
 
 
-class SumProof:
-    """The proof of one theorem by that of its case."""
+class OneCaseProof:
+    """The proof of one theorem by that of its case, which may name further points."""
 
     factor = 1
+    kind = ""  # of theorem, for the reason why there is no proof
 
-    def __init__(self, t: Theorem, proof_of: Callable[[Theorem], Any]) -> None:
-        known = Statement(t).coq
-        (lemma, *others) = t.cases
-        self.statement = s = Statement(t, further=[n for n in lemma.order if n not in known])
-        self.facts = Facts(s)
-        self.part = proof_of(lemma)
+    def __init__(self, t: Theorem, proof_of: Callable[[Theorem], Any], further: Sequence[str] = ()) -> None:
+        self.statement = Statement(t, further=further)
+        self.facts = Facts(self.statement)
+        self.part = proof_of(t.cases[0])
         if isinstance(self.part, str):
             raise CannotWrite(f"of its cases one has no script: {self.part}")
-        if self.part.factor != 1 or self.part.statement.inverse or any(s.stated.whole(e)[1] != 1 for e in s.claim):
-            raise CannotWrite("it is a sum of multiples of what is given, with fractions")
-        self.left, product = self.part.statement.claim
-        self.factors = s.tree.args(product, "product")
-        left, right = s.claim
-        self.difference = ["sum", left, ["product", ["number", -1], right]]
-        texts = [s.stated.statement(e) for e in s.nonzero]
-        own = [s.stated.statement(s.for_all(f)) for f in self.factors]
-        ends = [p for f in self.factors for p in s.all_of(f)]
-        whole = all(isinstance(f, list) and f[0] == "bracket" for f in self.factors[:-1])
-        if others or not whole or len({*ends}) < len(ends) or own[-1] != s.stated.statement(self.difference):
-            raise CannotWrite("it is a sum of multiples of what is given, of a kind of which scripts have no rule")
-        self.alive = [texts.index(text) for text in own[:-1] if text in texts]
-        self.used = sorted({n for term in s.tree.args(self.left, "sum") for n in self._given(term)})
-        if len(self.alive) < len(self.factors) - 1 or not self.used:
-            raise CannotWrite("it is a sum of multiples of what is given, of a kind of which scripts have no rule")
+        whole = all(self.statement.stated.whole(e)[1] == 1 for e in self.statement.claim)
+        if self.part.factor != 1 or self.part.statement.inverse or not whole:
+            raise CannotWrite(f"{self.kind}, with fractions")
 
     @property
     def relations(self) -> Iterator[Any]:
@@ -66,10 +52,33 @@ class SumProof:
         yield from self.facts.relations
         yield from self.part.relations
 
-    @property
-    def renamed(self) -> dict[str, str]:
-        """The points that have other names in Coq."""
-        return {p: self.statement.coq[p] for p in self.statement.own if self.statement.coq[p] != p}
+    def no_rule(self) -> CannotWrite:
+        """That scripts have no proof of this kind."""
+        return CannotWrite(f"{self.kind}, of a kind of which scripts have no rule")
+
+
+class SumProof(OneCaseProof):
+    """The proof of a sum of multiples."""
+
+    kind = "it is a sum of multiples of what is given"
+
+    def __init__(self, t: Theorem, proof_of: Callable[[Theorem], Any]) -> None:
+        known = Statement(t).coq
+        super().__init__(t, proof_of, [n for n in t.cases[0].order if n not in known])
+        s, (self.left, product) = self.statement, self.part.statement.claim
+        self.factors = s.tree.args(product, "product")
+        left, right = s.claim
+        self.difference = ["sum", left, ["product", ["number", -1], right]]
+        texts = [s.stated.statement(e) for e in s.nonzero]
+        own = [s.stated.statement(s.for_all(f)) for f in self.factors]
+        ends = [p for f in self.factors for p in s.all_of(f)]
+        brackets = all(isinstance(f, list) and f[0] == "bracket" for f in self.factors[:-1])
+        used = [s.parts_given(term) for term in s.tree.args(self.left, "sum")]
+        as_said = all(text in texts for text in own[:-1]) and own[-1] == s.stated.statement(self.difference)
+        if not brackets or len({*ends}) < len(ends) or not as_said or not all(used):
+            raise self.no_rule()
+        self.alive = list(map(texts.index, own[:-1]))
+        self.used = sorted({n for numbers in used for n in numbers})
 
     def text(self, name: str) -> str:
         """The theorem with its proof, after that of its case."""
@@ -125,14 +134,6 @@ class SumProof:
         """The lines that tell that what stands in a factor vanishes, by the fact that this does for all points."""
         alone = self.statement.for_all(factor)
         yield from [f"exact {fact}."] if alone == factor else self.facts.for_all(alone, factor, fact)
-
-    def _given(self, e: Any) -> list[int]:
-        """The numbers of what is given of which a part of an expression is."""
-        s = self.statement
-        if e in s.given:
-            return [s.given.index(e)]
-        inside = e[1:] if isinstance(e, list) and e[0] in ("join", "meet", "bracket", "product") else []
-        return [n for part in inside for n in self._given(part)][:1]
 
 
 def nested(factors: Sequence[Any]) -> Any:

@@ -10,10 +10,11 @@ from typing import Any
 
 from gcrules.algebra.evaluate import evaluate, plucker
 from gcrules.algebra.expr import Point
+from gcrules.algebra.language.text import number_text
 from gcrules.algebra.language.text import text as expression_text
 from gcrules.algebra.letter_forms import FORMS, coefficients
 from gcrules.algebra.letters import conics_of, letter, letters_of, marked
-from gcrules.algebra.prove import Proof, number_text
+from gcrules.algebra.prove import Proof
 from gcrules.algebra.screw_letters import screw, screws_of
 from gcrules.views.formulas import latex as formulas
 from gcrules.views.results.polynomial import points_shown
