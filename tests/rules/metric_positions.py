@@ -188,6 +188,7 @@ METRIC: Mapping[str, Callable[[random.Random], Position]] = {
     "diagonal-triangle": lambda rng: {n: drawn(rng, 3) for n in "abcde"},
     "euler-line": euclidean("a b c"),
     "feet": euclidean("a b c"),
+    "feuerbach": euclidean("d e f"),
     "medians": affine("a b c"),
     "midpoints": midpoints,
     "newton-gauss": affine("a b c d"),

@@ -357,6 +357,15 @@ def cox(rng: random.Random) -> Position:
     return {"o": o} | {n: between(rng, o, cross(*both, drawn(rng, 4))) for n, both in lines}
 
 
+def twisted_cubic(rng: random.Random) -> Position:
+    """Seven points M (t³, t², t, 1), and a point of each plane through the last one and two of the first three."""
+    rows = [drawn(rng, 4) for _ in range(4)]
+    curve = [tuple(dot(r, vector(t**3, t * t, t, 1)) for r in rows) for t in rng.sample(range(-9, 10), 7)]
+    a, b, c, *_, g = curve
+    planes = {"p": (a, b, g), "q": (b, c, g), "r": (c, a, g)}
+    return dict(zip("abcdef", curve[:6], strict=True)) | {n: between(rng, *plane) for n, plane in planes.items()}
+
+
 POSITIONS: Mapping[str, Callable[[random.Random], Position]] = {
     "brianchon": brianchon,
     "bundle": bundle,
@@ -393,4 +402,5 @@ POSITIONS: Mapping[str, Callable[[random.Random], Position]] = {
     "steiner": conic_points("a b c d e f"),
     "three-triangles": three_triangles,
     "triple-perspective": twice_in_perspective,
+    "twisted-cubic": twisted_cubic,
 }
