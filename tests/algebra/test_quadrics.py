@@ -188,13 +188,19 @@ def test_a_circle_by_its_centre_is_all_of_it() -> None:
         assert all(evaluate(e, some) for e in resolve(at).nonzero)
 
 
-AXES = {3: {"i": (1, 0, 0), "j": (0, 1, 0)}, 4: {"i": (1, 0, 0, 0), "j": (0, 1, 0, 0), "k": (0, 0, 1, 0)}}
-DIFFERENCES = {3: [(3, 4), (-4, 3), (5, 0), (0, -5)], 4: [(2, 3, 6), (-6, 2, 3), (7, 0, 0), (3, -6, -2)]}
+AXES: dict[int, dict[str, tuple[int, ...]]] = {
+    3: {"i": (1, 0, 0), "j": (0, 1, 0)},
+    4: {"i": (1, 0, 0, 0), "j": (0, 1, 0, 0), "k": (0, 0, 1, 0)},
+}
+DIFFERENCES: dict[int, list[tuple[int, ...]]] = {
+    3: [(3, 4), (-4, 3), (5, 0), (0, -5)],
+    4: [(2, 3, 6), (-6, 2, 3), (7, 0, 0), (3, -6, -2)],
+}
 
 
 @pytest.mark.parametrize("rank", [3, 4])
 def test_lengths_by_directions_at_right_angles(rank: int) -> None:
-    """The fourth corner of a parallelogram is known; positions with equal lengths that nothing constructed are reached."""
+    """The fourth corner of a parallelogram is known; equal lengths that nothing constructed are reached."""
     words = " ".join(AXES[rank])
     at = script_of(f"rank {rank} orthonormal {words} given equal_distance(ab, cd)")
     assert len(kinds(at)) == 1

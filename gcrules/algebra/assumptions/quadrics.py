@@ -96,7 +96,7 @@ def quadric(e: Expr, name: str, rank: int) -> Quadric | None:
             one, two = (tuple(n for n in row if n != name) for row in holding)
             terms.append((sign * number, one, two, tuple(row for row in rows if name not in row)))
         found = Quadric(rank, tuple(terms))
-        points = [Point(n) for n in points_of(e) if n != name]
+        points: list[Expr] = [Point(n) for n in points_of(e) if n != name]
         known = [p for p in points if found.passes_through(p, name)]
         known = known or [p for p in _fourth_corners(found.terms, rank) if found.passes_through(p, name)]
     except LimitReached:
