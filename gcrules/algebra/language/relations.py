@@ -23,11 +23,12 @@ from gcrules.algebra.language.letter_words import RELATIONS_OF_LETTERS
 from gcrules.algebra.language.parse_tree import Node, read, span_of
 from gcrules.algebra.language.relation_words import INCIDENCES, RELATIONS
 from gcrules.algebra.language.syntax import Builder, Context
+from gcrules.algebra.language.with_polars import WithPolars
 from gcrules.algebra.language.words import SEGMENT, Relation, Requirement, ends
 from gcrules.algebra.letter_forms import FORMS
 from gcrules.algebra.letters import conics_of, named_letter
 from gcrules.algebra.names import primed
-from gcrules.algebra.space import Assumption, SourcePlace, Space
+from gcrules.algebra.space import Assumption, SourcePlace, Space, Written
 from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import GcrulesError, InputError
 
@@ -45,8 +46,9 @@ class Claimed:
     """Equations that are claimed together; `relation` is how they were written if that was one word, of `args`.
 
     The claim is about positions at which nothing `required` vanishes, which is told, nor the expressions of `nonzero`.
-    `kind` is the name of a relation of incidence. With a `dual` what is claimed is that; the equations are those of
-    which it is the dual, which hold exactly where it does.
+    `kind` is the name of a relation of incidence; `written` is what was read, where letters for conics or quadrics are
+    declared. With a `dual` what is claimed is that; the equations are those of which it is the dual, which hold exactly
+    where it does.
     """
 
     equations: tuple[tuple[Expr, Expr], ...]
@@ -56,6 +58,13 @@ class Claimed:
     args: tuple[Expr, ...] = ()
     kind: str = ""
     dual: Dual | None = None
+    written: tuple[Written, ...] = ()
+
+    def says(self) -> tuple[Written, ...]:
+        """What was read, or else the relation or the equations."""
+        if self.written or not self.kind:
+            return self.written or tuple(Written("equal", pair) for pair in self.equations)
+        return (Written(self.kind, self.args),)
 
 
 def parse_claim(text: str, context: Context | None = None, filename: str = "<input>") -> Claimed:
@@ -92,9 +101,10 @@ def read_claim(tree: Node, builder: Builder, text: str) -> Claimed:
     if tree.data == "equation":
         sides = builder.equation(tree)
         said = text if conics_of(points_of(*sides)) else ""
-        return Claimed((sides,), said, builder.requirements(), _apart(builder))
-    kind, args, own = _arguments(tree, builder)
-    if own:
+        return Claimed((sides,), said, builder.requirements(), _apart(builder), written=_written(tree, builder.context))
+    kind, args, letter = _arguments(tree, builder)
+    if letter:
+        own = FORMS[builder.rank].own(letter)
         found = tuple(RELATIONS_OF_LETTERS[builder.rank][kind].whole(builder.rank, own, *args))
         kind = ""
     elif kind in INCIDENCES:
@@ -104,7 +114,13 @@ def read_claim(tree: Node, builder: Builder, text: str) -> Claimed:
     claimed: tuple[tuple[Expr, Expr], ...] = tuple((e, ZERO) for e in found) or ((ZERO, ZERO),)
     lines = tuple(a for a in args if a.step > 1)
     return Claimed(
-        claimed, text, builder.requirements(), (*_apart(builder), *lines), args, kind if kind in INCIDENCES else ""
+        claimed,
+        text,
+        builder.requirements(),
+        (*_apart(builder), *lines),
+        args,
+        kind if kind in INCIDENCES else "",
+        written=_written(tree, builder.context),
     )
 
 
@@ -118,15 +134,26 @@ def _dual(tree: Node, builder: Builder, text: str) -> Claimed:
         what = f"a dual is projective, and {at.ideal[0]} is a point at infinity, a word without a dual"
         raise InputError(what, hint="claim it without points at infinity")
     found = read_claim(inner, builder, text)
-    if at.conics and conics_of(
-        points_of(*(e for pair in found.equations for e in pair), *(e for a in at.given for e in a.args))
-    ):
-        form = FORMS[at.rank]
-        raise InputError(f"the dual of a {form.word} letter has no word", hint=f"claim it of {form.instead}")
-    if any(r for some in at.required.values() for r in some) or found.required:
+    if any(not r.letter for some in (*at.required.values(), found.required) for r in some):
         raise InputError("the dual of a construction has no word", hint="write out its joins and meets")
-    relation = Assumption(found.kind, found.args, text) if found.kind else None
-    return replace(found, relation=text, dual=dual_of(found.equations, relation, at.given, builder.rank))
+    return replace(found, relation=text, dual=dual_of(found.says(), at.given, builder.rank))
+
+
+def _written(tree: Node, at: Context) -> tuple[Written, ...]:
+    """What a parse tree says with polars as such, where letters for conics or quadrics are declared."""
+    if not at.conics:
+        return ()
+    builder = WithPolars(at)
+    if tree.data in ("equation", "equal"):
+        return (builder.said(*builder.equation(tree if tree.data == "equation" else tree.children[0])),)
+    kind, args, letter = _arguments(tree, builder)
+    if letter and kind == "touches":
+        return (Written(kind, args, letter),)
+    if letter:
+        return tuple(Written("on", (p,), letter) for p in args)
+    if kind in INCIDENCES:
+        return (Written(kind, args),)
+    return tuple(Written("zero", (e,)) for e in _expanded(RELATIONS[kind], args, at)[0])
 
 
 def read_assumptions(
@@ -136,35 +163,36 @@ def read_assumptions(
 
     `text` is how it was written, `place` where. Raises StepError, InputError.
     """
+    written = _written(tree, builder.context)
     if tree.data == "equal":
         left, right = builder.equation(tree.children[0])
         zero = left if right == ZERO else right if left == ZERO else ex.sub(left, right, rank=builder.rank)
-        return (Assumption("zero", (zero,), text, place, exists=_existing(builder)),)
-    kind, args, own = _arguments(tree, builder)
-    if own:
-        word = RELATIONS_OF_LETTERS[builder.rank][kind]
+        return (Assumption("zero", (zero,), text, place, exists=_existing(builder), written=written),)
+    kind, args, letter = _arguments(tree, builder)
+    if letter:
+        own, word = FORMS[builder.rank].own(letter), RELATIONS_OF_LETTERS[builder.rank][kind]
         exists = _existing(builder)
         if word.at_point is None:
             whole = word.whole(builder.rank, own, *args)
-            return tuple(Assumption("zero", (e,), text, place, exists=exists) for e in whole)
-        t = _further_point(args[0], own, builder.context)
-        found = word.at_point(builder.rank, own, t, *args)
-        return tuple(Assumption(kind, some, text, place, exists=(*exists, *args)) for kind, some in found)
+            return tuple(Assumption("zero", (e,), text, place, exists=exists, written=written) for e in whole)
+        t = _further_point(args[0], letter, builder.context)
+        found, exists = word.at_point(builder.rank, own, t, *args), (*exists, *args)
+        return tuple(Assumption(k, some, text, place, exists=exists, written=written) for k, some in found)
     if kind in INCIDENCES:
-        return (Assumption(kind, args, text, place, exists=_existing(builder)),)
+        return (Assumption(kind, args, text, place, exists=_existing(builder), written=written),)
     whole, chain = _expanded(RELATIONS[kind], args, builder.context)
     exists = (*_existing(builder), *(a for a in args if a.step > 1))
     also = tuple(e for e in whole if e not in chain)
-    return tuple(Assumption("zero", (e,), text, place, also=also, exists=exists) for e in chain)
+    return tuple(Assumption("zero", (e,), text, place, also=also, exists=exists, written=written) for e in chain)
 
 
-def _further_point(flat: Expr, own: Sequence[Expr], at: Context) -> Point:
+def _further_point(flat: Expr, conic: str, at: Context) -> Point:
     """The point in which a line or a plane touches a conic or a quadric, by a name that is not taken: t_PQ."""
     letter, made_of = named_letter(flat), flat.args if isinstance(flat, ex.Join) else ()
     if letter is None and not all(isinstance(a, Point) for a in made_of or (flat,)):
-        hint = f"say where: `given incident(a, {conics_of(points_of(*own))[0]})`, and its tangent at a touches there"
+        hint = f"say where: `given incident(a, {conic})`, and its tangent at a touches there"
         raise InputError("that something touches is assumed of letters and of joins of points", hint=hint)
-    name = re.sub(r"\W", "", "".join([letter or "".join(points_of(flat)), *conics_of(points_of(*own))]))
+    name = re.sub(r"\W", "", "".join([letter or "".join(points_of(flat)), conic]))
     taken = {*at.points, *points_of(flat, *(e for a in at.given for e in a.args))}
     return Point(primed(f"t_{name}", taken.__contains__))
 
@@ -179,24 +207,23 @@ def _existing(builder: Builder) -> tuple[Expr, ...]:
     return (*_apart(builder), *(r.expr for r in builder.requirements()))
 
 
-def _arguments(tree: Node, builder: Builder) -> tuple[str, tuple[Expr, ...], tuple[Expr, ...]]:
-    """The name of a relation, its arguments, which it takes, and the points of the letter behind them that stands for a
-    conic or a quadric.
+def _arguments(tree: Node, builder: Builder) -> tuple[str, tuple[Expr, ...], str]:
+    """The name of a relation, its arguments, which it takes, and the letter behind them that stands for a conic or a
+    quadric, "" where there is none.
     """
     token, *parts = tree.children
     kind, rank, others = str(token), builder.rank, (*INCIDENCES, *RELATIONS)
     of_letters = RELATIONS_OF_LETTERS.get(rank, {})
     parts, conic = conic_behind(kind, of_letters, others, parts, builder.context.conics, rank)
     args = tuple(map(builder.value, parts))
-    own = FORMS[rank].own(conic) if conic else ()
-    if own:
+    if conic:
         builder.check(of_letters[kind], args, parts)
     elif kind in INCIDENCES:
         INCIDENCES[kind](args, parts, rank)
     else:
         word = RELATIONS[kind]
         builder.check(word, args, parts)
-    return kind, args, own
+    return kind, args, conic
 
 
 def _expanded(word: Relation, args: Sequence[Expr], at: Space) -> tuple[list[Expr], list[Expr]]:
