@@ -136,10 +136,23 @@ def pappus(rng: random.Random) -> Position:
     return ends | {"c": between(rng, ends["a"], ends["b"]), "c'": between(rng, ends["a'"], ends["b'"])}
 
 
+Tangent = tuple[Vector, Vector]
+
+
 def conic(rng: random.Random, number: int) -> list[Vector]:
     """Points M (t², t, 1) of the conic with a random matrix M, at different parameters."""
+    return conic_with_tangents(rng, number, 0)[0]
+
+
+def conic_with_tangents(rng: random.Random, number: int, tangents: int) -> tuple[list[Vector], list[Tangent]]:
+    """Points of a conic as above, and of tangents at others these and M (2 t, 1, 0), the derivative."""
     rows = [drawn(rng, 3) for _ in range(3)]
-    return [tuple(dot(r, vector(t * t, t, 1)) for r in rows) for t in rng.sample(range(-9, 10), number)]
+
+    def at(*p: int) -> Vector:
+        return tuple(dot(r, vector(*p)) for r in rows)
+
+    places = rng.sample(range(-9, 10), number + tangents)
+    return [at(t * t, t, 1) for t in places[:number]], [(at(t * t, t, 1), at(2 * t, 1, 0)) for t in places[number:]]
 
 
 def brianchon(rng: random.Random) -> Position:
