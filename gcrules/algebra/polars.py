@@ -18,6 +18,7 @@ from fractions import Fraction
 from gcrules.algebra import expr as ex
 from gcrules.algebra.expr import Expr, Number, measure
 from gcrules.algebra.scalars import bracket
+from gcrules.algebra.space import shortened
 from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import InputError
 
@@ -65,24 +66,31 @@ def check_degrees(*exprs: Expr) -> None:
 
     Raises InputError.
     """
-    found = [_degrees(e) for e in exprs if e != ex.ZERO]
-    if any(degrees != found[0] for degrees in found):
-        (letter, *_), *_ = next(d for d in found if d)
-        raise InputError(
-            f"the terms of a sum or an equation have polars and poles for {letter} unequally often",
-            hint="duality multiplies each by a factor that has no word; claim an incidence, which has no factors",
-        )
+    _common(exprs)
 
 
 _Degrees = Counter[tuple[str, int]]
 """For each letter and each step how often there is a polar of what is of this step."""
 
 
+def _common(terms: Iterable[Expr]) -> _Degrees:
+    """What all terms have."""
+    found = [(e, _degrees(e)) for e in terms if e != ex.ZERO]
+    first, common = found[0] if found else (ex.ZERO, Counter())
+    other = next((e for e, degrees in found if degrees != common), None)
+    if other is not None:
+        one, two = (shortened(str(e)) for e in (first, other))
+        raise InputError(
+            f"duality multiplies {one} and {two} by different factors, for which there is no word",
+            hint="in both there must be as many polars and as many poles; say it as an incidence, which has no factors",
+        )
+    return common
+
+
 def _degrees(e: Expr) -> _Degrees:
     match e:
         case ex.Sum(terms=terms):
-            check_degrees(*terms)
-            return _degrees(terms[0])
+            return _common(terms)
         case ex.Power(base=base, exponent=n):
             return Counter({key: n * number for key, number in _degrees(base).items()})
     found: _Degrees = Counter([(e.letter, e.of.step)] if isinstance(e, Polar) else [])

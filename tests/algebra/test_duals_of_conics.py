@@ -295,8 +295,14 @@ def test_names_that_are_bound_keep_their_words() -> None:
 
 
 FAULTS = [
-    ("rank 3 conic K claim dual(conic(p, K) == [abc])", "have polars and poles for K unequally often"),
-    ("rank 3 conic K claim dual(pole(ab, K) == polar(a, K) /\\ polar(b, K))", "polars and poles for K unequally often"),
+    (
+        "rank 3 conic K claim dual(conic(p, K) == [abc])",
+        "duality multiplies 1/2[p, polar(p, K)] and [abc] by different factors",
+    ),
+    (
+        "rank 3 conic K claim dual(pole(ab, K) == polar(a, K) /\\ polar(b, K))",
+        "duality multiplies pole(ab, K) and polar(a, K)",
+    ),
     ("rank 3 conic K claim dual(incident(a, polar(p, K)) ", "expected"),
     ("rank 3 conic K claim dual(incident(p, tangent(a, b, c, d, e)))", "the dual of a construction has no word"),
     ("quadric Q ideal i claim dual(incident(i, Q))", "i is a point at infinity"),

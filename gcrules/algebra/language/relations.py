@@ -163,12 +163,16 @@ def read_assumptions(
 
     `text` is how it was written, `place` where. Raises StepError, InputError.
     """
-    written = _written(tree, builder.context)
     if tree.data == "equal":
         left, right = builder.equation(tree.children[0])
         zero = left if right == ZERO else right if left == ZERO else ex.sub(left, right, rank=builder.rank)
-        return (Assumption("zero", (zero,), text, place, exists=_existing(builder), written=written),)
+        return (
+            Assumption(
+                "zero", (zero,), text, place, exists=_existing(builder), written=_written(tree, builder.context)
+            ),
+        )
     kind, args, letter = _arguments(tree, builder)
+    written = _written(tree, builder.context)
     if letter:
         own, word = FORMS[builder.rank].own(letter), RELATIONS_OF_LETTERS[builder.rank][kind]
         exists = _existing(builder)
