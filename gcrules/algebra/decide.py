@@ -48,8 +48,8 @@ def decide(claimed: Claimed, at: Space, *, limit: int = MAX_TERMS) -> Proof:
     """The verdict on what is claimed in a space, with what is given there: refuted if one of its equations is.
 
     What the claim's words make is assumed not to vanish, and told as such where the claim is proved. A claim about
-    hyperplanes alone that stays undecided is proved as the dual of one about points, if that is; so is at once one of
-    tangents. Raises StepError and InputError as `prove` does, and InputError where a word makes
+    hyperplanes alone that stays undecided is proved as the dual of one about points, if that is; one of which tangents
+    are given is so at once. Raises StepError and InputError as `prove` does, and InputError where a word makes
     what exists nowhere.
     """
     conics = conics_of(_names(claimed, at))

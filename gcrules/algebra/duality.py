@@ -135,6 +135,8 @@ def _said(w: Written, rank: int, *, assumed: bool = False) -> list[str]:
     args = [dual(e, rank) for e in w.args]
     if w.letter:
         return [_of_letter(args[0], w.letter, rank, assumed)]
+    if assumed and (on := _on_own_polar(w.kind, args, rank)) is not None:
+        return [_of_letter(on.of, on.letter, rank, assumed)]
     if w.kind == "equal":
         return [" == ".join(map(text, args))]
     word = _WORDS.get((w.kind, rank), "incident" if w.kind == "incident" and _readable(args, rank) else "")
@@ -152,6 +154,15 @@ def _readable(pair: Sequence[Expr], rank: int) -> bool:
         return True
     joins = [e for e in pair if e.step == min(steps) and isinstance(e, ex.Join)]
     return bool(joins) and all(a.step == 1 for e in joins for a in e.args)
+
+
+def _on_own_polar(kind: str, args: Sequence[Expr], rank: int) -> Polar | None:
+    """The polar of what is said to lie on its own polar, or of a line of space to meet it: it touches, or is on it."""
+    if len(args) != 2:
+        return None
+    flat, polar = sorted(args, key=lambda e: isinstance(e, Polar))
+    word = "incident" if flat.step in (1, rank - 1) else "concurrent"
+    return polar if kind == word and isinstance(polar, Polar) and polar.of == flat else None
 
 
 def _of_letter(flat: Expr, letter: str, rank: int, assumed: bool) -> str:

@@ -14,7 +14,7 @@ from random import Random
 
 import pytest
 from algebra.conic_texts import drawn_frame, drawn_line, drawn_point, placed
-from algebra.quadric_figures import Vector, combined, dot, plane_through
+from algebra.quadric_figures import Vector, combined, dot, plane, plane_through, point
 from faults import refused
 from places import checker
 
@@ -162,6 +162,10 @@ SPACE: list[tuple[Mapping[str, str], str, str]] = [
     ({"P": "plane", "R": "plane", "a": "point"}, "", "collinear(pole(P, Q), pole(R, Q), a)"),
     (dict.fromkeys("abcd", "point"), "", "[[ab, polar(ab, Q), cd, polar(cd, Q), ac, polar(ac, Q)]] == 0"),
 ]
+TOUCHING: tuple[Mapping[str, str], str, str]
+TOUCHING = ({"a": "on", "b": "beside a"}, "touches(ab, Q)", "touches(polar(ab, Q), Q)")
+"""Its dual says in other words that a meet of planes touches, and is not proved as it is printed."""
+
 SPACE_IDS = [f"{given} ⊢ {claim}" for _, given, claim in SPACE]
 _DECLARED = {"tangent": "plane", "plane": "plane", "touching": "line", "line": "line"}
 
@@ -172,11 +176,11 @@ class Space:
 
     rng: Random
     where: Mapping[str, str]
-    corners: list[Vector] = field(init=False)
+    corners: list[Vector] = field(default_factory=list)
     things: dict[str, list[Vector]] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
-        self.corners = [self._anywhere() for _ in range(4)]
+        self.corners = self.corners or [self._anywhere() for _ in range(4)]
         for name, how in self.where.items():
             self.things[name] = self._thing(how)
 
@@ -192,22 +196,40 @@ class Space:
         if how in ("on", "tangent", "touching"):
             at, one, other = self._on(s, t), self._on(s, u), self._on(v, t)
             return {"on": [at], "tangent": [at, one, other], "touching": [at, combined(u, one, v, other)]}[how]
+        if how.startswith("beside"):
+            (p,) = self.things[how[-1]]
+            plane = self._polar(p)
+            q, r = self._anywhere(), self._anywhere()
+            return [combined(dot(plane, r), q, -dot(plane, q), r)]
         if how in ("point", "line", "plane"):
             return [self._anywhere() for _ in range(("point", "line", "plane").index(how) + 1)]
         (p,), (q,) = (self.things[n] for n in how)
         return [combined(s, p, t, q)]
 
+    def _faces(self) -> list[Vector]:
+        """The dual basis of the corners."""
+        found = []
+        for i, corner in enumerate(self.corners):
+            plane = plane_through(*self.corners[:i], *self.corners[i + 1 :])
+            found.append(combined(pow(dot(plane, corner), -1, PRIME), plane, 0, plane))
+        return found
+
+    def _polar(self, p: Vector) -> Vector:
+        """Of y1 y2 - y3 y4, where the faces give the coordinates."""
+        f = self._faces()
+        y = [dot(face, p) for face in f]
+        return combined(1, combined(y[1], f[0], y[0], f[1]), -1, combined(y[3], f[2], y[2], f[3]))
+
     def dual(self) -> dict[str, Vector]:
         """The points of the dual: its corners are the dual basis, a point is a plane and a plane a point with the same
         coordinates, and a line the meet of the planes of two points.
         """
-        found = {}
-        for i, name in enumerate(conic_points("Q", 4)):
-            plane = plane_through(*self.corners[:i], *self.corners[i + 1 :])
-            scale = pow(dot(plane, self.corners[i]), -1, PRIME)
-            found[name] = tuple(scale * c % PRIME for c in plane)
+        found = dict(zip(conic_points("Q", 4), self._faces(), strict=True))
         for name, points in self.things.items():
-            values = (self._through(points) for _ in range(4 - len(points)))
+            values = [self._through(points) for _ in range(4 - len(points))]
+            if len(points) == 1:  # as large as the point is
+                scale = points[0][0] * pow(plane_through(*values)[0], -1, PRIME)
+                values[0] = combined(scale, values[0], 0, values[0])
             found |= dict(zip(named(name, 4 - len(points)), values, strict=True))
         return found
 
@@ -226,6 +248,10 @@ def named(name: str, step: int) -> tuple[str, ...]:
     return (name,) if step == 1 else names_of(name, step)
 
 
+def declared_in(where: Mapping[str, str]) -> str:
+    return ", ".join(["quadric Q", *(f"{_DECLARED[how]} {n}" for n, how in where.items() if how in _DECLARED)])
+
+
 def holds(text: str, at: Context, points: Mapping[str, Vector]) -> bool:
     evaluate = Evaluator(points, 4, PRIME)
     return all(
@@ -234,11 +260,11 @@ def holds(text: str, at: Context, points: Mapping[str, Vector]) -> bool:
     )
 
 
-@pytest.mark.parametrize(("where", "given", "claim"), SPACE, ids=SPACE_IDS)
+@pytest.mark.parametrize(("where", "given", "claim"), [*SPACE, TOUCHING], ids=[*SPACE_IDS, "touching"])
 def test_duals_in_space_hold_as_they_are_printed(where: Mapping[str, str], given: str, claim: str) -> None:
-    declared = ["quadric Q", *(f"{_DECLARED[how]} {n}" for n, how in where.items() if how in _DECLARED)]
-    proof = gc.prove(f"dual({claim})", letters=", ".join(declared), given=given or ())
-    dual, at = proof.dual, parse_assumption(", ".join([*declared, *filter(None, [given])]), Context(4))
+    declared = declared_in(where)
+    proof = gc.prove(f"dual({claim})", letters=declared, given=given or ())
+    dual, at = proof.dual, parse_assumption(", ".join(filter(None, [declared, given])), Context(4))
     assert dual is not None
     lettered = parse_assumption(", ".join(dual.letters), Context(4))
     parse_assumption(", ".join(dual.given) or "quadric Q", lettered)
@@ -248,8 +274,44 @@ def test_duals_in_space_hold_as_they_are_printed(where: Mapping[str, str], given
         assert all(holds(one, lettered, points) for one in dual.given)
         assert all(holds(one, lettered, points) for one in dual.claims) == proof.proved
         assert holds(claim, at, there.points()) == proof.proved
+
+
+@pytest.mark.parametrize(("where", "given", "claim"), SPACE, ids=SPACE_IDS)
+def test_printed_duals_in_space_are_decided_alike_where_they_are_decided(
+    where: Mapping[str, str], given: str, claim: str
+) -> None:
+    proof = gc.prove(f"dual({claim})", letters=declared_in(where), given=given or ())
+    dual = proof.dual
+    assert dual is not None
     found = {gc.prove(one, letters=", ".join(dual.letters), given=dual.given).verdict for one in dual.claims}
     assert found <= {proof.verdict, "undecided"}
+
+
+def test_a_line_that_touches_is_said_to_touch_again_in_the_dual_of_the_dual() -> None:
+    _, given, claim = TOUCHING
+    dual = dual_of(claim, 4, "quadric Q", given)
+    assert dual.given == ("concurrent(a /\\ b, polar(a /\\ b, Q))",)
+    assert dual_of(dual.claims[0], 4, *dual.letters, *dual.given).given == (given,)
+
+
+@pytest.mark.parametrize("seed", range(RANDOM))
+def test_duals_of_scalars_in_space_are_these_up_to_one_factor_of_the_quadric(seed: int) -> None:
+    rng = Random(f"space {seed}")
+    on = tuple("ab"[: rng.randrange(3)])
+    scalar = f"[{point(rng, 'abcd', on, 2)[0]}, {plane(rng, 'abcd', on, 2)[0]}]"
+    dual = dual_of(f"{scalar} == 0", 4, "quadric Q", *(f"incident({n}, Q)" for n in on))
+    (printed,) = dual.claims
+    where = {n: "on" if n in on else "point" for n in "abcd"}
+    at = parse_assumption(", ".join(["quadric Q", *(f"incident({n}, Q)" for n in on)]), Context(4))
+    lettered = parse_assumption(", ".join(dual.letters), Context(4))
+    corners, values = Space(rng, {}).corners, []
+    for _ in range(3):
+        there = Space(rng, where, corners)
+        sides = ((f"{scalar} == 0", at, there.points()), (printed, lettered, there.dual()))
+        values.append([Evaluator(p, 4, PRIME).value(parse_claim(t, c).equations[0][0])[0] for t, c, p in sides])
+    (one, other), *rest = values
+    assert all((one * w - other * v) % PRIME == 0 for v, w in rest)
+    assert bool(one % PRIME) == bool(other % PRIME)
 
 
 # --- tangents alone ---------------------------------------------------------------------------------------------------
