@@ -25,6 +25,7 @@ from gcrules.algebra.language.relations import parse_claim
 from gcrules.algebra.language.statements import parse_assumption, parse_script
 from gcrules.algebra.language.syntax import Context
 from gcrules.algebra.letters import conic_points, names_of
+from gcrules.apps.repl.interpreter import Interpreter
 from gcrules.rules.script import run_script
 
 CHECK = checker("check_proof")
@@ -354,6 +355,16 @@ def test_names_that_are_bound_keep_their_words() -> None:
     assert result.proof.proved
     assert result.proof.dual is not None
     assert result.proof.dual.claims == ("incident(pole(a, K) \\/ pole(b, K), polar(a /\\ b, K))",)
+
+
+def test_the_prompt_decides_duals_of_conics() -> None:
+    lines = "rank 3\nconic K\ngiven incident(a, K)\ndual(incident(a, polar(a, K)))\ndual(incident(b, K))"
+    answers = [a.text.splitlines() for a in Interpreter().feed(lines)]
+    decided = [(some[0].split(":")[0], some[3].strip()) for some in answers if "dual" in some[0]]
+    assert decided == [
+        ("proved", "the dual: incident(a, pole(a, K)) where touches(a, K)"),
+        ("refuted", "the dual: touches(b, K) where touches(a, K)"),
+    ]
 
 
 FAULTS = [
