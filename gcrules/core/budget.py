@@ -35,6 +35,7 @@ __all__ = [
     "Count",
     "as_float",
     "checkpoint",
+    "punctual",
     "report",
     "seconds_left",
     "stage",
@@ -141,6 +142,28 @@ def within(
     token = _current.set(budget)
     try:
         yield budget
+    finally:
+        _current.reset(token)
+
+
+@contextmanager
+def punctual() -> Iterator[None]:
+    """What runs inside has the seconds of the budget around it, and not its grace.
+
+    >>> with within(seconds=0, grace=60):
+    ...     checkpoint()
+    ...     with punctual():
+    ...         checkpoint()
+    Traceback (most recent call last):
+    gcrules.core.errors.LimitReached: this takes more than 0 seconds
+    """
+    around = _current.get()
+    if around is None:
+        yield
+        return
+    token = _current.set(Budget(around.seconds, None, None, around.started, around))
+    try:
+        yield
     finally:
         _current.reset(token)
 

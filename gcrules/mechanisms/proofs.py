@@ -200,12 +200,14 @@ def _of_factorization(found: Factorization) -> _Claims:
 
 def _factored(found: Factorization) -> Iterator[_Said]:
     assert found.input is not None
-    if not found.proved:
+    if found.exists and not found.proved:
         yield LeftOut("factorization", _RANDOM)
         return
     name = "factorization" if found.exists else "expansion"
     yield _Claim(name, found.input, found.whole(), found.rank, found.ideal)
-    if not found.exists:
+    if found.exists is None:
+        yield LeftOut("whether it is a product of expressions", f"it is undecided: {found.certificate.detail}")
+    elif not found.exists:
         yield no_expression(found, name)
     for excluded in found.excluded:
         yield LeftOut(f"that there is {excluded}", "a search says so, which is not recomputed")

@@ -31,7 +31,7 @@ from gcrules.algebra.steps import (
 from gcrules.algebra.straightening.straighten import straighten
 from gcrules.algebra.superbrackets.shortest import shortest_forms
 from gcrules.core.deferred import deferred
-from gcrules.core.errors import InputError
+from gcrules.core.errors import InputError, LimitReached
 from gcrules.rules.instance import of_the_catalog, structure_of
 from gcrules.rules.rule import Elementary
 
@@ -72,6 +72,8 @@ def _factored(e: Expr, space: Space) -> Expr | None:
         answer: Factorization = factor(e, points=space.points, ideal=space.ideal, rank=space.rank, seconds=_SECONDS)
     except InputError:  # not homogeneous in the points
         return None
+    if answer.exists is None:
+        raise LimitReached(answer.certificate.detail)
     return answer.to_expr()
 
 

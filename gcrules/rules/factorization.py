@@ -81,11 +81,11 @@ def factored(
                 sought = with_cofactor and (len(poly) <= _FEW_TERMS or seconds > SECONDS)
                 found = factor(poly, seconds=left, cofactor=sought)
             except LimitReached as limited:
-                late = monotonic() >= end
-                reason = f"no factorization was found: {limited.message}"
-                return FactorizationOutcome(partial, _out_of_time(seconds) if late else reason)
+                return FactorizationOutcome(partial, _limited(limited.message, seconds, end))
             except GcrulesError:  # not homogeneous in the points: terms that cancel elsewhere
                 continue
+            if found.exists is None:
+                return FactorizationOutcome(partial, _limited(found.certificate.detail, seconds, end))
             for expression, factor_in_front in _expressions(found):
                 condition = _condition(expression, factor_in_front, structure, oracle)
                 if condition is not None:
@@ -106,6 +106,10 @@ def _in_vain(family: str, number: int, structure: Structure, sought: bool, wante
     if sought:
         return f"{note}, nor was one found with a cofactor"
     return f"{note}; with a cofactor it was not sought (--search with more seconds seeks it)" if wanted else note
+
+
+def _limited(reason: str, seconds: float, end: float) -> str:
+    return _out_of_time(seconds) if monotonic() >= end else f"no factorization was found: {reason}"
 
 
 def _out_of_time(seconds: float) -> str:

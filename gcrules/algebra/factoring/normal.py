@@ -10,7 +10,7 @@ from gcrules.algebra.factoring.residues import random_positions, residues, value
 from gcrules.algebra.straightening.straighten import straighten
 from gcrules.core.errors import InputError
 
-__all__ = ["normal", "zero"]
+__all__ = ["normal", "not_zero", "zero"]
 
 _TIMES = {0: "never", 1: "once", 2: "twice"}
 
@@ -27,7 +27,7 @@ def normal(poly: BracketPolynomial, terms: int) -> BracketPolynomial:
     for m, c in poly.terms.items():
         parts.setdefault(_degrees(m), {})[m] = c
     if len(parts) > 1:
-        _one_of([d for d, part in parts.items() if _somewhere(poly.with_terms(part))], poly.points)
+        _one_of([d for d, part in parts.items() if not_zero(poly.with_terms(part))], poly.points)
     found = straighten(poly, limit=terms)
     assert isinstance(found, BracketPolynomial)
     if not found:
@@ -45,7 +45,7 @@ def _degrees(m: Monomial) -> Degrees:
     return tuple(sorted(Counter(i for row in m for i in row).items()))
 
 
-def _somewhere(part: BracketPolynomial) -> bool:
+def not_zero(part: BracketPolynomial) -> bool:
     """Whether a polynomial is not zero at random positions, which is certain if it is so."""
     p = residues(part.rank).p
     at = random_positions(2, len(part.points), part.rank, p, ideal=part.ideal, seed=1)

@@ -50,7 +50,7 @@ class Cover:
 class Groups:
     """The irreducible factors of a polynomial: the brackets `rows`, and the different `parts` that are no brackets,
     each as often as `times` says. `built` is the largest number of extensors of a search; `known` remembers what
-    searches found, `reached` the limit that ended one.
+    searches found, `ended` the limits that ended some.
     """
 
     rows: Counter[Row]
@@ -59,7 +59,7 @@ class Groups:
     effort: Effort
     built: int = 0
     known: dict[tuple[_Numbers, tuple[Row, ...]], list[Written]] = field(default_factory=dict)
-    reached: LimitReached | None = None
+    ended: dict[tuple[_Numbers, tuple[Row, ...]], LimitReached] = field(default_factory=dict)
 
     def cover(self) -> Cover | None:
         """Groups of which each is one expression, with brackets inside it where need be; None if there are none.
@@ -68,13 +68,17 @@ class Groups:
         no others make a cover.
         """
         found = self._cover(tuple(self.times), self.rows)
-        if found is None and self.reached is not None:
-            raise self.reached
+        if found is None and self.ended:
+            raise next(iter(self.ended.values()))
         return found
 
-    def alone(self, part: int) -> list[Written]:
-        """The expressions of one part without brackets inside, as far as they are known."""
-        return self.known.get(((part,), ()), [])
+    def alone(self, part: int) -> list[Written] | LimitReached:
+        """The expressions of one part without brackets inside, or the limit at which their search ended."""
+        try:
+            found = self._expressions((part,), ())
+        except LimitReached as reached:
+            return reached
+        return self.ended.get(((part,), ()), found)
 
     def _cover(self, left: _Numbers, rows: Counter[Row]) -> Cover | None:
         checkpoint()
@@ -122,7 +126,7 @@ class Groups:
                 self.known[key], built = search(target * target.with_terms({inside: 1}), effort)
                 self.built = max(self.built, built)
             except LimitReached as reached:
-                self.known[key], self.reached = [], self.reached or reached
+                self.known[key], self.ended[key] = [], reached.with_traceback(None)  # which holds the extensors
             self.effort.products += effort.products
         return self.known[key]
 

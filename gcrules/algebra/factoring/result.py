@@ -17,7 +17,9 @@ from gcrules.algebra.language.text import text
 from gcrules.core.dataclass import dataclass
 from gcrules.core.shown import Shown
 
-__all__ = ["ExpressionFamily", "FactoredForm", "FactoredPart", "Factorization", "brackets_of"]
+__all__ = ["UNDECIDED", "ExpressionFamily", "FactoredForm", "FactoredPart", "Factorization", "brackets_of"]
+
+UNDECIDED = "undecided"
 
 MANY = 10
 """Equal factors that a text for people shows as a power."""
@@ -73,18 +75,21 @@ def brackets_of(rows: Iterable[Row], names: tuple[str, ...]) -> tuple[Expr, ...]
 class FactoredPart:
     """A factor that is no bracket, and how often it occurs; `expression` is a multiple of it, if one was found.
 
-    `irreducible` says whether it is known that it does not split further.
+    `irreducible` says whether it is known that it does not split further, `undecided` what ended the search for its
+    expression, if something did.
     """
 
     polynomial: BracketPolynomial
     times: int
     expression: Expr | None
     irreducible: bool
+    undecided: str = ""
 
 
 @dataclass(frozen=True)
 class Factorization(Shown):
-    """input = coefficient · Π factors · expression, or the certificate that the family holds no such expression.
+    """input = coefficient · Π factors · expression, or the certificate that the family holds no such expression, or the
+    limit that ended the search.
 
     The expression is a product where there are several irreducible factors that are no brackets. `points` is the
     tableau order. Where there is none, `expression` is None and input = coefficient · Π factors · `remainder`; where
@@ -94,6 +99,11 @@ class Factorization(Shown):
     which cofactors were tried in vain, and `undecided` which were left at a limit. Where each point occurs once and
     there is no expression, `atoms` are the atomic extensors that are left. `input` is what was factored, `ideal` its
     points at infinity.
+
+    Where a limit ended the search, the certificate's method is "undecided" and its detail the limit. `parts` are then
+    what the brackets leave, also where it is one polynomial (input = coefficient · Π factors · Π parts, the
+    `remainder` is None where they are several), `more_brackets` says whether other brackets may divide, and
+    `exchangeable` are classes of points any two of which may be exchanged, each with the sign that this brings.
     """
 
     rank: int
@@ -110,22 +120,28 @@ class Factorization(Shown):
     excluded: tuple[str, ...] = ()
     undecided: tuple[str, ...] = ()
     parts: tuple[FactoredPart, ...] = ()
+    more_brackets: bool = False
+    exchangeable: tuple[tuple[tuple[str, ...], int], ...] = ()
     atoms: tuple[Expr, ...] = field(default=(), compare=False, repr=False)
     input: Expr | None = field(default=None, compare=False, repr=False)
     ideal: tuple[str, ...] = field(default=(), compare=False, repr=False)
 
     @property
-    def exists(self) -> bool:
-        """Whether there is an expression."""
+    def exists(self) -> bool | None:
+        """Whether there is an expression; None where a limit ended the search."""
+        if self.expression is None and self.certificate.method == UNDECIDED:
+            return None
         return self.expression is not None
 
     @property
     def proved(self) -> bool:
-        """Whether the answer is certain; else an expression was found that was tested at random points only."""
-        return self.certificate.method != "random-points"
+        """Whether the answer is certain; else a limit ended the search, or an expression was found that was tested at
+        random points only.
+        """
+        return self.certificate.method not in ("random-points", UNDECIDED)
 
     def to_expr(self) -> Expr | None:
-        """coefficient · Π factors · expression, equal to the input; None if no expression exists in the family."""
+        """coefficient · Π factors · expression, equal to the input; None if no expression was found."""
         if self.expression is None:
             return None
         return FactoredForm(self.coefficient, self.factors, self.expression).product()
@@ -134,7 +150,8 @@ class Factorization(Shown):
         """`{coefficient, factors, expression, alternatives, more, family, certificate}`, text of the language.
 
         Where no expression exists `remainder` is the polynomial that has none, and `parts` are its factors where there
-        are several. `rational`, `excluded` and `undecided` are there if a cofactor was sought.
+        are several. `rational`, `excluded` and `undecided` are there if a cofactor was sought; `more_brackets` and
+        `exchangeable` if a limit ended the search.
         """
         found: dict[str, Any] = {
             "coefficient": _number(self.coefficient),
@@ -154,9 +171,13 @@ class Factorization(Shown):
                     "times": part.times,
                     "expression": None if part.expression is None else self._text(part.expression),
                     "irreducible": part.irreducible,
+                    **({"undecided": part.undecided} if part.undecided else {}),
                 }
                 for part in self.parts
             ]
+        if self.exists is None:
+            found["more_brackets"] = self.more_brackets
+            found["exchangeable"] = [{"points": list(some), "sign": sign} for some, sign in self.exchangeable]
         if self.rational or self.excluded or self.undecided:
             found["rational"] = [{"cofactor": self._text(f.cofactor), **self._form(f)} for f in self.rational]
             found["excluded"] = list(self.excluded)
@@ -167,10 +188,10 @@ class Factorization(Shown):
         """The input as it was factored; what has no expression stands as a bracket polynomial."""
         if self.expression is not None:
             return FactoredForm(self.coefficient, self.factors, self.expression).product()
-        assert self.remainder is not None
         if self.parts:
             left = (p.polynomial.to_expr() for p in self.parts for _ in range(p.times))
             return FactoredForm(self.coefficient, self.factors, ex.mul(*left)).product()
+        assert self.remainder is not None
         return FactoredForm(self.coefficient, self.factors, self.remainder.to_expr()).product()
 
     def _form(self, form: FactoredForm) -> dict[str, Any]:

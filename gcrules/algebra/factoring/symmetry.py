@@ -13,13 +13,16 @@ from typing import TypeVar
 
 import numpy as np
 
-from gcrules.algebra.bracket import BracketPolynomial, Row
+from gcrules.algebra.bracket import BracketPolynomial, Row, primitive
 from gcrules.algebra.factoring.brackets import vanishing_pairs
 from gcrules.algebra.factoring.modular import MODULUS, Ints
 from gcrules.algebra.factoring.residues import random_positions, values
+from gcrules.algebra.letters import marked
 from gcrules.algebra.straightening.straighten import straighten
+from gcrules.core.budget import checkpoint
+from gcrules.core.errors import LimitReached
 
-__all__ = ["Swap", "Symmetries", "exchanges", "moved_row", "sign_under"]
+__all__ = ["Swap", "Symmetries", "exchangeable", "exchanges", "moved_row", "sign_under"]
 
 _PAIRS = 3
 _MOST = 20_000
@@ -103,6 +106,47 @@ def exchanges(poly: BracketPolynomial) -> Ints:
         moved = np.concatenate([values(poly, position[some], MODULUS) for some in _blocks(live)])
         live = live[(moved == value) | (moved == (MODULUS - value) % MODULUS)]
     return live
+
+
+def exchangeable(poly: BracketPolynomial, *, limit: int) -> tuple[tuple[tuple[str, ...], int], ...]:
+    """Classes of two points or more of which any two may be exchanged, each with the sign that this brings, as far as
+    the time and `limit` terms go.
+
+    The exchanges of a with b and of b with c are proved by normal forms; that of a with c is made of them, and so has
+    their sign.
+    """
+    home: dict[str, list[str]] = {}
+    signs: dict[str, int] = {}
+    degrees = poly.degrees() or {}
+    try:
+        normal = straighten(poly, limit=limit)
+        assert isinstance(normal, BracketPolynomial)
+        for one, other in combinations((n for n in poly.points if n in degrees and not marked(n)), 2):
+            checkpoint()
+            a, b = (home.setdefault(n, [n]) for n in (one, other))
+            if a is b or degrees[one] != degrees[other]:
+                continue
+            order = np.arange(len(poly.points))
+            i, j = poly.points.index(one), poly.points.index(other)
+            order[i], order[j] = j, i
+            if (i < poly.ideal) == (j < poly.ideal) and (sign := _seeming_sign(poly, order)):
+                if sign_under(normal, order, limit) != sign:
+                    continue
+                a += b
+                home.update(dict.fromkeys(b, a))
+                signs.update(dict.fromkeys(a, sign))
+    except LimitReached:
+        pass
+    classes = {id(some): some for some in home.values() if len(some) > 1}
+    return tuple((tuple(some), signs[some[0]]) for some in classes.values())
+
+
+def _seeming_sign(poly: BracketPolynomial, order: Ints) -> int:
+    """1 or −1 where a permuted polynomial is plus or minus the polynomial at two random positions, else 0."""
+    at = random_positions(2, len(poly.points), poly.rank, MODULUS, ideal=poly.ideal, seed=5)
+    whole = primitive(poly)[1]
+    one, other = values(whole, at, MODULUS), values(whole, at[:, order], MODULUS)
+    return 1 if (one == other).all() else -1 if ((one + other) % MODULUS == 0).all() else 0
 
 
 def _blocks(live: Ints) -> list[Ints]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterable, Sequence
+from dataclasses import replace
 from fractions import Fraction
 from functools import reduce
 from itertools import product, repeat
@@ -19,7 +20,15 @@ from gcrules.algebra.factoring.decomposition import Decomposition, decomposed
 from gcrules.algebra.factoring.pieces import Pieces
 from gcrules.algebra.factoring.powers import number_power
 from gcrules.algebra.factoring.products import Cover, Group
-from gcrules.algebra.factoring.result import ExpressionFamily, FactoredForm, FactoredPart, Factorization, brackets_of
+from gcrules.algebra.factoring.result import (
+    UNDECIDED,
+    ExpressionFamily,
+    FactoredForm,
+    FactoredPart,
+    Factorization,
+    brackets_of,
+)
+from gcrules.algebra.factoring.symmetry import exchangeable
 from gcrules.algebra.straightening.straighten import straighten
 from gcrules.core.budget import checkpoint, seconds_left, within
 from gcrules.core.dataclass import dataclass
@@ -33,7 +42,10 @@ _SHARE = 0.2  # of the time that is left, for writing what is left in the given 
 
 @dataclass(frozen=True)
 class Whole:
-    """number · Π rows · Π parts, each part as often as `times` says; whether each part is known to be irreducible."""
+    """number · Π rows · Π parts, each part as often as `times` says; whether each part is known to be irreducible.
+
+    Where a limit ended the search for factors, `reached` is that limit: more brackets may divide then.
+    """
 
     pieces: Pieces
     number: int | Fraction
@@ -41,23 +53,34 @@ class Whole:
     parts: tuple[BracketPolynomial, ...]
     times: tuple[int, ...]
     irreducible: bool
+    reached: LimitReached | None = None
 
     @classmethod
     def of(cls, pieces: Pieces, terms: int, *, patient: bool = True) -> Whole:
         """The factors of all pieces. Raises LimitReached; where not `patient`, a piece is left as it is instead."""
         number, rows, parts, known = pieces.number, Counter(pieces.rows), Counter[BracketPolynomial](), True
+        limit = None
         for poly, n in pieces.polynomials.items():
             try:
                 found = decomposed(poly, terms)
-            except LimitReached:
+            except LimitReached as reached:
                 if patient:
                     raise
+                limit = limit or reached.with_traceback(None)
                 found = Decomposition(1, (), (poly,), False)
             number = Number(number * number_power(found.number, n)).value
             rows.update({row: n * k for row, k in Counter(found.rows).items()})
             parts.update({part: n * k for part, k in Counter(found.parts).items()})
             known &= found.irreducible
-        return cls(pieces, number, rows, tuple(parts), tuple(parts.values()), known)
+        return cls(pieces, number, rows, tuple(parts), tuple(parts.values()), known, limit)
+
+    @property
+    def as_given(self) -> BracketPolynomial | None:
+        """The only part, as it was written: where nothing but what was taken out as written divides it."""
+        given = tuple(self.pieces.polynomials.items())
+        if len(given) != 1 or self.rows != self.pieces.rows or self.times != (1,) or given[0][1] != 1:
+            return None
+        return given[0][0]
 
     def found(self, cover: Cover, family: ExpressionFamily, terms: int, *, every: bool) -> Factorization:
         """The answer for groups that are expressions; each is certified by itself."""
@@ -94,25 +117,47 @@ class Whole:
         self, family: ExpressionFamily, certificate: Certificate, alone: Iterable[Expr | None], terms: int
     ) -> Factorization:
         """The answer that there is none; `alone` are expressions of single parts."""
+        number, parts = self._shown(alone, terms)
+        remainder = self._product(parts, terms)
+        some = tuple(parts) if sum(self.times) > 1 else ()
+        return replace(self._without(number, family, certificate), remainder=remainder, parts=some)
+
+    def undecided(
+        self, family: ExpressionFamily, reached: LimitReached, alone: Sequence[Expr | LimitReached | None], terms: int
+    ) -> Factorization:
+        """The answer where a limit ended the search: what is known, and of `alone` the parts with an expression of
+        their own, those without and those whose search a limit ended.
+        """
+        found = [e if isinstance(e, Expr) else None for e in alone]
+        number, parts = self._shown(found, terms)
+        why = [e.message if isinstance(e, LimitReached) else "" for e in alone]
+        known = tuple(replace(part, undecided=words) for part, words in zip(parts, why, strict=True))
+        given = self.as_given
+        if given is not None and len(known) == 1 and len(given) <= len(known[0].polynomial):
+            number, known = self.pieces.number, (replace(known[0], polynomial=given),)
+        return replace(
+            self._without(number, family, Certificate(UNDECIDED, reached.message, {"hint": reached.hint or ""})),
+            remainder=known[0].polynomial if sum(self.times) == 1 else None,
+            parts=known,
+            more_brackets=self.reached is not None,
+            exchangeable=exchangeable(self.parts[0], limit=terms) if sum(self.times) == 1 else (),
+        )
+
+    def _without(self, number: int | Fraction, family: ExpressionFamily, certificate: Certificate) -> Factorization:
+        """The answer without an expression."""
         names = self.pieces.points
+        rows = brackets_of(self.rows.elements(), names)
+        return Factorization(self.pieces.rank, names, number, rows, None, family, certificate)
+
+    def _shown(self, alone: Iterable[Expr | None], terms: int) -> tuple[int | Fraction, list[FactoredPart]]:
+        """The number in front of the parts, and these in the order of points that was asked for."""
         number, parts = self.number, []
         for part, n, e in zip(self.parts, self.times, alone, strict=True):
             shown = e if e is not None and _certain(part, e, terms) else None
             content, written = primitive(in_order_of_points(part))
             number = Number(number * number_power(content, n)).value
             parts.append(FactoredPart(written, n, shown, self.irreducible))
-        remainder = self._product(parts, terms)
-        return Factorization(
-            self.pieces.rank,
-            names,
-            number,
-            brackets_of(self.rows.elements(), names),
-            None,
-            family,
-            certificate,
-            remainder=remainder,
-            parts=tuple(parts) if sum(self.times) > 1 else (),
-        )
+        return number, parts
 
     def _target(self, group: Group) -> BracketPolynomial:
         target = reduce(mul, (self.parts[i] for i in group.parts))

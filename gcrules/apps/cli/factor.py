@@ -48,10 +48,11 @@ def factor(
     expression of the family that is named. docs/factor.md says what it covers.
 
     Exit code 0: found and proved. 1: none exists in the family, whether one with a cofactor was found or not. 3: not
-    decided within the limits; or found, and shown, but tested at random points only, as the proof took too long.
+    decided within the limits, and what is known is shown; or found, and shown, but tested at random points only, as the
+    proof took too long.
     """
     with limited(seconds, AROUND, gigabytes):
         found = searched("factoring", factored, expression, space, limit, seconds, every=out.full, cofactor=cofactor)
         out.show(found)
         proofs.write(found, "proved" if found.proved else "undecided")
-    ctx.exit(1 if not found.exists else 0 if found.proved else 3)
+    ctx.exit(3 if not found.proved else 0 if found.exists else 1)

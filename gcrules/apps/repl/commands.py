@@ -101,7 +101,7 @@ def _factor(repl: PromptSession, request: Request) -> Iterator[Answer]:
     found = _searched(repl, request, factor, SECONDS_TO_FACTOR)
     if found.exists:
         repl.remember(found.whole())
-    yield _whole(repl, found, "shown" if found.proved or not found.exists else "undecided", _unused(repl))
+    yield _whole(repl, found, "shown" if found.proved else "undecided", _unused(repl))
 
 
 def _factors(repl: PromptSession, request: Request) -> Iterator[Answer]:
