@@ -17,14 +17,14 @@ from fractions import Fraction
 from gcrules.algebra.bracket import BracketPolynomial, ExtensorPolynomial, Row, primitive
 from gcrules.algebra.certificate import Certificate
 from gcrules.algebra.expr import Expr, Number
-from gcrules.algebra.factoring.forms import BRACKET, Factors, IrreducibleFactor
+from gcrules.algebra.factoring.forms import BRACKET, UNDECIDED, Factors, IrreducibleFactor
 from gcrules.algebra.factoring.irreducible import irreducible
 from gcrules.algebra.factoring.limits import MAX_EXTENSORS, SECONDS, Effort, terms_held
-from gcrules.algebra.factoring.normal import normal, zero
+from gcrules.algebra.factoring.normal import normal, not_zero, zero
 from gcrules.algebra.factoring.pieces import factor_pieces
 from gcrules.algebra.factoring.powers import number_power
 from gcrules.algebra.factoring.result import brackets_of
-from gcrules.algebra.factoring.seeking import formed, share_of_time
+from gcrules.algebra.factoring.seeking import NOT_DECIDED, formed, share_of_time
 from gcrules.algebra.factoring.whole import Whole
 from gcrules.core.budget import checkpoint, report, within
 
@@ -33,6 +33,7 @@ __all__ = ["factors"]
 _FOR_PARTS = 0.5  # of the time, for the factors themselves
 _FOR_ONE = 0.8  # of what is left then, for their forms
 _ITSELF = Certificate("normal-form", "it is a bracket")
+_AS_WRITTEN = Certificate("normal-form", "factors that were written as such, or are brackets that all terms share")
 _PRODUCT = Certificate("normal-form", "the product of the factors has the normal form of the input, factor by factor")
 
 
@@ -52,7 +53,7 @@ def factors(
 
     Where a limit ends a search, the factor is undecided and says why; the factors that were found stand. `limit` is as
     for `factor`. Raises InputError for zero, for extensors and where a point does not occur equally often in all terms,
-    LimitReached where a normal form takes more than a limit.
+    LimitReached where a limit is reached before it is known that the polynomial is not zero.
 
     Source: derived here (docs/factor.md).
     """
@@ -63,9 +64,12 @@ def factors(
         if not pieces.number:
             raise zero()
         with share_of_time(_FOR_PARTS):
-            whole = Whole.of(pieces, terms)
-        number, parts = _parts(whole, terms)
+            whole = Whole.of(pieces, terms, patient=False)
         found = [_bracket(whole, row, n) for row, n in sorted(whole.rows.items())]
+        if whole.reached is not None and not all(map(not_zero, whole.parts)):
+            raise whole.reached
+        number, parts = (whole.number, []) if whole.reached is not None else _parts(whole, terms)
+        found += _left(whole)
         for k, (part, shown, n) in enumerate(parts):
             report(f"factor {k + 1} of {len(parts)}")
             known = whole.irreducible or bool(irreducible(part))
@@ -76,7 +80,7 @@ def factors(
         pieces.points,
         number,
         tuple(found),
-        _PRODUCT,
+        _PRODUCT if whole.reached is None else _AS_WRITTEN,
         e if isinstance(e, Expr) else e.to_expr(),
         pieces.points[: pieces.ideal],
     )
@@ -93,12 +97,24 @@ def _parts(whole: Whole, terms: int) -> tuple[int | Fraction, list[tuple[Bracket
         number = Number(number * number_power(content * sign, n)).value
         counted[written * sign] += n
     pieces = whole.pieces
-    if len(counted) == len(pieces.polynomials) == 1 and whole.rows == pieces.rows:
-        ((given, n),), ((written, times),) = pieces.polynomials.items(), counted.items()
-        ratio = Fraction(number / pieces.number) if n == times == 1 else Fraction(0)
+    given = whole.as_given
+    if given is not None and len(counted) == 1:
+        (written,) = counted
+        ratio = Fraction(number / pieces.number)
         if abs(ratio) == 1 and len(given) < len(written):
-            return pieces.number, [(written * ratio, given, n)]
+            return pieces.number, [(written * ratio, given, 1)]
     return number, [(part, part, n) for part, n in counted.items()]
+
+
+def _left(whole: Whole) -> list[IrreducibleFactor]:
+    """Where a limit ended the search for factors, what it left of the brackets that were taken out."""
+    if whole.reached is None:
+        return []
+    why = (f"its factors: {whole.reached.message}",)
+    return [
+        IrreducibleFactor(part, n, UNDECIDED, NOT_DECIDED, irreducible=False, undecided=why)
+        for part, n in zip(whole.parts, whole.times, strict=True)
+    ]
 
 
 def _bracket(whole: Whole, row: Row, times: int) -> IrreducibleFactor:

@@ -35,7 +35,7 @@ from gcrules.core.budget import Budget, seconds_left, within
 from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import LimitReached
 
-__all__ = ["formed", "share_of_time"]
+__all__ = ["NOT_DECIDED", "formed", "share_of_time"]
 
 _MOST_OF = 0.8  # of the time that is left, where others may follow
 _HALF = 0.5
@@ -43,7 +43,7 @@ _DIGITS = 1
 _SECONDS_TO_SHORTEN = 10.0
 _TERMS = 2
 _RANK_OF_LINES = 4
-_UNDECIDED = Certificate("undecided", "a limit was reached before the answer")
+NOT_DECIDED = Certificate("undecided", "a limit was reached before the answer")
 _NOTHING = ExpressionFamily("")
 
 
@@ -59,7 +59,7 @@ class _Absence:
     a form of the polynomial with fewer terms.
     """
 
-    certificate: Certificate = _UNDECIDED
+    certificate: Certificate = NOT_DECIDED
     words: str = ""
     undecided: str = ""
     shorter: BracketPolynomial | None = None
@@ -75,8 +75,8 @@ def formed(
     """The factor in the first form that it has: `poly` in normal form, `shown` equal to it. What a limit ended is said,
     and the next kind is sought.
     """
-    part = IrreducibleFactor(shown, times, UNDECIDED, _UNDECIDED, irreducible)
-    excluded, undecided, absent = list[str](), list[str](), _UNDECIDED
+    part = IrreducibleFactor(shown, times, UNDECIDED, NOT_DECIDED, irreducible)
+    excluded, undecided, absent = list[str](), list[str](), NOT_DECIDED
     for kind, seek in _KINDS.items():
         try:
             with share_of_time(_HALF):
@@ -101,7 +101,7 @@ def formed(
         undecided += [f"{_NAMES[kind]}: {found.undecided}"] if found.undecided else []
         if found.shorter is not None and len(found.shorter) < len(part.polynomial):
             part = replace(part, polynomial=found.shorter)
-    if absent is _UNDECIDED:
+    if absent is NOT_DECIDED:
         return replace(part, excluded=tuple(excluded), undecided=(*undecided, "a cofactor: it was not sought"))
     last = Factorization(poly.rank, poly.points, 1, (), None, _NOTHING, absent, remainder=poly)
     with share_of_time(_MOST_OF):
@@ -161,6 +161,8 @@ def _two_terms(poly: BracketPolynomial, irreducible: bool, effort: Effort) -> _F
         return short.polynomial.to_expr()
     whole = all(c.denominator == 1 for c in short.polynomial.terms.values())
     shorter = short.polynomial if whole and len(short.polynomial) < len(poly) else None
+    if short.undecided:
+        return _Absence(undecided=short.undecided, shorter=shorter)
     if short.lower <= _TERMS:
         return _Absence(
             undecided=f"whether two bracket monomials equal it is not known, {short.terms} do", shorter=shorter

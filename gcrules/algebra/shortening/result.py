@@ -55,8 +55,9 @@ class Shortening(Shown):
 
     `given` is the number of terms of the input as it was expanded, `monomials` that of the bracket monomials of its
     multidegree among which was searched (0 where the answer did not take it), `symmetries` the number of permutations
-    of the points known to take the input to plus or minus itself. `notes` say what stopped a search; `input` is what
-    was shortened, `bounds` are what proves `lower`, for each multidegree.
+    of the points known to take the input to plus or minus itself. `notes` say what stopped a search, `undecided` that
+    there are more bracket monomials than the limit, so that nothing was sought among them; `input` is what was
+    shortened, `bounds` are what proves `lower`, for each multidegree.
     """
 
     polynomial: BracketPolynomial
@@ -67,6 +68,7 @@ class Shortening(Shown):
     monomials: int = 0
     symmetries: int = 1
     notes: tuple[str, ...] = ()
+    undecided: str = ""
     input: Expr | None = field(default=None, compare=False, repr=False)
     bounds: tuple[TermBound, ...] = field(default=(), compare=False, repr=False)
 
@@ -81,7 +83,9 @@ class Shortening(Shown):
         return self.lower == self.terms
 
     def to_json(self) -> dict[str, Any]:
-        """`{polynomial, terms, given, lower, minimal, monomials, symmetries, bound, certificate, notes}`."""
+        """`{polynomial, terms, given, lower, minimal, monomials, symmetries, bound, certificate, notes}`, and
+        `undecided` where there are more bracket monomials than the limit.
+        """
         return {
             "polynomial": str(self.polynomial),
             "terms": self.terms,
@@ -93,4 +97,5 @@ class Shortening(Shown):
             "bound": self.bound.to_json(),
             "certificate": self.certificate.to_json(),
             "notes": list(self.notes),
+            **({"undecided": self.undecided} if self.undecided else {}),
         }

@@ -66,6 +66,7 @@ class ShortestSearch:
     monomials: int = 0
     symmetries: int = 1
     notes: tuple[str, ...] = ()
+    undecided: str = ""
     mergings: tuple[Merging, ...] = ()
     generators: tuple[tuple[int, tuple[tuple[str, str], ...]], ...] = ()
 
@@ -125,8 +126,9 @@ class Divided:
 def shortest_of(divided: Divided, forms: Iterable[BracketPolynomial], limits: SearchLimits) -> ShortestSearch:
     """The shortest form of a homogeneous polynomial that equals the given forms, as far as the time goes.
 
-    Raises LimitReached where there are more bracket monomials of the quotient's multidegree than may be held. Where
-    only those of the whole are too many, the quotient's shortest form is the best that is found.
+    Where there are more bracket monomials of the quotient's multidegree than may be held, it is `undecided` whether the
+    form is the shortest. Where only those of the whole are too many, the quotient's shortest form is the best that is
+    found.
     """
     quotient = divided.quotient
     simple = [divided.times(quotient), *forms]
@@ -139,9 +141,12 @@ def shortest_of(divided: Divided, forms: Iterable[BracketPolynomial], limits: Se
     if found.done:
         return found
     if not divided.rows:
-        return _searched(found, quotient, limits)
+        try:
+            return _searched(found, quotient, limits)
+        except LimitReached as reached:
+            return _without_monomials(found, quotient, reached)
     inner = shortest_of(replace(divided, rows=()), (), limits)
-    found = replace(found.with_form(divided.times(inner.best)), notes=inner.notes)
+    found = replace(found.with_form(divided.times(inner.best)), notes=inner.notes, undecided=inner.undecided)
     if found.done:
         return found
     try:
@@ -160,6 +165,16 @@ def _searched(found: ShortestSearch, normal: BracketPolynomial, limits: SearchLi
         if seconds_left() > 0:
             raise
         return replace(found, notes=(*found.notes, f"search among bracket monomials: {reached.message}"))
+
+
+def _without_monomials(found: ShortestSearch, normal: BracketPolynomial, reached: LimitReached) -> ShortestSearch:
+    """What can be sought without a list of the bracket monomials: normal forms in other orders of the points."""
+    report("normal forms in other orders of the points")
+    found = replace(found, undecided=reached.message)
+    try:
+        return found.with_form(shorter_order(normal, len(found.best)))
+    except LimitReached as ended:
+        return replace(found, notes=(*found.notes, f"normal forms in other orders: {ended.message}"))
 
 
 class _Stages:

@@ -54,8 +54,9 @@ def shorten(
     Coefficients may be any rational numbers. Parts of different multidegree are independent, so each is shortened by
     itself. `limit` is the number of bracket monomials among which is searched (fifty times as many terms may be held).
     After `seconds` no search goes on and what was found so far is the answer, which takes ten seconds more at most;
-    `progress` is told what goes on. Raises InputError for extensors, LimitReached where there are more bracket
-    monomials, or where there is no normal form in the time.
+    `progress` is told what goes on. Where there are more bracket monomials, the answer is the shortest form that is
+    known without them, and `undecided`. Raises InputError for extensors, LimitReached where there is no normal form in
+    the time.
     """
     terms = max(_TERMS_PER_MONOMIAL * limit, MAX_TERMS)
     start, seconds = monotonic(), as_float(seconds)
@@ -162,4 +163,5 @@ def _together(poly: BracketPolynomial, kept: BracketPolynomial, found: list[Shor
         sum(s.monomials for s in found),
         max(s.symmetries for s in found),
         notes,
+        next((s.undecided for s in found if s.undecided), ""),
     )

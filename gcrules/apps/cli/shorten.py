@@ -23,8 +23,15 @@ __all__ = ["shorten"]
 @space_options(metric=True)
 @proof_options
 @output_options()
+@click.pass_context
 def shorten(
-    expression: str, limit: int, seconds: float, space: SpaceOptions, proofs: ProofOptions, out: Output
+    ctx: click.Context,
+    expression: str,
+    limit: int,
+    seconds: float,
+    space: SpaceOptions,
+    proofs: ProofOptions,
+    out: Output,
 ) -> None:
     """Find the bracket polynomial with the fewest terms that equals a scalar.
 
@@ -35,9 +42,11 @@ def shorten(
     "-" reads standard input. What is found is proved by normal forms. The answer says whether it is proved that no
     bracket polynomial has fewer terms, or how many are needed at least. docs/shorten.md says how.
 
-    Exit code 0: an answer was given. 3: there are more bracket monomials than the limit allows.
+    Exit code 0: an answer was given. 3: there are more bracket monomials than the limit allows, so that the form that
+    is shown may not be the shortest; or there is no normal form in the time.
     """
     with limited(seconds, AROUND):
         found = searched("shortening", shortened, expression, space, limit, seconds)
         out.show(found, found.text(unicode=out.unicode, short=True) if out.terminal else None)
         proofs.write(found)
+    ctx.exit(3 if found.undecided else 0)

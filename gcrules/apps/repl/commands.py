@@ -113,7 +113,7 @@ def _factors(repl: PromptSession, request: Request) -> Iterator[Answer]:
 def _shorten(repl: PromptSession, request: Request) -> Iterator[Answer]:
     found = _searched(repl, request, shorten, SECONDS_TO_SHORTEN)
     repl.remember(found.polynomial.to_expr())
-    yield _whole(repl, found, "shown", _unused(repl))
+    yield _whole(repl, found, "undecided" if found.undecided else "shown", _unused(repl))
 
 
 def _transversals(repl: PromptSession, request: Request) -> Iterator[Answer]:

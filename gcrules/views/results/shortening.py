@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from gcrules.algebra.shortening.result import Shortening
 from gcrules.core.english import counted
+from gcrules.views.detail import naming_options
 from gcrules.views.results import polynomial
 
 __all__ = ["as_latex", "as_text"]
@@ -23,6 +24,9 @@ def as_text(s: Shortening, *, unicode: bool = False, short: bool = False) -> str
     if s.monomials:
         symmetries = f"{s.symmetries:,} symmetr{'y' if s.symmetries == 1 else 'ies'}"
         lines.insert(2, f"  searched     {s.monomials:,} bracket monomials, {symmetries}")
+    if s.undecided:
+        more = naming_options(" (--limit raises the limit)")
+        lines.append(f"  undecided    whether a shorter one exists: {s.undecided}{more}")
     return "\n".join([*lines, *(f"  note         {note}" for note in s.notes)])
 
 
