@@ -31,6 +31,7 @@ from gcrules.algebra.screw_letters import screws_of
 from gcrules.algebra.shortening.result import Shortening
 from gcrules.algebra.space import Assumption, Space
 from gcrules.algebra.structure import Structure
+from gcrules.algebra.whole_letters import in_letters
 from gcrules.conditions.analysis import Analysis
 from gcrules.conditions.transversals import Transversals
 from gcrules.core.budget import checkpoint, report
@@ -232,7 +233,7 @@ def _irreducible(found: Factors) -> Iterator[_Said]:
             yield LeftOut(f"the form of factor {i}", _RANDOM)
         else:
             right = mul(Number(f.coefficient), f.expression)
-            yield _Claim(f"factor {i}", mul(f.cofactor, f.polynomial.to_expr()), right, found.rank, found.ideal)
+            yield _Claim(f"factor {i}", mul(f.cofactor, in_letters(f.polynomial)), right, found.rank, found.ideal)
 
 
 def _of_shortening(found: Shortening) -> _Claims:

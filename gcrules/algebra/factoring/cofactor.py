@@ -28,7 +28,7 @@ from gcrules.algebra.expand import expand
 from gcrules.algebra.expr import Expr
 from gcrules.algebra.factoring.brackets import vanishing_pairs
 from gcrules.algebra.factoring.coincidences import Coincidences
-from gcrules.algebra.factoring.extensors import Tree, extensor
+from gcrules.algebra.factoring.extensors import Given, Tree, extensor, joined
 from gcrules.algebra.factoring.limits import Effort
 from gcrules.algebra.factoring.matches import search
 from gcrules.algebra.factoring.products import Cover, Groups, sub_multisets
@@ -132,15 +132,15 @@ class _Lines:
         """t and s."""
         A, (a, b) = names[self.centre], _named(self.ends, names)
         g, h = (_named(line, names) for line in sorted(self.crossed, key=sorted))
-        pencil = _joined(A, a, b)
-        t: Tree = ("meet", _joined(A, *g), _joined(A, *h))
-        s: Tree = ("join", ("meet", pencil, _joined(*g)), ("meet", pencil, _joined(*h)))
+        pencil = joined(A, a, b)
+        t: Tree = ("meet", joined(A, *g), joined(A, *h))
+        s: Tree = ("join", ("meet", pencil, joined(*g)), ("meet", pencil, joined(*h)))
         return t, s
 
     def cofactor(self, names: Sequence[str]) -> Expr:
         """t ∧ ab."""
         t, _ = self.trees(names)
-        return ex.meet(extensor(t, 4), extensor(_joined(*_named(self.ends, names)), 4))
+        return ex.meet(extensor(t, 4), extensor(joined(*_named(self.ends, names)), 4))
 
 
 @dataclass(frozen=True)
@@ -228,7 +228,7 @@ def _with(poly: BracketPolynomial, choice: _Choice, effort: Effort) -> Rational 
     multiple = poly * expanded.over(poly.points)
     if not multiple:
         return None
-    written, _ = search(multiple, effort.renewed(), [(s, 2), (t, 2)])
+    written, _ = search(multiple, effort.renewed(), [Given(s, 2), Given(t, 2)])
     return Rational(cofactor, multiple, tuple(w.expression for w in written)) if written else None
 
 
@@ -238,10 +238,3 @@ def _moved(pair: _Pair, swap: Swap) -> _Pair:
 
 def _named(pair: _Pair, names: Sequence[str]) -> list[str]:
     return [names[i] for i in sorted(pair)]
-
-
-def _joined(*points: str) -> Tree:
-    tree: Tree = points[0]
-    for p in points[1:]:
-        tree = ("join", tree, p)
-    return tree

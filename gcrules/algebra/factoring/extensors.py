@@ -14,8 +14,9 @@ leaves the polynomial different from 0 are *apart*: no join holds both, in whate
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Sequence
-from functools import cached_property
+from functools import cached_property, reduce
 from math import comb
+from operator import or_
 from typing import Any
 
 import numpy as np
@@ -33,10 +34,12 @@ __all__ = [
     "CHUNK",
     "POSITIONS",
     "Extensors",
+    "Given",
     "Letters",
     "Level",
     "Tree",
     "extensor",
+    "joined",
     "leaves",
     "scalar",
     "spread",
@@ -65,6 +68,12 @@ def leaves(tree: Tree) -> Iterator[str]:
             yield from leaves(part)
 
 
+def joined(*points: str) -> Tree:
+    """The join of points as a tree."""
+    *first, last = points
+    return ("join", joined(*first), last) if first else last
+
+
 def extensor(tree: Tree, rank: int) -> Expr:
     """A tree of joins and meets as an expression."""
     if isinstance(tree, str):
@@ -75,17 +84,31 @@ def extensor(tree: Tree, rank: int) -> Expr:
 
 
 @dataclass(frozen=True)
+class Given:
+    """An extensor of this step that is to be used as often as `times` says, as if it were a join of so many points."""
+
+    tree: Tree
+    step: int
+    times: int = 1
+
+    @cached_property
+    def points(self) -> tuple[str, ...]:
+        """Those that it is the join of, if it is one of points."""
+        found = tuple(leaves(self.tree))
+        return found if len(found) == self.step else ()
+
+
+@dataclass(frozen=True)
 class Letters:
     """The points, with the degree in which each is to be used, and the encoding of multidegrees.
 
-    `given` are extensors (tree and step) that are to be used once each, as if they were joins of so many points; the
-    points in them do not count.
+    `given` are extensors that stand beside the points; the points in them do not count.
     """
 
     names: tuple[str, ...]
     degrees: tuple[int, ...]
     rank: int
-    given: tuple[tuple[Tree, int], ...] = ()
+    given: tuple[Given, ...] = ()
 
     def __post_init__(self) -> None:
         if sum(self.widths) > _FIELDS:
@@ -96,12 +119,16 @@ class Letters:
 
     @cached_property
     def widths(self) -> tuple[int, ...]:
-        return (*(d.bit_length() + 1 for d in self.degrees), *(2 for _ in self.given))
+        return tuple(d.bit_length() + 1 for d in self._all_degrees)
+
+    @cached_property
+    def _all_degrees(self) -> tuple[int, ...]:
+        return (*self.degrees, *(g.times for g in self.given))
 
     @cached_property
     def number(self) -> int:
         """How many letters an expression has."""
-        return sum(self.degrees) + sum(step for _, step in self.given)
+        return sum(self.degrees) + sum(g.step * g.times for g in self.given)
 
     @cached_property
     def units(self) -> tuple[int, ...]:
@@ -111,8 +138,7 @@ class Letters:
     @cached_property
     def all(self) -> int:
         """The whole multidegree."""
-        degrees = (*self.degrees, *(1 for _ in self.given))
-        return sum(d * u for d, u in zip(degrees, self.units, strict=True))
+        return sum(d * u for d, u in zip(self._all_degrees, self.units, strict=True))
 
     @cached_property
     def guard(self) -> int:
@@ -201,7 +227,7 @@ class Extensors:
 
     def _letter(self, number: int) -> Tree:
         names = self.letters.names
-        return names[number] if number < len(names) else self.letters.given[number - len(names)][0]
+        return names[number] if number < len(names) else self.letters.given[number - len(names)].tree
 
     def _form(self, letters: int, top: int, first: int, left: int, right: int) -> Tree:
         return _NAMES[top], self.tree(first, left), self.tree(letters - first, right)
@@ -223,7 +249,7 @@ class Extensors:
         (multidegree, top, cost, first, left, right, joined, barred).
         """
         names = self.letters.names
-        places = [len(names) + i for i, (_, step) in enumerate(self.letters.given) if step == letters]
+        places = [len(names) + i for i, given in enumerate(self.letters.given) if given.step == letters]
         if letters == 1:
             places = [*range(len(names)), *places]
         vectors = np.zeros((comb(self.rank, letters % self.rank), POSITIONS, len(places)))
@@ -235,11 +261,18 @@ class Extensors:
         vectors, places = vectors[:, :, nonzero], [places[i] for i in np.flatnonzero(nonzero)]
         none = np.zeros(len(places), dtype=np.int64)
         code = np.array([self.letters.units[i] for i in places], dtype=np.int64)
-        points = [place if place < len(names) else None for place in places]
-        joined = np.array([0 if i is None else 1 << i for i in points], dtype=np.int64)
-        barred = np.array([0 if i is None else self.bars[i] for i in points], dtype=np.int64)
+        points = [self._joined(place) for place in places]
+        joined = np.array([sum(1 << i for i in some) for some in points], dtype=np.int64)
+        barred = np.array([reduce(or_, (self.bars[i] for i in some), 0) for some in points], dtype=np.int64)
         columns = (code, none, none, none, np.array(places, dtype=np.int64), none, joined, barred)
         return self._normalised(self.field.reduced(vectors)), [columns] if places else []
+
+    def _joined(self, place: int) -> tuple[int, ...]:
+        """The points that a letter joins, by their places; none of a given extensor that is more than their join."""
+        names = self.letters.names
+        if place < len(names):
+            return (place,)
+        return tuple(map(names.index, self.letters.given[place - len(names)].points))
 
     def _level(self, letters: int) -> Level:
         """All extensors of so many letters: the joins and meets of two smaller ones, each once, that do not vanish."""

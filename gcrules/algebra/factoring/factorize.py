@@ -24,18 +24,19 @@ from gcrules.algebra.factoring.normal import not_zero, zero
 from gcrules.algebra.factoring.once import each_once
 from gcrules.algebra.factoring.pieces import Pieces, factor_pieces
 from gcrules.algebra.factoring.products import Groups
-from gcrules.algebra.factoring.rational import with_cofactor
+from gcrules.algebra.factoring.rational import COFACTORS_OF_POINTS, with_cofactor
 from gcrules.algebra.factoring.result import ExpressionFamily, Factorization, brackets_of
 from gcrules.algebra.factoring.trees import Written
 from gcrules.algebra.factoring.whole import Whole
 from gcrules.core.budget import as_float, checkpoint, punctual, within
+from gcrules.core.english import listed
 from gcrules.core.errors import LimitReached
 
 __all__ = ["factor"]
 
 BRACKETS = "products of brackets"
-ONE_EXPRESSION = "products of brackets and one expression of joins and meets, all with the polynomial's multidegree"
-SEVERAL = "products of brackets and of expressions of joins and meets, all together with the polynomial's multidegree"
+ONE_EXPRESSION = "products of brackets and one expression of joins and meets"
+SEVERAL = "products of brackets and of expressions of joins and meets"
 
 _TO_ANSWER = 5.0  # seconds for what is known, where a limit ended the search
 _SHARE_TO_ANSWER = 0.2  # of the seconds that are given, where these are few
@@ -74,7 +75,7 @@ def factor(
         with punctual():
             checkpoint()
             effort = Effort(limit)
-            pieces = factor_pieces(e, what="factored", points=points, ideal=ideal, rank=rank, limit=terms)
+            pieces = factor_pieces(e, what="factored", points=points, ideal=ideal, rank=rank, limit=terms, letters=True)
             if not pieces.number:
                 raise zero()
         if not pieces.ideal and pieces.once:
@@ -82,7 +83,9 @@ def factor(
                 found = each_once(pieces, terms)
         else:
             found = _in_groups(pieces, effort, terms, every)
-        if cofactor and found.exists is False:
+        if cofactor and pieces.letters and not found.exists:
+            found = replace(found, undecided=(COFACTORS_OF_POINTS,))
+        elif cofactor and found.exists is False:
             with punctual():
                 found = with_cofactor(found, effort, terms=terms, every=every)
         elif cofactor and found.exists is None:
@@ -98,7 +101,7 @@ def _in_groups(pieces: Pieces, effort: Effort, terms: int, every: bool) -> Facto
     if whole.reached is not None:
         if not all(map(not_zero, whole.parts)):
             raise whole.reached
-        family = ExpressionFamily(SEVERAL, seconds=monotonic() - start)
+        family = ExpressionFamily(_family(SEVERAL, pieces), seconds=monotonic() - start)
         return whole.undecided(family, whole.reached, [whole.reached] * len(whole.parts), terms)
     if not whole.parts:
         rows = brackets_of(whole.rows.elements(), pieces.points)
@@ -106,7 +109,9 @@ def _in_groups(pieces: Pieces, effort: Effort, terms: int, every: bool) -> Facto
             pieces.rank, pieces.points, whole.number, rows, ex.Number(1), ExpressionFamily(BRACKETS), _EQUAL_FORMS
         )
     groups = Groups(whole.rows, whole.parts, whole.times, effort)
-    name = ONE_EXPRESSION if sum(whole.times) == 1 else SEVERAL
+    one = sum(whole.times) == 1
+    together = ", all with" if one else ", all together with"
+    name = f"{_family(ONE_EXPRESSION if one else SEVERAL, pieces)}{together} the polynomial's multidegree"
     ended: LimitReached | None = None
     with punctual():
         alone = [_first(groups.alone(i)) for i in range(len(whole.parts))]
@@ -124,6 +129,11 @@ def _in_groups(pieces: Pieces, effort: Effort, terms: int, every: bool) -> Facto
     return whole.undecided(family, ended, alone, terms)
 
 
+def _family(name: str, pieces: Pieces) -> str:
+    """The name of a family, with the letters that stand whole in all its expressions."""
+    return f"{name} with {listed(pieces.letters)} whole" if pieces.letters else name
+
+
 def _first(found: list[Written] | LimitReached) -> Expr | LimitReached | None:
     """The simplest of expressions, or the limit that ended their search."""
     return found if isinstance(found, LimitReached) else next((w.expression for w in found), None)
@@ -137,7 +147,8 @@ def _exhausted(whole: Whole) -> Certificate:
     if whole.rows:
         detail += ", also with brackets that divide left inside it"
     if alone:
-        detail += "; what the brackets leave is irreducible, so no other expression of joins and meets equals it"
+        kind = _family("no other expression of joins and meets", whole.pieces)
+        detail += f"; what the brackets leave is irreducible, so {kind} equals it"
     elif number > 1:
         detail += f"; so were those of all groups of the {number} irreducible factors of what the brackets leave"
     if not whole.irreducible:

@@ -60,7 +60,7 @@ def factors(
     terms = terms_held(limit)
     with within(seconds, progress=progress):
         checkpoint()
-        pieces = factor_pieces(e, what="factored", points=points, ideal=ideal, rank=rank, limit=terms)
+        pieces = factor_pieces(e, what="factored", points=points, ideal=ideal, rank=rank, limit=terms, letters=True)
         if not pieces.number:
             raise zero()
         with share_of_time(_FOR_PARTS):

@@ -13,7 +13,11 @@ from gcrules.algebra.bracket import BracketPolynomial
 from gcrules.algebra.certificate import Certificate
 from gcrules.algebra.expr import ONE, Expr, Number
 from gcrules.algebra.factoring.powers import number_power
+from gcrules.algebra.factoring.result import polynomial_text
 from gcrules.algebra.language.text import text
+from gcrules.algebra.letters import letter_of
+from gcrules.algebra.plain_letters import in_plain_letters
+from gcrules.algebra.whole_letters import in_letters
 from gcrules.core.dataclass import dataclass
 from gcrules.core.shown import Shown
 
@@ -65,8 +69,9 @@ class IrreducibleFactor:
 
     @property
     def degrees(self) -> dict[str, int]:
-        """How often each point occurs in it."""
-        return dict(self.polynomial.degrees() or {})
+        """How often each point and each letter occurs in it."""
+        degrees = self.polynomial.degrees() or {}
+        return {of[0] if (of := letter_of(n)) is not None else n: d for n, d in degrees.items()}
 
     @property
     def proved(self) -> bool:
@@ -115,7 +120,7 @@ class Factors(Shown):
         """
         number, factors = self.coefficient, list[Expr]()
         for f in self.factors:
-            shown = f.polynomial.to_expr()
+            shown = in_letters(f.polynomial)
             if f.closed and f.expression is not None:
                 number = Number(number * number_power(f.coefficient, f.times)).value
                 shown = f.expression
@@ -124,22 +129,23 @@ class Factors(Shown):
 
     def product(self) -> Expr:
         """coefficient · Π polynomials, equal to the input."""
-        every = (e for f in self.factors for e in repeat(f.polynomial.to_expr(), f.times))
+        every = (e for f in self.factors for e in repeat(in_letters(f.polynomial), f.times))
         return ex.mul(Number(self.coefficient), *every)
 
     def to_json(self) -> dict[str, Any]:
         """`{coefficient, factors, irreducible, certificate}`; each factor is `{polynomial, times, degrees, irreducible,
         form, expression, coefficient, cofactor, certificate, excluded, undecided}`, text of the language.
         """
-        return {
+        found = {
             "coefficient": _number(self.coefficient),
             "factors": [dict(self._factor(f)) for f in self.factors],
             "irreducible": self.irreducible,
             "certificate": self.certificate.to_json(),
         }
+        return in_plain_letters(found, self.points)
 
     def _factor(self, f: IrreducibleFactor) -> Iterator[tuple[str, Any]]:
-        yield "polynomial", str(f.polynomial)
+        yield "polynomial", polynomial_text(f.polynomial)
         yield "times", f.times
         yield "degrees", f.degrees
         yield "irreducible", f.irreducible

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from functools import cached_property
 from itertools import combinations
 from math import factorial, prod
@@ -12,34 +12,35 @@ from gcrules.algebra.bracket import BracketPolynomial
 from gcrules.algebra.evaluate import PRIME, Evaluator, random_points
 from gcrules.algebra.expr import Expr
 from gcrules.algebra.factoring.brackets import vanishing_pairs
-from gcrules.algebra.factoring.extensors import Extensors, Letters, Tree, leaves
+from gcrules.algebra.factoring.extensors import Extensors, Given, Letters, joined, leaves
 from gcrules.algebra.factoring.limits import Effort
 from gcrules.algebra.factoring.residues import residues, values
 from gcrules.algebra.factoring.search import Candidate, candidates
 from gcrules.algebra.factoring.trees import Written, simplest
+from gcrules.algebra.letters import letters_of, names_of
 from gcrules.core.budget import checkpoint
 from gcrules.core.errors import LimitReached
 
-__all__ = ["Oracle", "constant_below", "search"]
+__all__ = ["Oracle", "constant_below", "search", "with_whole_letters"]
 
 _SEEDS = 20
 _FORMS = 10_000
 
 
 def search(
-    poly: BracketPolynomial, effort: Effort, given: Sequence[tuple[Tree, int]] = (), *, first: bool = False
+    poly: BracketPolynomial, effort: Effort, given: Sequence[Given] = (), *, first: bool = False
 ) -> tuple[list[Written], int]:
     """All expressions without a scalar part that are multiples of a polynomial, simplest first, and how many extensors
-    they were made of. With `given` (trees and their steps) only those that hold these extensors; with
-    `first` the one that comes first alone.
+    they were made of. Letters stand in them whole. With `given` only those that hold these extensors; with `first` the
+    one that comes first alone.
 
     Each holds at the test's positions and at two of the oracle's. Raises LimitReached.
     """
     degrees = poly.degrees()
     assert degrees is not None
     names = tuple(n for n in poly.points if n in degrees)
-    spent = Counter(n for tree, _ in given for n in leaves(tree))
-    letters = Letters(names, tuple(degrees[n] - spent[n] for n in names), poly.rank, tuple(given))
+    left = Counter(degrees) - Counter(n for g in given for n in leaves(g.tree))
+    letters = with_whole_letters(names, left, poly.rank, given)
     ideal = sum(n in degrees for n in poly.points[: poly.ideal])
     restricted = poly.over(names, ideal)
     apart = set(combinations(range(len(names)), 2)) - vanishing_pairs(restricted)
@@ -58,7 +59,7 @@ def search(
             found.setdefault(str(w), w)
             if first:
                 break
-    if not found and _most(letters, ideal) >= extensors.field.p:
+    if not found and _most(left.values(), 0 if ideal or given else poly.rank) >= extensors.field.p:
         raise LimitReached(
             "the constant between an expression and the polynomial might be a multiple of the prime "
             f"{extensors.field.p} of the test, as points occur so often"
@@ -68,13 +69,33 @@ def search(
     return sorted(found.values(), key=lambda w: w.key), built
 
 
-def _most(letters: Letters, ideal: int) -> int:
-    """No constant between an expression of these letters and a primitive polynomial is larger: it divides all
-    coefficients of the expression in the coordinates of the points, of which so many may be unit vectors as there are
-    coordinates.
+def with_whole_letters(
+    names: tuple[str, ...], degrees: Mapping[str, int], rank: int, given: Sequence[Given] = ()
+) -> Letters:
+    """Points that occur so often, and beside the extensors that are given the letters to which some of them belong."""
+    whole = _whole_letters(degrees)
+    spent = {n: g.times for g in whole for n in g.points}
+    return Letters(names, tuple(degrees.get(n, 0) - spent.get(n, 0) for n in names), rank, (*given, *whole))
+
+
+def _whole_letters(degrees: Mapping[str, int]) -> tuple[Given, ...]:
+    """The lines, planes and hyperplanes to which points belong, as extensors: those whose points occur equally often,
+    as they do in what is made of whole letters.
     """
-    fixed = 0 if ideal or letters.given else letters.rank
-    return prod(map(factorial, sorted(letters.degrees, reverse=True)[fixed:]))
+    found = []
+    for name, step in letters_of(degrees).items():
+        points = names_of(name, step)
+        times = {degrees.get(n, 0) for n in points}
+        if len(times) == 1:
+            found.append(Given(joined(*points), step, times.pop()))
+    return tuple(found)
+
+
+def _most(degrees: Iterable[int], fixed: int) -> int:
+    """No constant between an expression of points of these degrees and a primitive polynomial is larger: it divides all
+    coefficients of the expression in the coordinates of the points, of which so many, `fixed`, may be unit vectors.
+    """
+    return prod(map(factorial, sorted(degrees, reverse=True)[fixed:]))
 
 
 def constant_below(degrees: Iterable[int], rank: int) -> bool:

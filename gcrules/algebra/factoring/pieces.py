@@ -39,6 +39,11 @@ class Pieces:
     polynomials: Counter[BracketPolynomial]
 
     @property
+    def letters(self) -> tuple[str, ...]:
+        """The lines, planes and hyperplanes that are letters."""
+        return tuple(letters_of(self.points))
+
+    @property
     def once(self) -> bool:
         """Whether each point that occurs does so once in each term, so that all parts have points of their own."""
         used = Counter(i for row, n in self.rows.items() for i in row for _ in range(min(n, 2)))
@@ -58,10 +63,12 @@ def factor_pieces(
     ideal: Iterable[str] = (),
     rank: int | None = None,
     limit: int,
+    letters: bool = False,
 ) -> Pieces:
     """The pieces of a scalar; each factor is expanded by itself, and once.
 
-    Raises InputError for letters that are lines or planes and for extensors (only scalars are `what`), LimitReached
+    Raises InputError for letters of conics, quadrics and screws, without `letters` also for those of lines and planes,
+    and for extensors (only scalars are `what`), LimitReached
     beyond `limit` terms.
     """
     names = ex.points_of(e) if isinstance(e, Expr) else e.points
@@ -72,7 +79,7 @@ def factor_pieces(
     for name in screws_of(names):
         hint = "write it as a sum of two lines, ab + cd" if isinstance(e, Expr) else None
         raise InputError(f"only expressions of points are {what}, and {name} is a screw", hint=hint)
-    if lettered:
+    if lettered and not letters:
         name, step = next(iter(lettered.items()))
         hint = f"write {name} as a join of points" if isinstance(e, Expr) else None
         raise InputError(f"only expressions of points are {what}, and {name} is {step_name(step)}", hint=hint)

@@ -22,7 +22,9 @@ from gcrules.algebra.factoring.symmetry import Symmetries
 from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import LimitReached
 
-__all__ = ["with_cofactor"]
+__all__ = ["COFACTORS_OF_POINTS", "with_cofactor"]
+
+COFACTORS_OF_POINTS = "a cofactor: it is sought where all letters are points"
 
 
 def with_cofactor(found: Factorization, effort: Effort, *, terms: int, every: bool) -> Factorization:

@@ -14,10 +14,21 @@ from gcrules.algebra.bracket import BracketPolynomial, Row
 from gcrules.algebra.certificate import Certificate
 from gcrules.algebra.expr import ONE, Expr
 from gcrules.algebra.language.text import text
+from gcrules.algebra.letters import letters_of
+from gcrules.algebra.plain_letters import in_plain_letters
+from gcrules.algebra.whole_letters import in_letters
 from gcrules.core.dataclass import dataclass
 from gcrules.core.shown import Shown
 
-__all__ = ["UNDECIDED", "ExpressionFamily", "FactoredForm", "FactoredPart", "Factorization", "brackets_of"]
+__all__ = [
+    "UNDECIDED",
+    "ExpressionFamily",
+    "FactoredForm",
+    "FactoredPart",
+    "Factorization",
+    "brackets_of",
+    "polynomial_text",
+]
 
 UNDECIDED = "undecided"
 
@@ -153,6 +164,9 @@ class Factorization(Shown):
         are several. `rational`, `excluded` and `undecided` are there if a cofactor was sought; `more_brackets` and
         `exchangeable` if a limit ended the search.
         """
+        return in_plain_letters(self._data(), self.points)
+
+    def _data(self) -> dict[str, Any]:
         found: dict[str, Any] = {
             "coefficient": _number(self.coefficient),
             "factors": [self._text(f) for f in self.factors],
@@ -163,11 +177,11 @@ class Factorization(Shown):
             "certificate": self.certificate.to_json(),
         }
         if self.remainder is not None:
-            found["remainder"] = str(self.remainder)
+            found["remainder"] = polynomial_text(self.remainder)
         if self.parts:
             found["parts"] = [
                 {
-                    "polynomial": str(part.polynomial),
+                    "polynomial": polynomial_text(part.polynomial),
                     "times": part.times,
                     "expression": None if part.expression is None else self._text(part.expression),
                     "irreducible": part.irreducible,
@@ -189,10 +203,10 @@ class Factorization(Shown):
         if self.expression is not None:
             return FactoredForm(self.coefficient, self.factors, self.expression).product()
         if self.parts:
-            left = (p.polynomial.to_expr() for p in self.parts for _ in range(p.times))
+            left = chain.from_iterable(repeat(in_letters(p.polynomial), p.times) for p in self.parts)
             return FactoredForm(self.coefficient, self.factors, ex.mul(*left)).product()
         assert self.remainder is not None
-        return FactoredForm(self.coefficient, self.factors, self.remainder.to_expr()).product()
+        return FactoredForm(self.coefficient, self.factors, in_letters(self.remainder)).product()
 
     def _form(self, form: FactoredForm) -> dict[str, Any]:
         return {
@@ -203,6 +217,11 @@ class Factorization(Shown):
 
     def _text(self, e: Expr, unicode: bool = False) -> str:
         return text(e, unicode=unicode, names=self.points)
+
+
+def polynomial_text(p: BracketPolynomial) -> str:
+    """A polynomial as text of the language, in whole letters where it can be written so."""
+    return text(in_letters(p), names=p.points) if letters_of(p.points) else str(p)
 
 
 def short(e: Expr) -> Expr:

@@ -27,9 +27,10 @@ from gcrules.algebra.factoring.limits import Effort
 from gcrules.algebra.factoring.matches import search
 from gcrules.algebra.factoring.multilinear import factor_multilinear
 from gcrules.algebra.factoring.once import no_factor, scalars_of
-from gcrules.algebra.factoring.rational import with_cofactor
+from gcrules.algebra.factoring.rational import COFACTORS_OF_POINTS, with_cofactor
 from gcrules.algebra.factoring.result import ExpressionFamily, Factorization
 from gcrules.algebra.factoring.two_lines import two_lines
+from gcrules.algebra.letters import letters_of
 from gcrules.algebra.shortening.shorten import shorten
 from gcrules.core.budget import Budget, seconds_left, within
 from gcrules.core.dataclass import dataclass
@@ -44,6 +45,7 @@ _SECONDS_TO_SHORTEN = 10.0
 _TERMS = 2
 _RANK_OF_LINES = 4
 NOT_DECIDED = Certificate("undecided", "a limit was reached before the answer")
+_OF_POINTS = Certificate("undecided", "two terms and cofactors are sought where all letters are points")
 _NOTHING = ExpressionFamily("")
 
 
@@ -103,6 +105,9 @@ def formed(
             part = replace(part, polynomial=found.shorter)
     if absent is NOT_DECIDED:
         return replace(part, excluded=tuple(excluded), undecided=(*undecided, "a cofactor: it was not sought"))
+    if letters_of(poly.points):
+        none, unsought = f"one expression: {absent.detail}", (*undecided, COFACTORS_OF_POINTS)
+        return replace(part, certificate=_OF_POINTS, excluded=(none, *excluded), undecided=unsought)
     last = Factorization(poly.rank, poly.points, 1, (), None, _NOTHING, absent, remainder=poly)
     with share_of_time(_MOST_OF):
         last = with_cofactor(last, effort.renewed(), terms=terms, every=False)
@@ -151,11 +156,14 @@ def _two_lines(poly: BracketPolynomial, irreducible: bool, effort: Effort) -> _F
     if poly.rank != _RANK_OF_LINES or poly.ideal:
         return _Absence()
     found = two_lines(poly, effort)
-    none = "no comparison of the turns about two lines made of its points, with two joins of two points"
+    own = "two lines that are joins of two points or letters" if letters_of(poly.points) else "two joins of two points"
+    none = f"no comparison of the turns about two lines made of its points, with {own}"
     return _Absence(words=none) if found is None else found
 
 
 def _two_terms(poly: BracketPolynomial, irreducible: bool, effort: Effort) -> _Found:
+    if letters_of(poly.points):
+        return _Absence(undecided="they are sought where all letters are points")
     short = shorten(poly, seconds=min(_SECONDS_TO_SHORTEN, max(0.0, seconds_left())))
     if short.terms <= _TERMS:
         return short.polynomial.to_expr()

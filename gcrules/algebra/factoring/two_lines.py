@@ -1,8 +1,9 @@
 r"""Forms of two terms that compare the turns about two lines: c · P = (p ∧ g)(q ∧ h) − (p ∧ h)(q ∧ g), in space.
 
-g and h are joins of two points, p and q lines that joins and meets make of the other letters of P. If one of the four
-lines is 0, so is the form: so g and h are pairs of points whose coincidence makes P vanish, and no join in p or q holds
-two points that are apart. As for single expressions, what fails at a pair of positions modulo a prime is refuted.
+g and h are joins of two points or line letters, p and q lines that joins and meets make of the other letters of P. If
+one of the four lines is 0, so is the form: so g and h are pairs of points whose coincidence makes P vanish, and no join
+in p or q holds two points that are apart. As for single expressions, what fails at a pair of positions modulo a prime
+is refuted.
 """
 
 from __future__ import annotations
@@ -20,10 +21,11 @@ from gcrules.algebra.expr import Expr
 from gcrules.algebra.factoring.brackets import vanishing_pairs
 from gcrules.algebra.factoring.extensors import Extensors, Letters, Level, extensor, scalar, spread, wedge
 from gcrules.algebra.factoring.limits import Effort
-from gcrules.algebra.factoring.matches import Oracle, constant_below
+from gcrules.algebra.factoring.matches import Oracle, constant_below, with_whole_letters
 from gcrules.algebra.factoring.modular import Ints
 from gcrules.algebra.factoring.residues import Floats, values
 from gcrules.algebra.language.text import text
+from gcrules.algebra.letters import grouped, letter_of
 from gcrules.core.budget import checkpoint
 from gcrules.core.errors import LimitReached
 
@@ -51,16 +53,22 @@ def two_lines(poly: BracketPolynomial, effort: Effort) -> Expr | None:
     own = poly.over(names)
     lines = sorted((a, b) for a, b in vanishing_pairs(own))
     apart = set(combinations(range(len(names)), 2)) - set(lines)
+    lines = [(a, b) for a, b in lines if _line((names[a], names[b]))]
     oracle, found = Oracle(own), list[Expr]()
     for g, h in combinations(lines, 2):
         left = Counter(degrees)
         left.subtract(names[i] for i in (*g, *h))
         if min(left.values()) >= 0 and left.total() >= 2 * _LINE:
-            letters = Letters(names, tuple(left[n] for n in names), _RANK)
+            letters = with_whole_letters(names, left, _RANK)
             found += [e for e in _for_single(own, letters, (g, h), effort.renewed(), apart) if oracle.confirms(e)]
     if not found and not constant_below(degrees.values(), _RANK):
         raise LimitReached("the constant between a form and the polynomial might be a multiple of the test's prime")
     return min(found, key=lambda e: (len(text(e, names=names)), text(e, names=names)), default=None)
+
+
+def _line(ends: tuple[str, str]) -> bool:
+    """Whether two points are a line that may stand alone: none belongs to a letter, or both are all points of one."""
+    return not any(map(letter_of, ends)) or len(grouped(ends)) == 1
 
 
 def _for_single(

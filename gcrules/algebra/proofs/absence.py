@@ -19,6 +19,7 @@ from typing import Any
 from gcrules.algebra.expr import Bracket, points_of
 from gcrules.algebra.factoring.products import sub_multisets
 from gcrules.algebra.factoring.result import Factorization
+from gcrules.algebra.letters import letters_of
 from gcrules.algebra.proofs.proof_file import Absence, LeftOut
 from gcrules.algebra.proofs.written import Written
 from gcrules.algebra.shortening.result import Shortening, TermBound
@@ -42,6 +43,8 @@ def no_expression(found: Factorization, theorem: str) -> Absence | LeftOut:
     searched = f"a search says so, {found.family.searched()}; {found.certificate.detail}"
     if found.ideal:
         return LeftOut(name, f"{searched}; with points at infinity it is not recomputed")
+    if letters_of(found.points):
+        return LeftOut(name, f"{searched}; with letters for lines and planes it is not recomputed")
     if found.certificate.method == _MULTILINEAR:
         claim = "no product of expressions of joins and meets, each point used once, equals it"
         written = Written(found.atoms)

@@ -10,6 +10,7 @@ from gcrules.algebra.bracket import BracketPolynomial
 from gcrules.algebra.expr import Expr
 from gcrules.algebra.factoring.result import MANY, FactoredPart, Factorization, short
 from gcrules.algebra.language.text import text as expression_text
+from gcrules.algebra.letters import letter_of
 from gcrules.core.english import agreeing, listed
 from gcrules.views.detail import is_everything, naming_options
 from gcrules.views.formulas import latex as formulas
@@ -96,8 +97,13 @@ def _polynomial(p: BracketPolynomial, unicode: bool) -> str:
     """All of it where it is short, else how long it is."""
     if len(p) <= _SHOWN or is_everything():
         return p.text(unicode=unicode)
-    degrees = ", ".join(f"{n} {d}" for n, d in (p.degrees() or {}).items())
+    degrees = ", ".join(dict.fromkeys(f"{_of_letter(n)} {d}" for n, d in (p.degrees() or {}).items()))
     return f"a polynomial of {len(p):,} terms{naming_options(' (shown with --full)')} with the degrees {degrees}"
+
+
+def _of_letter(point: str) -> str:
+    of = letter_of(point)
+    return point if of is None else of[0]
 
 
 def as_latex(f: Factorization) -> str:

@@ -9,6 +9,7 @@ from gcrules.algebra.expr import Expr
 from gcrules.algebra.factoring.forms import BRACKET, COFACTOR, EXPRESSION, UNDECIDED, Factors, IrreducibleFactor
 from gcrules.algebra.factoring.result import short
 from gcrules.algebra.language.text import text as expression_text
+from gcrules.algebra.whole_letters import in_letters
 from gcrules.views.formulas import latex as formulas
 
 __all__ = ["as_latex", "as_text"]
@@ -35,7 +36,7 @@ def as_text(f: Factors, *, unicode: bool = False) -> str:
 
 
 def _name(f: IrreducibleFactor, shown: Shown) -> str:
-    written = f.expression if f.closed and f.expression is not None else f.polynomial.to_expr()
+    written = f.expression if f.closed and f.expression is not None else in_letters(f.polynomial)
     return shown(written) + (f", {f.times} times" if f.times > 1 else "")
 
 
@@ -60,7 +61,7 @@ def as_latex(f: Factors) -> str:
     rows = [formulas.latex(f.to_expr())]
     for factor in f.factors:
         if factor.expression is not None and not factor.closed:
-            left = ex.mul(factor.cofactor, factor.polynomial.to_expr())
+            left = ex.mul(factor.cofactor, in_letters(factor.polynomial))
             right = ex.mul(ex.Number(factor.coefficient), factor.expression)
             rows.append(f"{formulas.latex(left)} = {formulas.latex(right)}")
     return " \\\\\n".join(rows)
