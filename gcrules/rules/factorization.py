@@ -14,7 +14,8 @@ from gcrules.algebra.certificate import Certificate
 from gcrules.algebra.expr import ONE, Expr
 from gcrules.algebra.factoring.result import Factorization
 from gcrules.algebra.language.legs_text import Structure
-from gcrules.algebra.letters import marked
+from gcrules.algebra.letters import conics_of, letters_of
+from gcrules.algebra.screw_letters import screws_of
 from gcrules.core.budget import checkpoint
 from gcrules.core.dataclass import dataclass
 from gcrules.core.deferred import deferred
@@ -35,6 +36,7 @@ SECONDS = 3.0
 
 _MOST = 12  # polynomials that are tried under assumptions
 _MORE = "--search with more seconds seeks one (in Python search=...)"
+_NOT_FACTORED = "conics, quadrics and screws stand in none"
 _MANY_TERMS = 200  # beyond, only who asks for more time waits
 _FEW_TERMS = 10  # beyond, a cofactor is sought only by who asks for more time: there are hundreds of brackets to try
 _TESTED = Certificate("random-points", "holds at exact random points")
@@ -62,8 +64,10 @@ def factored(
     """
     end = monotonic() + seconds
     polynomials = tuple(polynomials)
-    if any(marked(n) for p in polynomials for n in p.points):
-        return FactorizationOutcome(note="no factorization was sought: only expressions of points are factored")
+    names = {n for p in polynomials for n in p.points}
+    if conics_of(names) or screws_of(names):
+        return FactorizationOutcome(note=f"no factorization was sought: {_NOT_FACTORED}")
+    lettered = bool(letters_of(names))
     candidates = [p for p in _in_order(polynomials) if len(p) <= _MANY_TERMS or seconds > SECONDS]
     if not candidates:
         return FactorizationOutcome(
@@ -78,7 +82,7 @@ def factored(
             if left <= 0:
                 return FactorizationOutcome(partial, _out_of_time(seconds))
             try:
-                sought = with_cofactor and (len(poly) <= _FEW_TERMS or seconds > SECONDS)
+                sought = with_cofactor and not lettered and (len(poly) <= _FEW_TERMS or seconds > SECONDS)
                 found = factor(poly, seconds=left, cofactor=sought)
             except LimitReached as limited:
                 return FactorizationOutcome(partial, _limited(limited.message, seconds, end))
@@ -94,15 +98,17 @@ def factored(
             if partial is None and found.factors:
                 product = ex.mul(*found.factors, _rest(poly, found).to_expr())
                 partial = _condition(product, ONE, structure, oracle, BRACKETS_ONLY)
-    return FactorizationOutcome(partial, _in_vain(family, len(candidates), structure, sought, cofactor))
+    return FactorizationOutcome(partial, _in_vain(family, len(candidates), structure, sought, cofactor, lettered))
 
 
-def _in_vain(family: str, number: int, structure: Structure, sought: bool, wanted: bool) -> str:
+def _in_vain(family: str, number: int, structure: Structure, sought: bool, wanted: bool, lettered: bool) -> str:
     """What was searched without success."""
     note = f"no factorization exists among {family}"
     if structure.given:
         which = f"{number} polynomials" if number > 1 else "polynomial"
         note = f"the shortest {which} equal to the superbracket under the assumptions: no factorization among {family}"
+    if lettered:
+        return f"{note}; with a cofactor it is sought where all letters are points" if wanted else note
     if sought:
         return f"{note}, nor was one found with a cofactor"
     return f"{note}; with a cofactor it was not sought (--search with more seconds seeks it)" if wanted else note

@@ -24,6 +24,7 @@ from gcrules.algebra.whole_letters import in_letters
 from gcrules.apps.repl.interpreter import Interpreter
 from gcrules.core.errors import GcrulesError, InputError, SyntaxFault
 from gcrules.rules.factorization import factored
+from gcrules.rules.random_witness import RandomWitness
 from gcrules.rules.script import run_script
 
 SPACE = parse_letters("line K L M N, plane P Q", Context(4))
@@ -198,8 +199,8 @@ def test_only_letters_are_declared_where_letters_are_asked_for() -> None:
     for text in ("ideal i", "line L, ideal i", "collinear(a, b, c)"):
         with pytest.raises(InputError, match="declares more than letters"):
             parse_letters(text, Context(4))
-    with pytest.raises(InputError, match="only expressions of points are factored"):
-        gc.factor(parse("[L a b]", context=parse_assumption("line L")))
+    with pytest.raises(InputError, match="only expressions of points are shortened"):
+        gc.shorten(parse("[L a b]", context=parse_assumption("line L")))
 
 
 def test_formulas_set_letters_and_their_points() -> None:
@@ -238,11 +239,16 @@ def test_transversals_and_the_prompt_take_letters_as_legs() -> None:
     assert "letters     L, a line (step 2)" in answers[-1]
 
 
-def test_no_factorization_is_sought_of_legs_that_are_letters() -> None:
-    structure = read_legs("ab bc ca L M N", given="line L M N")
-    whole = expand(structure.superbracket)
-    found = factored([whole], structure, None)
-    assert found.note == "no factorization was sought: only expressions of points are factored"
+def test_a_factorization_is_sought_of_legs_that_are_letters() -> None:
+    structure = read_legs("Aa Ab Ac Bd L M", given="line L M")
+    found = factored([expand(structure.superbracket)], structure, RandomWitness(structure))
+    assert found.condition is not None
+    assert str(found.condition.expression) == "[Aabc](ABd /\\ AL /\\ M)"
+    assert found.condition.certificate.method == "normal-form"
+    structure = read_legs("Aa Ab Bc Bd L M", given="line L M")
+    found = factored([expand(structure.superbracket)], structure, RandomWitness(structure))
+    assert found.condition is None
+    assert found.note.endswith("multidegree; with a cofactor it is sought where all letters are points")
 
 
 LEG_FAULTS = [
