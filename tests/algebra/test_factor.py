@@ -33,7 +33,7 @@ from gcrules.algebra.factoring.brackets import bracket_factors
 from gcrules.algebra.factoring.certify import proved
 from gcrules.algebra.factoring.cofactor import line_cofactors
 from gcrules.algebra.factoring.coincidences import Coincidences, coinciding
-from gcrules.algebra.factoring.extensors import Extensors, Letters, extensor
+from gcrules.algebra.factoring.extensors import Extensors
 from gcrules.algebra.factoring.factorize import factor
 from gcrules.algebra.factoring.irreducible import irreducible
 from gcrules.algebra.factoring.limits import Effort
@@ -43,6 +43,7 @@ from gcrules.algebra.factoring.residues import residues, values
 from gcrules.algebra.factoring.search import middles
 from gcrules.algebra.factoring.splitting import split
 from gcrules.algebra.factoring.symmetry import Symmetries, moved_row
+from gcrules.algebra.factoring.tree_letters import Letters, extensor
 from gcrules.algebra.factoring.trees import simplest
 from gcrules.algebra.language.syntax import parse
 from gcrules.algebra.parts import substitute

@@ -21,11 +21,12 @@ from gcrules.algebra.bracket import BracketPolynomial
 from gcrules.algebra.evaluate import vanishes
 from gcrules.algebra.expand import expand
 from gcrules.algebra.factoring import certify
-from gcrules.algebra.factoring.extensors import Extensors, Letters
+from gcrules.algebra.factoring.extensors import Extensors
 from gcrules.algebra.factoring.limits import Effort
 from gcrules.algebra.factoring.matches import search
 from gcrules.algebra.factoring.residues import values
 from gcrules.algebra.factoring.search import candidates
+from gcrules.algebra.factoring.tree_letters import Letters
 from gcrules.algebra.factoring.trees import simplest
 from gcrules.algebra.language.syntax import parse
 from gcrules.algebra.straightening.order import easy_order

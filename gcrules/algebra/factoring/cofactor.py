@@ -28,11 +28,11 @@ from gcrules.algebra.expand import expand
 from gcrules.algebra.expr import Expr
 from gcrules.algebra.factoring.brackets import vanishing_pairs
 from gcrules.algebra.factoring.coincidences import Coincidences
-from gcrules.algebra.factoring.extensors import Given, Tree, extensor, joined
 from gcrules.algebra.factoring.limits import Effort
 from gcrules.algebra.factoring.matches import search
 from gcrules.algebra.factoring.products import Cover, Groups, sub_multisets
 from gcrules.algebra.factoring.symmetry import Swap, Symmetries, moved_row
+from gcrules.algebra.factoring.tree_letters import Given, Tree, extensor, joined
 from gcrules.core.budget import checkpoint
 from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import LimitReached

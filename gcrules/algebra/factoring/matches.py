@@ -12,10 +12,11 @@ from gcrules.algebra.bracket import BracketPolynomial
 from gcrules.algebra.evaluate import PRIME, Evaluator, random_points
 from gcrules.algebra.expr import Expr
 from gcrules.algebra.factoring.brackets import vanishing_pairs
-from gcrules.algebra.factoring.extensors import Extensors, Given, Letters, joined, leaves
+from gcrules.algebra.factoring.extensors import Extensors
 from gcrules.algebra.factoring.limits import Effort
 from gcrules.algebra.factoring.residues import residues, values
 from gcrules.algebra.factoring.search import Candidate, candidates
+from gcrules.algebra.factoring.tree_letters import Given, Letters, joined, leaves
 from gcrules.algebra.factoring.trees import Written, simplest
 from gcrules.algebra.letters import letters_of, names_of
 from gcrules.core.budget import checkpoint

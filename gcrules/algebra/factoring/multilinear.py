@@ -28,9 +28,9 @@ import numpy as np
 
 from gcrules.algebra.bracket import BracketPolynomial
 from gcrules.algebra.factoring.coincidences import united
-from gcrules.algebra.factoring.extensors import Tree
 from gcrules.algebra.factoring.modular import MODULUS, Ints
 from gcrules.algebra.factoring.residues import random_positions, values
+from gcrules.algebra.factoring.tree_letters import Tree
 from gcrules.algebra.straightening.straighten import is_zero
 from gcrules.core.budget import checkpoint
 from gcrules.core.dataclass import dataclass

@@ -12,11 +12,11 @@ from gcrules.algebra.bracket import BracketPolynomial, primitive
 from gcrules.algebra.certificate import Certificate
 from gcrules.algebra.expr import Expr, Number
 from gcrules.algebra.factoring.certify import PROVED, certified
-from gcrules.algebra.factoring.extensors import extensor
 from gcrules.algebra.factoring.multilinear import Multilinear, factor_multilinear, seems_zero
 from gcrules.algebra.factoring.normal import normal
 from gcrules.algebra.factoring.pieces import Pieces
 from gcrules.algebra.factoring.result import ExpressionFamily, Factorization, brackets_of
+from gcrules.algebra.factoring.tree_letters import extensor
 from gcrules.algebra.factoring.trees import simplest
 from gcrules.algebra.factoring.whole import Whole, together
 from gcrules.algebra.language.text import text

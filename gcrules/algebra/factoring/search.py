@@ -14,9 +14,10 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from gcrules.algebra.factoring.extensors import CHUNK, Extensors, Level, Tree, scalar, spread, wedge
+from gcrules.algebra.factoring.extensors import CHUNK, Extensors, Level, scalar, spread, wedge
 from gcrules.algebra.factoring.modular import Ints
 from gcrules.algebra.factoring.residues import Floats
+from gcrules.algebra.factoring.tree_letters import Tree
 from gcrules.core.dataclass import dataclass
 
 __all__ = ["Candidate", "candidates", "middles"]

@@ -4,7 +4,7 @@ Up to its sign a scalar A ∨ B depends on the tree only that arises when the tr
 tops: its leaves are points, its nodes are brackets of extensors (steps that add up to d) and meets of extensors (steps
 d − s that add up to d). Neighbouring nodes of one kind are one node. Any node may be written outermost.
 
-    >>> from gcrules.algebra.factoring.extensors import Tree
+    >>> from gcrules.algebra.factoring.tree_letters import Tree
     >>> line = lambda a, b: ("join", a, b)
     >>> pair = ("meet", ("join", line("a", "b"), "c"), ("join", line("d", "e"), "f")), line("g", "h")
     >>> print(simplest(*pair, rank=4))
@@ -17,7 +17,7 @@ from functools import cached_property
 
 from gcrules.algebra import expr as ex
 from gcrules.algebra.expr import Expr
-from gcrules.algebra.factoring.extensors import Tree
+from gcrules.algebra.factoring.tree_letters import Tree
 from gcrules.algebra.language.text import text
 from gcrules.algebra.names import point_key
 from gcrules.algebra.scalars import bracket

@@ -19,11 +19,12 @@ from gcrules.algebra import expr as ex
 from gcrules.algebra.bracket import BracketPolynomial
 from gcrules.algebra.expr import Expr
 from gcrules.algebra.factoring.brackets import vanishing_pairs
-from gcrules.algebra.factoring.extensors import Extensors, Letters, Level, extensor, scalar, spread, wedge
+from gcrules.algebra.factoring.extensors import Extensors, Level, scalar, spread, wedge
 from gcrules.algebra.factoring.limits import Effort
 from gcrules.algebra.factoring.matches import Oracle, constant_below, with_whole_letters
 from gcrules.algebra.factoring.modular import Ints
 from gcrules.algebra.factoring.residues import Floats, values
+from gcrules.algebra.factoring.tree_letters import Letters, extensor
 from gcrules.algebra.language.text import text
 from gcrules.algebra.letters import grouped, letter_of
 from gcrules.core.budget import checkpoint
