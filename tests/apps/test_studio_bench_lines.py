@@ -60,6 +60,17 @@ p k left
 given coplanar(left, right, k, l)
 claim [left right k l] == 0
 rewrite [left right i k]"""
+LETTERS = r"""line L M
+plane P
+screw S
+[L a b] == [a L b]
+L /\ P
+[L P /\ abc]
+:factor [[Aa, Ab, Ac, Bd, L, M]]
+:factors [[Aa, Ab, Bc, Bd, L, M]]
+:expand [a L /\ P, b c d]
+:transversals Aa Ab Bc Bd L M
+:analyze Aa Ab Ac Bd L M"""
 RULES = rf"""let q = gh
 {PIERCE}
 rewrite ab /\ cde
@@ -75,6 +86,7 @@ TEXTS: dict[str, tuple[str, list[Any]]] = {
     "space": (SPACE, []),
     "plane": (PLANE, []),
     "long names": (LONG, []),
+    "letters": (LETTERS, []),
     "rules of the text": (RULES, []),
     "rules of a file": (OPENED, MINE),
     "rules of both": (f"{LAST}\n{OPENED}", [*MINE, opened("my-rules.gca", TURN)]),
