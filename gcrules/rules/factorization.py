@@ -95,7 +95,7 @@ def factored(
                 if condition is not None:
                     return FactorizationOutcome(condition)
             family = found.family.name
-            if partial is None and found.factors:
+            if partial is None and found.factors and found.remainder is not None:
                 product = ex.mul(*found.factors, _rest(poly, found).to_expr())
                 partial = _condition(product, ONE, structure, oracle, BRACKETS_ONLY)
     return FactorizationOutcome(partial, _in_vain(family, len(candidates), structure, sought, cofactor, lettered))

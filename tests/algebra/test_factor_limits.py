@@ -12,7 +12,7 @@ from click.testing import CliRunner
 
 import gcrules as gc
 from gcrules.algebra.evaluate import Evaluator, random_rational_points
-from gcrules.algebra.factoring import decomposition, products
+from gcrules.algebra.factoring import decomposition, factorize, products
 from gcrules.algebra.factoring.result import Factorization
 from gcrules.algebra.language.syntax import parse
 from gcrules.apps.cli import cli
@@ -157,3 +157,43 @@ def test_brackets_that_were_not_sought_are_not_excluded(monkeypatch: pytest.Monk
 def test_no_time_is_left_to_know_anything() -> None:
     with pytest.raises(LimitReached, match="more than 0 seconds"):
         gc.factor(parse("[[Aa,Ab,Ba,Bc,Cb,Cc]]"), seconds=0)
+
+
+def test_points_that_occur_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    def limited(*_: object, **__: object) -> None:
+        raise LimitReached("this takes more than 1 second")
+
+    monkeypatch.setattr(factorize, "each_once", limited)
+    found = gc.factor("[abcd]([efgh][ijkl] - 2[efgi][hjkl])")
+    assert found.exists is None
+    assert [str(f) for f in found.factors] == ["[abcd]"]
+    value, product = product_at(found, 2)
+    assert value == product != 0
+
+
+def test_what_is_left_may_be_too_long_to_multiply() -> None:
+    found = gc.factor("[[Aa,Bb,Cc,Dd,Ee,Ff]]**2 [[Aa,Bb,Cc,Dd,Ee,Ff]]", limit=4000, cofactor=True)
+    assert found.exists is False
+    assert found.remainder is None
+    assert [p.times for p in found.parts] == [3]
+    assert found.undecided == ("a cofactor: what is left has more than 200,000 terms",)
+
+
+def test_the_limit_of_one_search_leaves_the_others() -> None:
+    """Irreducible factors of which the brackets are not known are left as they are written."""
+    found = gc.factors("[abcd]([abce][dfgh][cdgk] + 3[abcf][degh][cdgk])", limit=100)
+    assert found.irreducible
+    assert [str(f.expression) for f in found.factors if f.form == "bracket"] == ["[abcd]", "[cdgk]"]
+
+
+def test_factors_that_are_not_known(monkeypatch: pytest.MonkeyPatch) -> None:
+    def limited(*_: object, **__: object) -> None:
+        raise LimitReached("straightening takes more than 10 terms")
+
+    monkeypatch.setattr(decomposition, "normal", limited)
+    found = gc.factors("2[abcd]([abce][dfgh][cdgk] + 3[abcf][degh][cdgk])")
+    *brackets, left = found.factors
+    assert [str(f.expression) for f in brackets] == ["[abcd]", "[cdgk]"]
+    assert (left.form, left.irreducible, found.decided) == ("undecided", False, False)
+    assert left.undecided == ("its factors: straightening takes more than 10 terms",)
+    assert str(found.product()) == "2[abcd][cdgk]([abce][dfgh] + 3[abcf][degh])"

@@ -79,8 +79,7 @@ def factor(
             if not pieces.number:
                 raise zero()
         if not pieces.ideal and pieces.once:
-            with punctual():
-                found = each_once(pieces, terms)
+            found = _each_once(pieces, terms)
         else:
             found = _in_groups(pieces, effort, terms, every)
         if cofactor and pieces.letters and not found.exists:
@@ -93,16 +92,30 @@ def factor(
     return replace(found, input=e if isinstance(e, Expr) else e.to_expr(), ideal=pieces.points[: pieces.ideal])
 
 
+def _each_once(pieces: Pieces, terms: int) -> Factorization:
+    """The answer of the multilinear algorithm, as far as the time goes."""
+    try:
+        with punctual():
+            return each_once(pieces, terms)
+    except LimitReached as reached:
+        return _ended(Whole.as_written(pieces, reached), reached, terms)
+
+
+def _ended(whole: Whole, reached: LimitReached, terms: int) -> Factorization:
+    """The answer where the factors themselves are not known. Raises LimitReached where they may be zero."""
+    if not all(map(not_zero, whole.parts)):
+        raise reached
+    family = ExpressionFamily(_family(SEVERAL, whole.pieces))
+    return whole.undecided(family, reached, [reached] * len(whole.parts), terms)
+
+
 def _in_groups(pieces: Pieces, effort: Effort, terms: int, every: bool) -> Factorization:
     """Search for what the brackets leave, in groups of its irreducible factors, brackets left inside where need be."""
     start = monotonic()
     with punctual():
         whole = Whole.of(pieces, terms, patient=False)
     if whole.reached is not None:
-        if not all(map(not_zero, whole.parts)):
-            raise whole.reached
-        family = ExpressionFamily(_family(SEVERAL, pieces), seconds=monotonic() - start)
-        return whole.undecided(family, whole.reached, [whole.reached] * len(whole.parts), terms)
+        return _ended(whole, whole.reached, terms)
     if not whole.parts:
         rows = brackets_of(whole.rows.elements(), pieces.points)
         return Factorization(

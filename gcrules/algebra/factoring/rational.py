@@ -33,6 +33,8 @@ def with_cofactor(found: Factorization, effort: Effort, *, terms: int, every: bo
 
     Where a limit is reached, what was found before stands, and `undecided` says so.
     """
+    if found.remainder is None:
+        return replace(found, undecided=(f"a cofactor: what is left has more than {terms:,} terms",))
     search = _Search(found, effort, terms, every)
     try:
         search.run()

@@ -104,7 +104,8 @@ class Factorization(Shown):
 
     The expression is a product where there are several irreducible factors that are no brackets. `points` is the
     tableau order. Where there is none, `expression` is None and input = coefficient · Π factors · `remainder`; where
-    the remainder is a product, `parts` are its factors. `alternatives` are further expressions, each with its own
+    the remainder is a product, `parts` are its factors, and it is None where multiplying them takes more terms than may
+    be held. `alternatives` are further expressions, each with its own
     coefficient; `more` counts those that were found but not asked for. Where a cofactor was sought, `rational` holds
     the expressions found with one (cofactor · input = coefficient · Π factors · expression), `excluded` says in words
     which cofactors were tried in vain, and `undecided` which were left at a limit. Where each point occurs once and

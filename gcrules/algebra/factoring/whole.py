@@ -74,6 +74,12 @@ class Whole:
             known &= found.irreducible
         return cls(pieces, number, rows, tuple(parts), tuple(parts.values()), known, limit)
 
+    @classmethod
+    def as_written(cls, pieces: Pieces, reached: LimitReached) -> Whole:
+        """The pieces themselves, where a limit ended the search before their factors were sought."""
+        parts, times = tuple(pieces.polynomials), tuple(pieces.polynomials.values())
+        return cls(pieces, pieces.number, Counter(pieces.rows), parts, times, False, reached)
+
     @property
     def as_given(self) -> BracketPolynomial | None:
         """The only part, as it was written: where nothing but what was taken out as written divides it."""
@@ -163,10 +169,10 @@ class Whole:
         target = reduce(mul, (self.parts[i] for i in group.parts))
         return target * target.with_terms({group.inside: 1})
 
-    def _product(self, parts: Sequence[FactoredPart], terms: int) -> BracketPolynomial:
-        """The product of the parts, in normal form where that is not long."""
+    def _product(self, parts: Sequence[FactoredPart], terms: int) -> BracketPolynomial | None:
+        """The product of the parts, in normal form where that is not long; None where the product itself is long."""
         if prod(len(part.polynomial) ** min(part.times, 64) for part in parts) > terms:
-            raise LimitReached(f"there is no such expression, but what is left has more than {terms:,} terms")
+            return parts[0].polynomial if len(parts) == parts[0].times == 1 else None
         factors = [part.polynomial for part in parts for _ in range(part.times)]
         return factors[0] if len(factors) == 1 else in_order_of_points(reduce(mul, factors))
 

@@ -49,8 +49,7 @@ def no_expression(found: Factorization, theorem: str) -> Absence | LeftOut:
         claim = "no product of expressions of joins and meets, each point used once, equals it"
         written = Written(found.atoms)
         return Absence(name, claim, "no product", theorem, {"atoms": [written.of(e) for e in found.atoms]})
-    assert found.remainder is not None
-    if found.parts:
+    if found.parts or found.remainder is None:
         return LeftOut(name, f"{searched}; of several irreducible factors it is not recomputed")
     degrees = Counter(found.remainder.degrees() or {})
     rows = Counter(tuple(sorted(map(str, points_of(f)))) for f in found.factors if isinstance(f, Bracket))
