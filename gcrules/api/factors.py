@@ -33,8 +33,9 @@ def factors(
 
     The form of a factor is one expression of joins and meets, else a comparison of the turns about two lines, else two
     bracket monomials, else one expression with a cofactor, else none, with what was excluded. Where a limit ends the
-    search for a form, the factor is undecided. Raises InputError for zero and for what is not homogeneous in the
-    points, LimitReached where the factors themselves take more than a limit.
+    search for a form, or that for the factors themselves, these are undecided. Raises InputError for zero and for what
+    is not homogeneous in the points, LimitReached where a limit is reached before it is known that the scalar is not
+    zero.
     """
     at = where(rank, points, ideal, isotropic, orthonormal, letters)
     answer: Factors = _factors(

@@ -162,12 +162,13 @@ def factor(
     limit: int = MAX_EXTENSORS,
     seconds: float = SECONDS,
 ) -> Factorization:
-    """Decide whether a scalar is coefficient · Π brackets · ONE expression of joins and meets of its points.
+    """Decide whether a scalar is coefficient · Π brackets · ONE expression of joins and meets, letters whole.
 
-    The answer has `found`, `expression` (None where the family that it names holds none) and `certificate`. `all` asks
-    for every expression instead of the simplest, `cofactor` for an expression that equals a multiple of the scalar
-    where there is none. Raises InputError for zero and for what is not homogeneous in the points, LimitReached beyond
-    `limit` extensors or `seconds`.
+    The answer has `exists`, `expression` (None where the family that it names holds none) and `certificate`. `all` asks
+    for every expression instead of the simplest, `cofactor` for one that equals a multiple of the scalar where there is
+    none. Beyond `limit` extensors or `seconds` the answer is undecided (`exists` is None), and `parts` are the factors
+    that are known. Raises InputError for zero and for what is not homogeneous in the points, LimitReached beyond them
+    where the scalar may be zero.
     """
     at = where(rank, points, ideal, isotropic, orthonormal, letters)
     answer: Factorization = decided(
@@ -200,7 +201,8 @@ def shorten(
 
     The answer has `polynomial` (equal to the scalar, proved by normal forms), `terms`, `lower` (no bracket polynomial
     with fewer terms equals it; `bound` says why) and `minimal` (whether these agree). After `seconds` what was found is
-    the answer. Raises InputError for extensors, LimitReached beyond `limit` bracket monomials of the multidegree.
+    the answer. With more bracket monomials of the multidegree than the `limit` it is `undecided` whether a shorter one
+    exists. Raises InputError for extensors and for letters, LimitReached where there is no normal form in the time.
     """
     at = where(rank, points, ideal, isotropic, orthonormal, letters)
     answer: Shortening = shortened(
