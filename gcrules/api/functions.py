@@ -166,9 +166,8 @@ def factor(
 
     The answer has `exists`, `expression` (None where the family that it names holds none) and `certificate`. `all` asks
     for every expression instead of the simplest, `cofactor` for one that equals a multiple of the scalar where there is
-    none. Beyond `limit` extensors or `seconds` the answer is undecided (`exists` is None), and `parts` are the factors
-    that are known. Raises InputError for zero and for what is not homogeneous in the points, LimitReached beyond them
-    where the scalar may be zero.
+    none. Beyond `limit` extensors or `seconds` the answer is undecided (`exists` is None) and has the known factors as
+    `parts`. Raises InputError for zero and for what is not homogeneous, LimitReached where the scalar may be zero.
     """
     at = where(rank, points, ideal, isotropic, orthonormal, letters)
     answer: Factorization = decided(
