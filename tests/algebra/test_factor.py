@@ -27,7 +27,6 @@ from gcrules.algebra import expr as ex
 from gcrules.algebra.bracket import BracketPolynomial
 from gcrules.algebra.evaluate import Evaluator, vanishes
 from gcrules.algebra.expr import Expr, sub
-from gcrules.algebra.factoring import rational
 from gcrules.algebra.factoring import search as search_module
 from gcrules.algebra.factoring.brackets import bracket_factors
 from gcrules.algebra.factoring.certify import proved
@@ -587,16 +586,3 @@ def test_command(arguments: list[str], code: int, words: str) -> None:
 def test_extensors_are_refused(decide: Callable[[Any], Any]) -> None:
     with pytest.raises(InputError, match="only scalars are"):
         decide(gc.expand("ab /\\ cde"))
-
-
-def test_what_was_proved_stands_where_the_search_for_a_cofactor_ends_early(monkeypatch: pytest.MonkeyPatch) -> None:
-    def limited(*_: object) -> None:
-        raise LimitReached("this takes more than 1.5 seconds")
-
-    monkeypatch.setattr(rational, "bracket_cofactors", limited)
-    f = gc.factor("[[Aa, Ab, Bc, Cd, De, Ef]]", cofactor=True)
-    assert not f.exists
-    assert not f.rational
-    assert f.undecided
-    assert "undecided" in f.text()
-    assert f.to_json()["undecided"] == list(f.undecided)

@@ -12,7 +12,7 @@ from click.testing import CliRunner
 
 import gcrules as gc
 from gcrules.algebra.evaluate import Evaluator, random_rational_points
-from gcrules.algebra.factoring import decomposition, factorize, products
+from gcrules.algebra.factoring import decomposition, factorize, products, rational
 from gcrules.algebra.factoring.result import Factorization
 from gcrules.algebra.language.syntax import parse
 from gcrules.apps.cli import cli
@@ -197,3 +197,16 @@ def test_factors_that_are_not_known(monkeypatch: pytest.MonkeyPatch) -> None:
     assert (left.form, left.irreducible, found.decided) == ("undecided", False, False)
     assert left.undecided == ("its factors: straightening takes more than 10 terms",)
     assert str(found.product()) == "2[abcd][cdgk]([abce][dfgh] + 3[abcf][degh])"
+
+
+def test_what_was_proved_stands_where_the_search_for_a_cofactor_ends_early(monkeypatch: pytest.MonkeyPatch) -> None:
+    def limited(*_: object) -> None:
+        raise LimitReached("this takes more than 1.5 seconds")
+
+    monkeypatch.setattr(rational, "bracket_cofactors", limited)
+    f = gc.factor("[[Aa, Ab, Bc, Cd, De, Ef]]", cofactor=True)
+    assert not f.exists
+    assert not f.rational
+    assert f.undecided
+    assert "undecided" in f.text()
+    assert f.to_json()["undecided"] == list(f.undecided)
