@@ -107,7 +107,7 @@ def goal(course: Course, start: Solution, at: float, end: float) -> Solution:
     if not far:
         return start
     steps = int(max(1.0, np.ceil(far * course.length / _LONGEST)))
-    if start.doubt is None and can_be_followed(course.m, course.target):
+    if steps <= _MOST_STEPS and start.doubt is None and can_be_followed(course.m, course.target):
         straight = gone_at_once(course, start.configuration, [*np.linspace(at, end, steps + 1)])
         if straight is not None:
             return _gone(course, start, straight)
