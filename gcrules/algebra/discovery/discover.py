@@ -18,25 +18,25 @@ from dataclasses import replace
 from functools import partial
 from typing import Any
 
-from gcrules.algebra.assumptions.assumed import PositionKind, kinds
+from gcrules.algebra.assumptions.assumed import PositionKind
 from gcrules.algebra.assumptions.building import coinciding
 from gcrules.algebra.assumptions.frame import zero_by
-from gcrules.algebra.assumptions.nondegeneracy import chosen, met
+from gcrules.algebra.assumptions.nondegeneracy import chosen
 from gcrules.algebra.decide import decide
 from gcrules.algebra.discovery.exceptions import failing
-from gcrules.algebra.discovery.figure import Figure, Position, figure_of
+from gcrules.algebra.discovery.figure import Figure, figure_of
 from gcrules.algebra.discovery.holding import candidates, incidences
 from gcrules.algebra.discovery.incidences import Incidence
 from gcrules.algebra.discovery.known import Known, learn, unknown
 from gcrules.algebra.discovery.limits import MAX_CANDIDATES, RELATIONS, SECONDS
+from gcrules.algebra.discovery.placement import Placement, placement
 from gcrules.algebra.discovery.result import Discoveries, Discovery, KindOfPositions
 from gcrules.algebra.expand import MAX_TERMS
-from gcrules.algebra.expr import ZERO, Expr, Point
+from gcrules.algebra.expr import ZERO, Expr
 from gcrules.algebra.language.relations import Claimed
 from gcrules.algebra.language.syntax import Context
 from gcrules.algebra.language.text import text
 from gcrules.algebra.letters import marked, marks_in
-from gcrules.algebra.seated import Seated, in_words, seated
 from gcrules.core.budget import report
 from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import InputError, LimitReached
@@ -95,20 +95,19 @@ class _Kind:
     this kind alone: then each incidence is decided as a claim.
     """
 
-    def __init__(self, kind: PositionKind, figure: Figure, placed: Seated, limit: int, alone: bool) -> None:
+    def __init__(self, kind: PositionKind, placed: Placement, limit: int, alone: bool) -> None:
         self.construction = replace(
             kind.construction, nonzero=chosen(kind.construction.nonzero, kind.construction.rank)
         )
         self.kind, self.limit = replace(kind, construction=self.construction), limit
-        self.placed = placed
-        self.spoken = {e: said for e in self.construction.nonzero if (said := placed.spoken(e)) is not None}
-        told = placed.assumed(dict(self.spoken.values())) if alone else None
+        self.placed, figure = placed, placed.figure
+        self.spoken = {e: said for e in self.construction.nonzero if (said := placed.seated.spoken(e)) is not None}
+        told = placed.seated.assumed(dict(self.spoken.values())) if alone else None
         self.told = None if told is None or any(map(marks_in, told)) else dict(told)
         self.claimed: dict[str, str] = {}
         seed = ("discover", *map(str, figure.bound.values()), *map(str, kind.where))
         drawn = (kind.construction.random_points((*seed, k)) for k in range(_SAMPLES))
-        values = ({**v, **{own: v[p] for own, p in placed.places.items()}} for v in drawn)
-        self.position, *self.others = (Position(figure, v) for v in values)
+        self.position, *self.others = map(placed.position, drawn)
         self.known = Known(self.position)
         self.known.begin(figure.space.given, kind.where)
         self.found: dict[Incidence, _Verdict] = {}
@@ -166,7 +165,7 @@ class _Kind:
         figure = self.position.figure
         names = figure.space.declared()
         assumed = dict(self.claimed if self.told is None else self.told)
-        together = coinciding(self.construction, self.placed.space.given)
+        together = coinciding(self.construction, self.placed.seated.space.given)
         involved = {n for i in shown for n in i.involved}
         assumed |= figure.required(involved, {n for i in shown for n in i.on_circle(figure)})
         return KindOfPositions(
@@ -189,17 +188,13 @@ class _Search:
     """The search in one figure."""
 
     def __init__(self, figure: Figure, limit: int) -> None:
-        self.figure, at = figure, figure.space
-        meant = (*map(Point, figure.own), *figure.bound.values())
-        self.placed = seated(Claimed(tuple((e, ZERO) for e in meant)), at)
-        self.nonzero = (*self.placed.claimed.nonzero, *(e for a in self.placed.space.given for e in a.exists))
-        with in_words(self.placed, at.conics, at.given):
-            there = [n for n in figure.own if n not in self.placed.places]
-            found = met(kinds(self.placed.space, there), self.nonzero)
+        self.figure = figure
+        self.placed = placement(figure)
+        found = self.placed.kinds()
         alone = len(found) == 1 or (
-            self.placed.alone is None and not any(marks_in(text(e)) for k in found for e in k.where)
+            self.placed.seated.alone is None and not any(marks_in(text(e)) for k in found for e in k.where)
         )
-        self.kinds = [_Kind(k, figure, self.placed, limit, alone) for k in (found if alone else found[:1])]
+        self.kinds = [_Kind(k, self.placed, limit, alone) for k in (found if alone else found[:1])]
 
     def run(self) -> None:
         for kind in self.kinds:
@@ -214,8 +209,8 @@ class _Search:
         for k in self.kinds:
             proved = [i for i in told if k.verdict(i).word == "proved"]
             claims = [tuple(map(self.placed.put, i.equations(k.position))) for i in proved]
-            space, extensors = self.placed.space, tuple(k.tried)
-            tried, failed = failing(space, k.kind, extensors, self.nonzero, claims, seconds / len(self.kinds))
+            space, extensors = self.placed.seated.space, tuple(k.tried)
+            tried, failed = failing(space, k.kind, extensors, self.placed.nonzero, claims, seconds / len(self.kinds))
             shown.append(k.shown(tried, told))
             for i, es in zip(proved, failed, strict=True):
                 fails[i].update(dict.fromkeys(k.tried[e] for e in es))
