@@ -153,8 +153,10 @@ class _Kind:
 
     def _as_claim(self, equations: Sequence[Expr]) -> _Verdict:
         proof = decide(Claimed(tuple((e, ZERO) for e in equations)), self.position.figure.space, limit=self.limit)
+        if not proof.proved:
+            return _Verdict(proof.verdict, proof.reason)
         self.claimed |= dict(zip(proof.assumed, proof.meanings or [""] * len(proof.assumed), strict=True))
-        return _Verdict(proof.verdict, "" if proof.verdict == "proved" else proof.reason)
+        return _Verdict("proved")
 
     @property
     def tried(self) -> Mapping[Expr, str]:

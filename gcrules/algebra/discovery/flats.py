@@ -12,10 +12,13 @@ __all__ = ["Flat"]
 
 @dataclass(eq=False)
 class Flat:
-    """A line, plane, … with a basis of its points; `members` are names of points that are known to lie on it."""
+    """A line, plane, … with a basis of its points; `members` are names of points that are known to lie on it. One that
+    nothing in the figure names is the polar of a point for a `letter`.
+    """
 
     span: tuple[Vector, ...]
     members: set[str] = field(default_factory=set)
+    letter: str = ""
 
     @property
     def step(self) -> int:

@@ -112,8 +112,11 @@ class Known:
         if of is None:
             return None
         if of.step == 1:
-            name = self._point(of)
-            return None if name is None else of_letter.polar(name, self.vectors[name], self.flats)
+            if (name := self._point(of)) is None:
+                return None
+            found = of_letter.polar(name, self.vectors[name], self.flats)
+            found.letter = ""
+            return found
         line, found = self.flat(of), Flat(self.position.span(e))
         self.flats.append(found)
         of_letter.lines += [(line, found)] if line is not None else []
@@ -304,7 +307,7 @@ class Known:
 
     def touches(self, i: Incidence) -> bool:
         """Whether a line or a plane is known to touch."""
-        return any(self.polarities[i.letter].touches(f, self.name) for f in self._touching(i))
+        return any(self.polarities[i.letter].touches(f, self.inside, self.name) for f in self._touching(i))
 
     def touch(self, i: Incidence) -> None:
         """Let it be known that it touches: its pole is on the conic or quadric."""

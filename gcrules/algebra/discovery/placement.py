@@ -23,8 +23,8 @@ __all__ = ["Placement", "placement"]
 
 @dataclass(frozen=True)
 class Placement:
-    """A figure whose letters `lines` are replaced by polars, with points as they are `seated`; what is left to be placed
-    are the points `drawn`.
+    """A figure whose letters `lines` are replaced by polars, with points as they are `seated`; what is left to be
+    placed are the points `drawn`.
     """
 
     figure: Figure

@@ -28,6 +28,7 @@ from gcrules.core.linear_algebra import kernel, rank
 __all__ = ["Polarity"]
 
 _LINE = 2
+_POLE = "~pole"  # begins the names of poles that nothing in the figure names, and comes behind all others
 
 
 class Polarity:
@@ -96,7 +97,7 @@ class Polarity:
         """The polar of a point, one of the flats from now on."""
         if name not in self.polars:
             covector = [sum(a * b for a, b in zip(row, vector, strict=True)) % PRIME for row in self._matrix]
-            found = Flat(tuple(kernel([covector], self.rank, PRIME)))
+            found = Flat(tuple(kernel([covector], self.rank, PRIME)), letter=self.letter)
             self.polars[name], self.poles[found] = [found], name
             flats.append(found)
         return self.polars[name][0]
@@ -111,7 +112,7 @@ class Polarity:
         if flat not in self.poles:
             (covector,) = kernel(flat.span, self.rank, PRIME)
             (found,) = kernel([(*row, c) for row, c in zip(self._matrix, covector, strict=True)], self.rank + 1, PRIME)
-            name = f"(pole {len(self.poles)} for {self.letter})"
+            name = f"{_POLE} {len(self.poles)} for {self.letter}"
             vectors[name] = normalized(found[:-1])
             self.is_polar(name, flat)
         return self.poles[flat]
@@ -123,28 +124,36 @@ class Polarity:
     ) -> tuple[tuple[str, str], ...]:
         """Take each step once; the names of points that are seen to be one."""
         for f in tuple(flats):
-            if f.step == self.rank - 1:
+            if f.step == self.rank - 1 and f.letter in ("", self.letter):
                 self.pole(f, vectors)
         for n in tuple(vectors):
-            self.polar(n, vectors[n], flats)
+            if not n.startswith(_POLE):
+                self.polar(n, vectors[n], flats)
         self.on = {name(n) for n in self.on}
         for n in tuple(self.polars):
             self._share(n, name(n))
         for n, (first, *_) in self.polars.items():
-            for q in first.members:
-                self.polars[q][0].members.add(name(n))
+            for polar in self._of_members(first):
+                polar.members.add(name(n))
             if name(n) in first.members:
                 self.on.add(name(n))
         for n in self.on:
             self.polars[n][0].members.add(n)
-        for f, other in self.lines:
-            for q in f.members:
-                self.polars[q][0].members |= other.members
+        for f, other in (*self.lines, *(pair[::-1] for pair in self.lines)):
+            polars = self._of_members(f)
+            for polar in polars:
+                polar.members |= other.members
+            if rank([vectors[q] for q in f.members], PRIME) == _LINE:
+                other.members |= set.intersection(*(polar.members for polar in polars))
         return (*self._poles(vectors, name), *self._one(flats, vectors))
+
+    def _of_members(self, flat: Flat) -> list[Flat]:
+        """The polars of the points that are known to lie on a flat."""
+        return [self.polars[q][0] for q in flat.members if q in self.polars]
 
     def _share(self, one: str, other: str) -> None:
         """Two names of one point have one polar; so have the flats that are known to be it."""
-        shared = (*self.polars[one], *self.polars[other])
+        shared = (*self.polars[one], *self.polars.setdefault(other, self.polars[one]))
         members = set().union(*(f.members for f in shared))
         for f in shared:
             f.members |= members
@@ -175,12 +184,15 @@ class Polarity:
 
     # --- what is asked -----------------------------------------------------------------------------------------------
 
-    def touches(self, flat: Flat, name: Callable[[str], str]) -> bool:
-        """Whether a line or a plane is known to touch: its pole is on it, or in space a line, or its polar, is on
-        the tangent plane at a point of it.
+    def touches(self, flat: Flat, inside: Iterable[tuple[Flat, Flat]], name: Callable[[str], str]) -> bool:
+        """Whether a line or a plane is known to touch: its pole is on it, or in space a line, or its polar, is in the
+        tangent plane at a point of it. What is known to be `inside` what is told.
         """
         if flat.step == self.rank - 1:
             return flat in self.poles and name(self.poles[flat]) in self.on
+        around = {name(self.poles[g]) for f, g in inside if f is flat and g in self.poles}
+        if around & flat.members & self.on:
+            return True
         alike = (flat, *(g for pair in self.lines if flat in pair for g in pair))
         return any(
             len(f.members) > 1 and f.members <= self.polars[n][0].members for f in alike for n in f.members & self.on
