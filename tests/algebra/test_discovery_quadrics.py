@@ -7,11 +7,13 @@ here: each is discovered or trivial, and what is proved holds.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import partial
 from itertools import combinations
 from random import Random
 from typing import Any
 
 import pytest
+from algebra.discovery_claims import all_told, place
 from algebra.quadric_figures import Figure, Vector, combined, determinant, dot, plane_through
 
 import gcrules as gc
@@ -20,12 +22,6 @@ from gcrules.algebra.letters import marks_in
 from gcrules.core.errors import InputError
 
 Line = tuple[Vector, Vector]
-
-
-def place(v: Sequence[int]) -> Vector:
-    """The multiple that begins with 1."""
-    lead = pow(next(x for x in v if x % PRIME), -1, PRIME)
-    return tuple(x * lead % PRIME for x in v)
 
 
 def plucker(line: Line) -> Vector:
@@ -169,16 +165,9 @@ def common(one: Line, other: Line, at: Drawing) -> Vector:
     return place(pierced(one, plane_through(*other, at.quadric.random())))
 
 
-def holds(claim: str, at: Drawing) -> bool:
-    """Each part of a claim by its own rule; of lines and planes, the names are those of the drawing."""
-    if claim.endswith(" == 0"):
-        return all(len({at.points[n] for n in part.split()[0]}) == 1 for part in claim.split(", "))
-    return all(holding(part, at) for part in claim.replace("), incident", ")|incident").split("|"))
-
-
-def holding(claim: str, at: Drawing) -> bool:
-    word, _, rest = claim.removesuffix(")").partition("(")
-    args, Q = rest.replace("polar(", "").replace(")", "").split(", "), at.quadric
+def holding(at: Drawing, word: str, args: Sequence[str]) -> bool:
+    """What one word says, of the names in it."""
+    Q = at.quadric
     first, last = args[0], args[-1]
     if word == "touches":
         plane = at.planes.get(first)
@@ -206,12 +195,8 @@ def test_all_that_holds_is_discovered_or_trivial(seed: int) -> None:
     at = Drawing(seed)
     for name in at.rng.sample("xyzuPRlm", 5):
         at.step(name)
-    found = gc.discover(at.text, limit=5_000, seconds=0)
-    assert set(found.points) == set(at.points)
+    found = all_told(at.text, counted(at), at.points, partial(holding, at))
     assert set(found.flats) == {*at.lines, *at.planes}
-    assert len(found.found) + found.trivial == sum(counted(at).values()), (at.text, counted(at))
-    for d in found.found:
-        assert holds(d.claim, at), (d.claim, at.text)
 
 
 # --- theorems --------------------------------------------------------------------------------------------------------
