@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 
 from algebra.quadric_figures import Vector
 
@@ -20,14 +20,15 @@ def place(v: Sequence[int]) -> Vector:
     return tuple(x * lead % PRIME for x in v)
 
 
-def all_told(text: str, counts: Mapping[str, int], points: Mapping[str, Vector], holding: Holding) -> gc.Discoveries:
+def all_told(
+    text: str, counts: Mapping[str, int], points: Mapping[str, Vector], flats: Iterable[str], holding: Holding
+) -> None:
     """The discoveries in a drawing, each of which holds; with what is trivial they are as many as were counted."""
     found = gc.discover(text, limit=5_000, seconds=0)
-    assert set(found.points) == set(points)
+    assert (set(found.points), set(found.flats)) == (set(points), set(flats))
     assert len(found.found) + found.trivial == sum(counts.values()), (text, counts)
     for d in found.found:
         assert holds(d.claim, points, holding), (d.claim, text)
-    return found
 
 
 def holds(claim: str, points: Mapping[str, Vector], holding: Holding) -> bool:

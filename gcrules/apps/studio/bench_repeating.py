@@ -20,6 +20,8 @@ from itertools import count
 
 from gcrules.algebra.language.syntax import Context
 from gcrules.algebra.language.words import METRICS
+from gcrules.algebra.letter_forms import FORMS
+from gcrules.algebra.letters import LETTERS, declarations
 from gcrules.apps.repl.reading import first_word
 from gcrules.apps.repl.state import PromptState
 from gcrules.apps.studio.bench_questions import Question
@@ -96,7 +98,7 @@ def answer_lines(question: Question, rules: Rules, limit: int | None = None) -> 
 
 
 def _space(question: Question) -> list[Option]:
-    """The rank, the points with long names, and those at infinity; what is assumed, where it is asked under it.
+    """The rank, points with long names, those at infinity, and letters; what is assumed, where it is asked under it.
 
     By what right angles are known is an option of what reads expressions, and an assumption of what reads legs.
     """
@@ -104,16 +106,19 @@ def _space(question: Question) -> list[Option]:
     known, of_legs = at.infinity, question.function in ("transversals", "analyze")
     ideal = tuple(n for n in at.ideal if known is None or n not in known.points)
     named = [("points", at.points), ("ideal", ideal)]
+    letters = [*declarations(at.letters, at.rank, at.screws)]
+    letters += [f"{FORMS[at.rank].word} {' '.join(at.conics)}"] if at.conics else []
     if known is not None and not of_legs:
         named.append((known.kind, known.points))
     rank = [Option("--rank", "rank", at.rank)] if at.rank != Context().rank else []
     names = [Option(f"--{word}", word, " ".join(names)) for word, names in named if names]
+    names += [Option("--letters", "letters", ", ".join(letters))] if letters else []
     assumed = tuple(dict.fromkeys([str(known)] * (known is not None and of_legs) + [*map(str, at.given)]))
     given = [Option("--given", "given", assumed)] if assumed else []
     return [*rank, *names, *(given if question.function in _UNDER_ASSUMPTIONS else [])]
 
 
-_NAMING = ("points", "ideal", *METRICS)
+_NAMING = ("points", "ideal", *METRICS, *LETTERS)
 _UNDER_ASSUMPTIONS = ("prove", "transversals", "rewrite", "analyze")
 _LIMITED = ("expand", "straighten", "steps", "prove")
 
