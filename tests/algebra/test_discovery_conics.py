@@ -250,10 +250,16 @@ def test_a_conic_with_which_nothing_has_to_do_changes_nothing() -> None:
 
 
 def test_several_kinds_of_positions() -> None:
+    """Which are said in words about the conic."""
     found = gc.discover(
-        r"rank 3 conic K given on_conic(a, b, c, d, K), [abp][abq] == 0 let x = ab /\ pq let y = pole(cd, K)"
+        "rank 3 conic K given [p polar(q, K)][p polar(s, K)] == 0"
+        "  let x = pole(pq, K)  let y = pole(ps, K)  let z = pole(qs, K)"
     )
-    assert [k.where for k in found.kinds] == [("[abp]",), ("[abq]",)]
+    assert [k.where for k in found.kinds] == [("[p, polar(q, K)]",), ("[p, polar(s, K)]",)]
+    assert {d.claim: d.verdicts for d in found.found} == {
+        "collinear(p, x, z)": ("proved", "refuted"),
+        "collinear(p, y, z)": ("refuted", "proved"),
+    }
 
 
 def test_two_conics() -> None:

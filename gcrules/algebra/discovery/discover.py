@@ -35,7 +35,6 @@ from gcrules.algebra.expand import MAX_TERMS
 from gcrules.algebra.expr import ZERO, Expr
 from gcrules.algebra.language.relations import Claimed
 from gcrules.algebra.language.syntax import Context
-from gcrules.algebra.language.text import text
 from gcrules.algebra.letters import marked, marks_in
 from gcrules.core.budget import report
 from gcrules.core.dataclass import dataclass
@@ -45,6 +44,7 @@ from gcrules.core.hints import near
 __all__ = ["asked", "discover"]
 
 _SAMPLES = 3
+_UNSAID = "it holds where something does not vanish that cannot be said in the points of the script"
 
 
 def asked(relations: str | Iterable[str]) -> tuple[str, ...]:
@@ -155,6 +155,8 @@ class _Kind:
         proof = decide(Claimed(tuple((e, ZERO) for e in equations)), self.position.figure.space, limit=self.limit)
         if not proof.proved:
             return _Verdict(proof.verdict, proof.reason)
+        if any(map(marks_in, proof.assumed)):
+            return _Verdict("undecided", _UNSAID)
         self.claimed |= dict(zip(proof.assumed, proof.meanings or [""] * len(proof.assumed), strict=True))
         return _Verdict("proved")
 
@@ -165,13 +167,12 @@ class _Kind:
 
     def shown(self, tried: Iterable[Expr], shown: Collection[Incidence]) -> KindOfPositions:
         figure = self.position.figure
-        names = figure.space.declared()
         assumed = dict(self.claimed if self.told is None else self.told)
         together = coinciding(self.construction, self.placed.seated.space.given)
         involved = {n for i in shown for n in i.involved}
         assumed |= figure.required(involved, {n for i in shown for n in i.on_circle(figure)})
         return KindOfPositions(
-            tuple(text(e, names=names) for e in self.kind.where),
+            tuple(map(self.placed.said, self.kind.where)),
             tuple(assumed),
             tuple(assumed.values()),
             tuple(self.tried[e] for e in tried),
@@ -194,7 +195,7 @@ class _Search:
         self.placed = placement(figure)
         found = self.placed.kinds()
         alone = len(found) == 1 or (
-            self.placed.seated.alone is None and not any(marks_in(text(e)) for k in found for e in k.where)
+            self.placed.seated.alone is None and not any(marks_in(self.placed.said(e)) for k in found for e in k.where)
         )
         self.kinds = [_Kind(k, self.placed, limit, alone) for k in (found if alone else found[:1])]
 
@@ -204,8 +205,10 @@ class _Search:
 
     def answer(self, relations: Sequence[str], number: int, seconds: float) -> Discoveries:
         at = self.figure.space
-        told = dict.fromkeys(i for k in self.kinds for i in k.found if i.relation in relations)
-        verdicts = {i: [k.verdict(i) for k in self.kinds] for i in told}
+        seen = dict.fromkeys(i for k in self.kinds for i in k.found if i.relation in relations)
+        of_each = {i: [k.verdict(i) for k in self.kinds] for i in seen}
+        verdicts = {i: some for i, some in of_each.items() if any(v.word != "refuted" for v in some)}
+        told = tuple(verdicts)
         fails: dict[Incidence, dict[str, None]] = {i: {} for i in told}
         shown = []
         for k in self.kinds:

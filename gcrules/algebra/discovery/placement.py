@@ -13,6 +13,7 @@ from gcrules.algebra.discovery.tangents import exchanged, tangents, without
 from gcrules.algebra.evaluate import PRIME, Evaluator
 from gcrules.algebra.expr import ZERO, Expr, Point
 from gcrules.algebra.language.relations import Claimed
+from gcrules.algebra.language.text import text
 from gcrules.algebra.letters import names_of
 from gcrules.algebra.seated import Seated, in_words, seated
 from gcrules.core.dataclass import dataclass
@@ -45,6 +46,11 @@ class Placement:
     def put(self, e: Expr) -> Expr:
         """An expression of the figure in the points that are placed."""
         return self.seated.put(exchanged(e, self.lines, self.figure.rank))
+
+    def said(self, e: Expr) -> str:
+        """The text of what vanishes, in words about conics and quadrics where there are any."""
+        spoken = self.seated.spoken(e)
+        return spoken[0] if spoken is not None else text(e, names=self.figure.space.declared())
 
     def position(self, drawn: Mapping[str, Sequence[int]]) -> Position:
         """The figure where these points are."""
