@@ -250,16 +250,23 @@ def test_a_conic_with_which_nothing_has_to_do_changes_nothing() -> None:
 
 
 def test_several_kinds_of_positions() -> None:
-    """Which are said in words about the conic."""
+    """Which are said in words about the conic; what they say is trivial there."""
     found = gc.discover(
-        "rank 3 conic K given [p polar(q, K)][p polar(s, K)] == 0"
+        "rank 3 conic K given [p polar(q, K)][p polar(s, K)] == 0, on_conic(a, b, K)"
         "  let x = pole(pq, K)  let y = pole(ps, K)  let z = pole(qs, K)"
     )
     assert [k.where for k in found.kinds] == [("[p, polar(q, K)]",), ("[p, polar(s, K)]",)]
-    assert {d.claim: d.verdicts for d in found.found} == {
-        "collinear(p, x, z)": ("proved", "refuted"),
-        "collinear(p, y, z)": ("refuted", "proved"),
-    }
+    assert found.found == ()
+
+
+def test_a_discovery_at_some_kinds_of_positions() -> None:
+    """p is on the polar of a diagonal point where it is on the line of the two others."""
+    diagonals = r"let x = ab /\ cd  let y = ac /\ bd  let z = ad /\ bc"
+    found = gc.discover(f"rank 3 conic K given on_conic(a, b, c, d, K) {diagonals} given [p y z][p a b] == 0")
+    assert found.kinds[0].where == ("[abp]",)
+    assert [(d.claim, d.verdicts) for d in found.found if d.verdict == "partly proved"] == [
+        ("incident(x, polar(p, K))", ("refuted", "proved"))
+    ]
 
 
 def test_two_conics() -> None:

@@ -101,6 +101,7 @@ class _Kind:
         )
         self.kind, self.limit = replace(kind, construction=self.construction), limit
         self.placed, figure = placed, placed.figure
+        self.where = tuple(map(placed.said, kind.where)) if alone else ()
         self.spoken = {e: said for e in self.construction.nonzero if (said := placed.seated.spoken(e)) is not None}
         told = placed.seated.assumed(dict(self.spoken.values())) if alone else None
         self.told = None if told is None or any(map(marks_in, told)) else dict(told)
@@ -109,7 +110,7 @@ class _Kind:
         drawn = (kind.construction.random_points((*seed, k)) for k in range(_SAMPLES))
         self.position, *self.others = map(placed.position, drawn)
         self.known = Known(self.position)
-        self.known.begin(figure.space.given, kind.where)
+        self.known.begin(figure.space.given, map(placed.written, kind.where))
         self.found: dict[Incidence, _Verdict] = {}
         self.trivial = 0
 
@@ -172,7 +173,7 @@ class _Kind:
         involved = {n for i in shown for n in i.involved}
         assumed |= figure.required(involved, {n for i in shown for n in i.on_circle(figure)})
         return KindOfPositions(
-            tuple(map(self.placed.said, self.kind.where)),
+            self.where,
             tuple(assumed),
             tuple(assumed.values()),
             tuple(self.tried[e] for e in tried),

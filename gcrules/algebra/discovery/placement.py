@@ -11,10 +11,11 @@ from gcrules.algebra.assumptions.nondegeneracy import met
 from gcrules.algebra.discovery.figure import Figure, Position
 from gcrules.algebra.discovery.tangents import exchanged, tangents, without
 from gcrules.algebra.evaluate import PRIME, Evaluator
-from gcrules.algebra.expr import ZERO, Expr, Point
+from gcrules.algebra.expr import ZERO, Expr, Point, points_of
 from gcrules.algebra.language.relations import Claimed
+from gcrules.algebra.language.syntax import parse
 from gcrules.algebra.language.text import text
-from gcrules.algebra.letters import names_of
+from gcrules.algebra.letters import marked, marks_in, names_of
 from gcrules.algebra.seated import Seated, in_words, seated
 from gcrules.core.dataclass import dataclass
 from gcrules.core.linear_algebra import kernel
@@ -51,6 +52,14 @@ class Placement:
         """The text of what vanishes, in words about conics and quadrics where there are any."""
         spoken = self.seated.spoken(e)
         return spoken[0] if spoken is not None else text(e, names=self.figure.space.declared())
+
+    def written(self, e: Expr) -> Expr:
+        """What vanishes, as it is written in words where it can be: so it is known what it says."""
+        said = self.said(e)
+        names = {n for n in points_of(e) if not marked(n)}
+        if not self.figure.space.conics or marks_in(said) or not names.issubset(self.figure.points):
+            return e
+        return parse(said, context=self.figure.space)
 
     def position(self, drawn: Mapping[str, Sequence[int]]) -> Position:
         """The figure where these points are."""
