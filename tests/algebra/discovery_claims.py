@@ -9,7 +9,7 @@ from algebra.quadric_figures import Vector
 import gcrules as gc
 from gcrules.algebra.evaluate import PRIME
 
-__all__ = ["all_told", "holds", "place"]
+__all__ = ["check_all", "holds", "place"]
 
 Holding = Callable[[str, Sequence[str]], bool]
 
@@ -20,7 +20,7 @@ def place(v: Sequence[int]) -> Vector:
     return tuple(x * lead % PRIME for x in v)
 
 
-def all_told(
+def check_all(
     text: str, counts: Mapping[str, int], points: Mapping[str, Vector], flats: Iterable[str], holding: Holding
 ) -> None:
     """The discoveries in a drawing, each of which holds; with what is trivial they are as many as were counted."""

@@ -15,7 +15,7 @@ from random import Random
 
 import pytest
 from algebra.conic_figures import Figure, cross
-from algebra.discovery_claims import all_told, place
+from algebra.discovery_claims import check_all, place
 from algebra.quadric_figures import Vector, determinant, dot
 from places import EXAMPLES
 
@@ -112,7 +112,7 @@ def counted(at: Drawing) -> dict[str, int]:
 
 
 def conics(points: dict[str, Vector], through: dict[Vector, set[str]]) -> Iterator[frozenset[str]]:
-    """The points on each conic through six or more of them that is no pair of lines."""
+    """The points on each conic through six or more of them that is not a pair of lines."""
     for five in combinations(points, 5):
         if any(len(names.intersection(five)) > 2 for names in through.values()):
             continue
@@ -156,7 +156,7 @@ def test_all_that_holds_is_discovered_or_trivial(seed: int) -> None:
     at = Drawing(seed, ("a", "b", "c"), ("d",)) if seed % 2 else Drawing(seed, ("a", "b", "c", "d"), ())
     for name in at.rng.sample("xyzuvlm", 6):
         at.step(name)
-    all_told(at.text, counted(at), at.points, at.lines, partial(holding, at))
+    check_all(at.text, counted(at), at.points, at.lines, partial(holding, at))
 
 
 # --- theorems --------------------------------------------------------------------------------------------------------

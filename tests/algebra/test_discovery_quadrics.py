@@ -13,7 +13,7 @@ from random import Random
 from typing import Any
 
 import pytest
-from algebra.discovery_claims import all_told, place
+from algebra.discovery_claims import check_all, place
 from algebra.quadric_figures import Figure, Vector, combined, determinant, dot, plane_through
 
 import gcrules as gc
@@ -195,7 +195,7 @@ def test_all_that_holds_is_discovered_or_trivial(seed: int) -> None:
     at = Drawing(seed)
     for name in at.rng.sample("xyzuPRlm", 5):
         at.step(name)
-    all_told(at.text, counted(at), at.points, (*at.lines, *at.planes), partial(holding, at))
+    check_all(at.text, counted(at), at.points, (*at.lines, *at.planes), partial(holding, at))
 
 
 # --- theorems --------------------------------------------------------------------------------------------------------

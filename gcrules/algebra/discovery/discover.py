@@ -101,7 +101,7 @@ class _Kind:
         )
         self.kind, self.limit = replace(kind, construction=self.construction), limit
         self.placed, figure = placed, placed.figure
-        self.where = tuple(map(placed.said, kind.where)) if alone else ()
+        self.where = tuple(map(placed.condition, kind.where)) if alone else ()
         self.spoken = {e: said for e in self.construction.nonzero if (said := placed.seated.spoken(e)) is not None}
         told = placed.seated.assumed(dict(self.spoken.values())) if alone else None
         self.told = None if told is None or any(map(marks_in, told)) else dict(told)
@@ -196,7 +196,8 @@ class _Search:
         self.placed = placement(figure)
         found = self.placed.kinds()
         alone = len(found) == 1 or (
-            self.placed.seated.alone is None and not any(marks_in(self.placed.said(e)) for k in found for e in k.where)
+            self.placed.seated.alone is None
+            and not any(marks_in(self.placed.condition(e)) for k in found for e in k.where)
         )
         self.kinds = [_Kind(k, self.placed, limit, alone) for k in (found if alone else found[:1])]
 

@@ -55,9 +55,9 @@ class Figure:
         found = ex.join(*map(self.meaning, names), rank=self.rank)
         return bracket(found, rank=self.rank) if found.step == self.rank else found
 
-    def line(self, told: Sequence[str]) -> Expr:
-        """A line, or a plane, that is told by its name or by points on it."""
-        return self.meaning(told[0]) if len(told) == 1 else self.joined(told)
+    def line(self, names: Sequence[str]) -> Expr:
+        """A line, or a plane, that is given by its name or by points on it."""
+        return self.meaning(names[0]) if len(names) == 1 else self.joined(names)
 
     @property
     def named(self) -> Figure:

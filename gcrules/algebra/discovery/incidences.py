@@ -70,7 +70,7 @@ class Incidence:
         """The same as texts: in the points of the script, or where there are conics or quadrics in its names."""
         figure = position.figure
         if self.letter:
-            return tuple(_OF_LETTERS[self.relation].shown(self, figure))
+            return tuple(_OF_LETTERS[self.relation].texts(self, figure))
         if not figure.space.conics:
             return tuple(text(e, names=figure.space.declared()) for e in self.equations(position))
         return tuple(text(e, names=figure.space.declared()) for e in self._equations(position, figure.named))
@@ -86,7 +86,7 @@ class Incidence:
         figure = position.figure
         far = set(figure.space.infinity.points) if figure.space.infinity else set()
         if self.letter:
-            return ", ".join(_OF_LETTERS[self.relation].said(self, figure))
+            return ", ".join(_OF_LETTERS[self.relation].claims(self, figure))
         if on_circle := self.on_circle(figure):
             return f"concyclic({', '.join(on_circle)})"
         if self.relation == "concurrent" and len(self.lines) == 3 and far in map(set, self.lines):
@@ -188,22 +188,22 @@ _EQUATIONS: Mapping[str, Callable[[Incidence, Position, Figure], Iterator[Expr]]
 
 @dataclass(frozen=True)
 class _OfLetter:
-    """A relation to a conic or a quadric: what it asks for, how that is shown in words, and how it is claimed."""
+    """A relation to a conic or a quadric: what it asks for, that as texts in words, and the claims of it."""
 
     equations: Callable[[Incidence, Figure, LetterForm, tuple[Expr, ...]], Iterator[Expr]]
-    shown: Callable[[Incidence, Figure], Iterable[str]]
-    said: Callable[[Incidence, Figure], Iterable[str]]
+    texts: Callable[[Incidence, Figure], Iterable[str]]
+    claims: Callable[[Incidence, Figure], Iterable[str]]
 
 
 def _on(i: Incidence, figure: Figure, form: LetterForm, own: tuple[Expr, ...]) -> Iterator[Expr]:
     return (form.value(figure.meaning(n), *own) for n in i.names)
 
 
-def _on_shown(i: Incidence, figure: Figure) -> Iterable[str]:
+def _on_texts(i: Incidence, figure: Figure) -> Iterable[str]:
     return (f"{FORMS[figure.rank].word}({n}, {i.letter})" for n in i.names)
 
 
-def _on_said(i: Incidence, figure: Figure) -> Iterable[str]:
+def _on_claims(i: Incidence, figure: Figure) -> Iterable[str]:
     word = i.relation if len(i.names) > 1 else "incident"
     return [f"{word}({', '.join((*i.names, i.letter))})"]
 
@@ -212,14 +212,14 @@ def _touching(i: Incidence, figure: Figure, form: LetterForm, own: tuple[Expr, .
     return (form.touching(figure.line(line), *own) for line in i.lines)
 
 
-def _touching_shown(i: Incidence, figure: Figure) -> Iterable[str]:
+def _touching_texts(i: Incidence, figure: Figure) -> Iterable[str]:
     for line in i.lines:
         step = figure.line(line).step
         word, told = "pole" if step == figure.rank - 1 else "polar", figure.written(line)
         yield f"[{', '.join(line)}, {word}({told}, {i.letter})]"
 
 
-def _touching_said(i: Incidence, figure: Figure) -> Iterable[str]:
+def _touching_claims(i: Incidence, figure: Figure) -> Iterable[str]:
     return (f"touches({figure.written(line)}, {i.letter})" for line in i.lines)
 
 
@@ -229,11 +229,11 @@ def _conjugate(i: Incidence, figure: Figure, form: LetterForm, own: tuple[Expr, 
     return (bracket(figure.meaning(n), polar, rank=figure.rank) for n in names)
 
 
-def _conjugate_shown(i: Incidence, figure: Figure) -> Iterable[str]:
+def _conjugate_texts(i: Incidence, figure: Figure) -> Iterable[str]:
     return (f"[{n}, polar({i.names[-1]}, {i.letter})]" for n in i.names[:-1])
 
 
-def _conjugate_said(i: Incidence, figure: Figure) -> Iterable[str]:
+def _conjugate_claims(i: Incidence, figure: Figure) -> Iterable[str]:
     return (f"incident({n}, polar({i.names[-1]}, {i.letter}))" for n in i.names[:-1])
 
 
@@ -242,18 +242,18 @@ def _pole(i: Incidence, figure: Figure, form: LetterForm, own: tuple[Expr, ...])
     yield ex.meet(form.polar(p, *own), flat, rank=figure.rank)
 
 
-def _pole_shown(i: Incidence, figure: Figure) -> Iterable[str]:
+def _pole_texts(i: Incidence, figure: Figure) -> Iterable[str]:
     return [f"polar({i.names[0]}, {i.letter}) /\\ {i.names[1]}"]
 
 
-def _pole_said(i: Incidence, figure: Figure) -> Iterable[str]:
+def _pole_claims(i: Incidence, figure: Figure) -> Iterable[str]:
     return [f"incident({i.names[1]}, polar({i.names[0]}, {i.letter}))"]
 
 
 _OF_LETTERS: Mapping[str, _OfLetter] = {
-    "on_conic": _OfLetter(_on, _on_shown, _on_said),
-    "on_quadric": _OfLetter(_on, _on_shown, _on_said),
-    "touches": _OfLetter(_touching, _touching_shown, _touching_said),
-    "polar": _OfLetter(_pole, _pole_shown, _pole_said),
-    "conjugate": _OfLetter(_conjugate, _conjugate_shown, _conjugate_said),
+    "on_conic": _OfLetter(_on, _on_texts, _on_claims),
+    "on_quadric": _OfLetter(_on, _on_texts, _on_claims),
+    "touches": _OfLetter(_touching, _touching_texts, _touching_claims),
+    "polar": _OfLetter(_pole, _pole_texts, _pole_claims),
+    "conjugate": _OfLetter(_conjugate, _conjugate_texts, _conjugate_claims),
 }

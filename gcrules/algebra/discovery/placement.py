@@ -48,18 +48,18 @@ class Placement:
         """An expression of the figure in the points that are placed."""
         return self.seated.put(exchanged(e, self.lines, self.figure.rank))
 
-    def said(self, e: Expr) -> str:
+    def condition(self, e: Expr) -> str:
         """The text of what vanishes, in words about conics and quadrics where there are any."""
         spoken = self.seated.spoken(e)
         return spoken[0] if spoken is not None else text(e, names=self.figure.space.declared())
 
     def written(self, e: Expr) -> Expr:
         """What vanishes, as it is written in words where it can be: so it is known what it says."""
-        said = self.said(e)
+        shown = self.condition(e)
         names = {n for n in points_of(e) if not marked(n)}
-        if not self.figure.space.conics or marks_in(said) or not names.issubset(self.figure.points):
+        if not self.figure.space.conics or marks_in(shown) or not names.issubset(self.figure.points):
             return e
-        return parse(said, context=self.figure.space)
+        return parse(shown, context=self.figure.space)
 
     def position(self, drawn: Mapping[str, Sequence[int]]) -> Position:
         """The figure where these points are."""
