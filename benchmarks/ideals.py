@@ -15,7 +15,7 @@ import subprocess
 import sys
 import tempfile
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from itertools import count
 from typing import Any
 
@@ -93,7 +93,7 @@ class Answer:
 def ideals_of(claim: Claim) -> list[Ideal]:
     """Those of the equations of a claim, which gcrules proves."""
     space, claimed = claim.context, claim.claimed
-    told = tuple(parse(text, context=replace(space, given=())) for text in decide(claim.claimed, space).assumed)
+    told = tuple(parse(text, context=space) for text in decide(claim.claimed, space).assumed)
     nonzero = (*told, *claimed.nonzero)
     hypotheses = tuple(e for a in space.given for e in equations(a, space.rank))
     found = []

@@ -28,7 +28,7 @@ from gcrules.algebra.prove import Proof, difference_of, prove
 from gcrules.algebra.reciprocal import Reciprocal, reciprocal
 from gcrules.algebra.screw_letters import screw_of, screws_of
 from gcrules.algebra.seated import Seated, in_words, seated
-from gcrules.algebra.space import Assumption, Space
+from gcrules.algebra.space import Space, Written
 from gcrules.core.english import listed
 from gcrules.core.errors import GcrulesError, InputError
 
@@ -43,22 +43,41 @@ def decide(claimed: Claimed, at: Space, *, limit: int = MAX_TERMS) -> Proof:
     """The verdict on what is claimed in a space, with what is given there: refuted if one of its equations is.
 
     What the claim's words make is assumed not to vanish, and told as such where the claim is proved. A claim about
-    hyperplanes alone that stays undecided is proved as the dual of one about points, if that is. Raises StepError and
-    InputError as `prove` does, and InputError where a word makes what exists nowhere.
+    hyperplanes alone that stays undecided is proved as the dual of one about points, if that is; one of which tangents
+    are given is so at once. Raises StepError and InputError as `prove` does, and InputError where a word makes
+    what exists nowhere.
     """
-    if conics_of(_names(claimed, at)):
-        return _about_conics(claimed, at, limit)
-    placed = reciprocal(claimed, at)
-    found = _of_screws(placed, limit) if placed else _decided(claimed, at, limit)
-    if found.verdict == "undecided" and (other := _of_points(claimed, at)) is not None:
-        of_points = _decided(*other, limit)
-        if of_points.proved:
-            written = claimed.relation or _written(claimed)
-            given = tuple(dict.fromkeys(a.text for a in at.given))
-            names = sorted(_names(claimed, at))
-            letters = declarations(letters_of(names), at.rank, screws_of(names))
-            return replace(of_points, relation=written, dual=Dual(letters, given, (written,)))
+    conics = conics_of(_names(claimed, at))
+    touching = any(w.kind == "touches" for a in at.given for w in a.written)
+    if touching and (of_points := _by_points(claimed, at, limit)) is not None:
+        return of_points
+    if conics:
+        found = _about_conics(claimed, at, limit)
+    else:
+        placed = reciprocal(claimed, at)
+        found = _of_screws(placed, limit) if placed else _decided(claimed, at, limit)
+    if found.verdict == "undecided":
+        return _by_points(claimed, at, limit) or found
     return found
+
+
+def _by_points(claimed: Claimed, at: Space, limit: int) -> Proof | None:
+    """The proof of a claim about hyperplanes alone as the dual of one about points; None where that is not proved."""
+    other = _of_points(claimed, at)
+    if other is None:
+        return None
+    names = sorted(_names(claimed, at))
+    conics = conics_of(names)
+    try:
+        of_points = (_about_conics if conics else _decided)(*other, limit)
+    except InputError:
+        return None  # what is to be said of that, the claim itself says in its own words
+    if not of_points.proved:
+        return None
+    written = claimed.relation or _written(claimed)
+    given = tuple(dict.fromkeys(a.text for a in at.given))
+    letters = declarations(letters_of(names), at.rank, screws_of(names), conics)
+    return replace(of_points, relation=written, dual=Dual(letters, given, (written,)))
 
 
 def _of_screws(placed: Reciprocal, limit: int) -> Proof:
@@ -81,27 +100,28 @@ def _of_points(claimed: Claimed, at: Space) -> tuple[Claimed, Space] | None:
     """The claim about points that a claim about hyperplanes is the dual of, with what is given; None for other claims,
     and where there is no such claim in the language.
     """
-    names = _names(claimed, at)
+    special = at.ideal or claimed.dual or any(a.also for a in at.given)
+    said = (*claimed.says(), *(w for a in at.given for w in a.written or (Written(a.kind, a.args),)))
+    names = points_of(*(e for w in said for e in w.args))
     steps = letters_of(names)
     alone = all(letter_of(n) or screw_of(n) for n in names) and set(steps.values()) == {at.rank - 1}
-    made = (*claimed.nonzero, *(e for a in at.given for e in a.exists))  # a letter is never zero, as a point is not
-    special = at.ideal or claimed.required or claimed.dual or any(a.also for a in at.given)
-    if not alone or special or any(named_letter(e) is None for e in made):
+    if not alone or special:
         return None
     try:
-        relation = Assumption(claimed.kind, claimed.args, claimed.relation) if claimed.kind else None
-        other = dual_of(claimed.equations, relation, at.given, at.rank)
+        other = dual_of(claimed.says(), at.given, at.rank)
         space = Context(at.rank)
-        for said in (*other.letters, *other.given):
-            space = parse_assumption(said, space)
+        for one in (*other.letters, *other.given):
+            space = parse_assumption(one, space)
         claims = [parse_claim(one, space) for one in other.claims]
     except GcrulesError:
         return None
-    if any(one.required for one in claims):
-        return None
     nonzero = tuple(e for one in claims for e in one.nonzero)
+    made = (*nonzero, *(e for a in space.given for e in a.exists))  # a letter is never zero, as a point is not
+    required = tuple(dict.fromkeys(r for one in claims for r in one.required))
+    if any(not r.letter for r in (*claimed.required, *required)) or any(named_letter(e) is None for e in made):
+        return None
     equations = tuple(pair for one in claims for pair in one.equations)
-    return Claimed(equations, claimed.relation, nonzero=nonzero), space
+    return Claimed(equations, claimed.relation, required, nonzero), space
 
 
 def _about_conics(claimed: Claimed, at: Space, limit: int) -> Proof:

@@ -47,6 +47,7 @@ __all__ = [
     "add",
     "common_rank",
     "join",
+    "measure",
     "meet",
     "mul",
     "neg",
@@ -64,9 +65,7 @@ MAX_COEFFICIENT_BITS = 10_000
 
 @dataclass(frozen=True, slots=True)
 class Expr(Hashed, Shown):
-    """Base of all expressions; `step` is the step of the value (0 for scalars), `depth` that of the nesting, `children`
-    the expressions that it is made of.
-    """
+    """Base of all expressions: the `step` of the value (0 for scalars), the `depth` of nesting, parts as `children`."""
 
     step: int = field(init=False, repr=False, compare=False)
     depth: int = field(init=False, repr=False, compare=False)
@@ -114,8 +113,8 @@ class Expr(Hashed, Shown):
     __array_ufunc__ = None  # arrays take no expressions apart
 
 
-def _measure(e: Expr, step: int, children: tuple[Expr, ...] = ()) -> None:
-    """Fill in the derived fields of a new expression."""
+def measure(e: Expr, step: int, children: tuple[Expr, ...] = ()) -> None:
+    """Fill in the derived fields of a new expression, for classes of expressions."""
     depth = 1 + max((c.depth for c in children), default=0)
     if depth > MAX_DEPTH:
         raise LimitReached(f"an expression of more than {MAX_DEPTH} operations inside each other")
@@ -134,7 +133,7 @@ class Number(Expr):
         value = self.value
         if isinstance(value, Fraction) and value.denominator == 1:
             object.__setattr__(self, "value", value.numerator)
-        _measure(self, 0)
+        measure(self, 0)
         if max(abs(value.numerator), value.denominator).bit_length() > MAX_COEFFICIENT_BITS:
             raise too_many_bits()
 
@@ -146,7 +145,7 @@ class Point(Expr):
     name: str
 
     def __post_init__(self) -> None:
-        _measure(self, 1)
+        measure(self, 1)
 
 
 @dataclass(frozen=True, slots=True)
@@ -156,7 +155,7 @@ class Join(Expr):
     args: tuple[Expr, ...]
 
     def __post_init__(self) -> None:
-        _measure(self, sum(a.step for a in self.args), self.args)
+        measure(self, sum(a.step for a in self.args), self.args)
 
 
 @dataclass(frozen=True, slots=True)
@@ -167,7 +166,7 @@ class Meet(Expr):
     rank: int
 
     def __post_init__(self) -> None:
-        _measure(self, sum(a.step for a in self.args) - self.rank * (len(self.args) - 1), self.args)
+        measure(self, sum(a.step for a in self.args) - self.rank * (len(self.args) - 1), self.args)
 
 
 @dataclass(frozen=True, slots=True)
@@ -177,7 +176,7 @@ class Bracket(Expr):
     args: tuple[Expr, ...]
 
     def __post_init__(self) -> None:
-        _measure(self, 0, self.args)
+        measure(self, 0, self.args)
 
 
 @dataclass(frozen=True, slots=True)
@@ -189,7 +188,7 @@ class Dotted(Expr):
     brackets: tuple[tuple[tuple[str, bool], ...], ...]
 
     def __post_init__(self) -> None:
-        _measure(self, 0)
+        measure(self, 0)
 
 
 @dataclass(frozen=True, slots=True)
@@ -201,7 +200,7 @@ class Superbracket(Expr):
     lines: tuple[Expr, ...]
 
     def __post_init__(self) -> None:
-        _measure(self, 0, self.lines)
+        measure(self, 0, self.lines)
 
     @property
     def rank(self) -> int:
@@ -215,7 +214,7 @@ class Sum(Expr):
     terms: tuple[Expr, ...]
 
     def __post_init__(self) -> None:
-        _measure(self, self.terms[0].step, self.terms)
+        measure(self, self.terms[0].step, self.terms)
 
 
 @dataclass(frozen=True, slots=True)
@@ -225,7 +224,7 @@ class Product(Expr):
     factors: tuple[Expr, ...]
 
     def __post_init__(self) -> None:
-        _measure(self, max(f.step for f in self.factors), self.factors)
+        measure(self, max(f.step for f in self.factors), self.factors)
 
 
 @dataclass(frozen=True, slots=True)
@@ -236,7 +235,7 @@ class Power(Expr):
     exponent: int
 
     def __post_init__(self) -> None:
-        _measure(self, 0, (self.base,))
+        measure(self, 0, (self.base,))
 
 
 ZERO = Number(0)

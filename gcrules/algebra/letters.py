@@ -213,9 +213,11 @@ def named_letter(e: Expr) -> str | None:
     return found[0] if len(found) == 1 else None
 
 
-def declarations(steps: Mapping[str, int], rank: int, screws: Collection[str] = ()) -> tuple[str, ...]:
-    """The texts that declare letters, each with its step, and those of `screws` apart. Raises InputError for steps that
-    have no word.
+def declarations(
+    steps: Mapping[str, int], rank: int, screws: Collection[str] = (), conics: Collection[str] = ()
+) -> tuple[str, ...]:
+    """The texts that declare letters, each with its step, those of `screws` apart, and those of conics or quadrics.
+    Raises InputError for steps that have no word.
 
     >>> declarations({"L": 2, "P": 3, "M": 2}, 4), declarations({"L": 2, "S": 2}, 4, ["S"])
     (('line L M', 'plane P'), ('line L', 'screw S'))
@@ -226,7 +228,8 @@ def declarations(steps: Mapping[str, int], rank: int, screws: Collection[str] = 
         if step > 3 and step != rank - 1:
             raise InputError(f"{names}: there are no letters that are {step_name(step, rank)} in rank {rank}")
         found.append(f"{_WORDS.get(step, 'hyperplane')} {names}")
-    return (*found, *([f"{SCREW} {' '.join(screws)}"] if screws else []))
+    last = {SCREW: screws, CONIC if rank == _PLANE else QUADRIC: conics}
+    return (*found, *(f"{word} {' '.join(names)}" for word, names in last.items() if names))
 
 
 def split_letters(rows: Iterable[Sequence[str]]) -> Iterator[str]:

@@ -11,7 +11,7 @@ from gcrules.algebra.names import NAME, NAMES_HINT
 from gcrules.core.dataclass import dataclass
 from gcrules.core.errors import InputError, Span
 
-__all__ = ["MAX_NAMES", "RANKS", "Assumption", "SourcePlace", "Space", "shortened"]
+__all__ = ["MAX_NAMES", "RANKS", "Assumption", "SourcePlace", "Space", "Written", "shortened"]
 
 RANKS = range(2, 9)
 MAX_NAMES = 500
@@ -33,12 +33,26 @@ class SourcePlace:
 
 
 @dataclass(frozen=True, slots=True)
+class Written:
+    """What is assumed or claimed, with polars in it as such (`polars`).
+
+    `kind` is that of an `Assumption`, or "equal" of both sides of an equation; "on" of a point, and "touches" of a line
+    or a plane, are said of the conic or quadric of a `letter`.
+    """
+
+    kind: str
+    args: tuple[Expr, ...]
+    letter: str = ""
+
+
+@dataclass(frozen=True, slots=True)
 class Assumption:
     """What is assumed of points: `kind` is collinear, coplanar, concurrent, incident, or zero (args[0] vanishes).
 
     `text` is the assumption as it was written, `place` where it was written, for messages, in which it has a `role`.
     Words that assumptions are made of say more of the positions that count: the expressions of `also` vanish at them,
-    and those of `exists` do not. What is proved without that holds for them all the more.
+    and those of `exists` do not. What is proved without that holds for them all the more. This is a part of what is
+    `written`, where letters for conics or quadrics are declared.
     """
 
     kind: str
@@ -48,6 +62,7 @@ class Assumption:
     role: str = field(default="assumption", compare=False, repr=False)
     also: tuple[Expr, ...] = field(default=(), compare=False, repr=False)
     exists: tuple[Expr, ...] = field(default=(), compare=False, repr=False)
+    written: tuple[Written, ...] = field(default=(), compare=False, repr=False)
 
     def __str__(self) -> str:
         return self.text

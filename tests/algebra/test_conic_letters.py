@@ -366,7 +366,10 @@ FAULTS = [
     ("rank 3 conic K given touches(a, K)", "a point (step 1) where a line is expected"),
     ("rank 3 conic K show tangent(p, K)", "nothing says that p is on K"),
     ("rank 3 conic K show second_on_conic(p, q, K)", "nothing says that q is on K"),
-    ("rank 3 conic K claim dual(incident(p, polar(q, K)))", "the dual of a conic letter has no word"),
+    (
+        "rank 3 conic K claim dual(conic(p, K) == [abc])",
+        "duality multiplies 1/2[p, polar(p, K)] and [abc] by different factors",
+    ),
     ("rank 3 conic K rule r: conic(p, K) => 0", "K is a conic, and rules are about points"),
     ("rank 3 conic K show [K¹ a b]", "unexpected character '¹'"),
 ]

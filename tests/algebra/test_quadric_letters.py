@@ -319,7 +319,7 @@ FAULTS = [
     ("show quadric(a, b)", "takes 10 arguments, found 2"),
     ("show second_on_quadric(p, a, b)", "second_on_quadric(…) is said of a letter, which stands last"),
     ("rank 3 conic K show quadric(a, K)", "quadric(…) says nothing of the conic K"),
-    ("quadric Q claim dual(incident(p, polar(q, Q)))", "the dual of a quadric letter has no word"),
+    ("quadric Q claim dual(pole(abc, Q) == a)", "duality multiplies pole(abc, Q) and a by different factors"),
     ("quadric Q rule r: quadric(p, Q) => 0", "Q is a quadric, and rules are about points"),
     ("quadric Q show [Q¹ a b c]", "unexpected character '¹'"),
 ]

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import random
 from fractions import Fraction
+from itertools import permutations
 from pathlib import Path
 
 import pytest
@@ -42,7 +43,7 @@ def test_the_equation_of_a_point(text: str, rank: int, name: str, known: str) ->
     e = parse(text, rank=rank)
     found = quadric(e, name, rank)
     assert found is not None
-    assert "".join(sorted(found.known)) == known
+    assert "".join(sorted(map(str, found.known))) == known
     for seed in range(3):
         at = coordinates("".join(points_of(e)) + "xy", rank, seed)
         x, y = at["x"], at["y"]
@@ -63,7 +64,7 @@ def test_the_second_point_of_a_line(text: str, rank: int, name: str, known: str)
     assert found is not None
     for n in known:
         at = coordinates("".join(points_of(e)) + "r", rank, 5)
-        parts = found.parts(n, "r")
+        parts = found.parts(Point(n), "r")
 
         def second() -> tuple[int, ...]:
             return tuple(map(sum, zip(*(evaluate(part, at) for part in parts), strict=True)))  # noqa: B023
@@ -85,6 +86,7 @@ def test_the_second_point_of_a_line(text: str, rank: int, name: str, known: str)
         ("[abp][cdp] - [abc][adp]", 3, "p"),
         ("[abp]**2 - [cdp]**2", 3, "p"),
         ("[abp]**2 - 2 [acp]**2", 3, "p"),
+        ("[ijp]**2 [aij]**2 [abi]**2 - [cip]**2 [aij]**2 [bij]**2", 3, "p"),
         ("abp", 4, "p"),
         ("[abc]", 3, "p"),
     ],
@@ -184,6 +186,45 @@ def test_a_circle_by_its_centre_is_all_of_it() -> None:
         some = {**points, "c": (6, 7, 1), "a": (x, Fraction(25, x), 1)}
         assert all(evaluate(e, some) == 0 for a in at.given for e in equations(a, 3))
         assert all(evaluate(e, some) for e in resolve(at).nonzero)
+
+
+AXES: dict[int, dict[str, tuple[int, ...]]] = {
+    3: {"i": (1, 0, 0), "j": (0, 1, 0)},
+    4: {"i": (1, 0, 0, 0), "j": (0, 1, 0, 0), "k": (0, 0, 1, 0)},
+}
+DIFFERENCES: dict[int, list[tuple[int, ...]]] = {
+    3: [(3, 4), (-4, 3), (5, 0), (0, -5)],
+    4: [(2, 3, 6), (-6, 2, 3), (7, 0, 0), (3, -6, -2)],
+}
+
+
+@pytest.mark.parametrize("rank", [3, 4])
+def test_lengths_by_directions_at_right_angles(rank: int) -> None:
+    """The fourth corner of a parallelogram is known; equal lengths that nothing constructed are reached."""
+    words = " ".join(AXES[rank])
+    at = script_of(f"rank {rank} orthonormal {words} given equal_distance(ab, cd)")
+    assert len(kinds(at)) == 1
+    c = resolve(at)
+    rng = random.Random(rank)
+    for one, other in permutations(DIFFERENCES[rank], 2):
+        starts = [[rng.randint(-9, 9) for _ in one] for _ in "ac"]
+        ends = [[x + u for x, u in zip(p, by, strict=True)] for p, by in zip(starts, (one, other), strict=True)]
+        points = {n: (*p, 1) for n, p in zip("acbd", starts + ends, strict=True)} | AXES[rank]
+        assert all(evaluate(e, points) == 0 for e in c.equations)
+        assert all(evaluate(e, points) for e in c.nonzero)
+
+
+@pytest.mark.parametrize("rank", [3, 4])
+def test_a_quadrangle_with_two_equal_sides(rank: int) -> None:
+    """The midpoints of the other two and of the diagonals are the corners of a rhombus."""
+    given = {"rank": rank, "orthonormal": " ".join(AXES[rank]), "given": "equal_distance(ab, cd)"}
+    halves = [rf"midpoint({p}, {q}) \/ midpoint({r}, {s})" for p, q, r, s in ("acbd", "bcad", "abcd")]
+    assert gc.prove(f"perpendicular({halves[0]}, {halves[1]})", **given).proved
+    refuted = gc.prove(f"perpendicular({halves[0]}, {halves[2]})", **given)
+    assert refuted.verdict == "refuted"
+    assert refuted.counterexample is not None
+    at = script_of(f"rank {rank} orthonormal {given['orthonormal']} given equal_distance(ab, cd)")
+    assert all(evaluate(e, refuted.counterexample) == 0 for a in at.given for e in equations(a, rank))
 
 
 def test_the_claim_is_a_sum_of_multiples_in_its_proof_file(tmp_path: Path) -> None:

@@ -19,7 +19,8 @@ from gcrules.algebra.decide import decide
 from gcrules.algebra.evaluate import Evaluator
 from gcrules.algebra.expr import Expr
 from gcrules.algebra.language.letter_words import CONSTRUCTION_NAMES, CONSTRUCTIONS_OF_LETTERS, RELATIONS_OF_LETTERS
-from gcrules.algebra.language.relations import RELATION_NAMES, RELATIONS, parse_claim
+from gcrules.algebra.language.relation_words import RELATION_NAMES, RELATIONS
+from gcrules.algebra.language.relations import parse_claim
 from gcrules.algebra.language.statements import Claim, parse_assumption, parse_script
 from gcrules.algebra.language.syntax import Context, parse
 from gcrules.algebra.language.words import CONSTRUCTIONS

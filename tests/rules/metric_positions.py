@@ -12,9 +12,20 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 
-from rules.theorem_positions import Position, Vector, between, conic, cross, det, drawn, mixed, vector
+from rules.theorem_positions import (
+    Position,
+    Vector,
+    between,
+    conic,
+    conic_with_tangents,
+    cross,
+    det,
+    drawn,
+    mixed,
+    vector,
+)
 
-from gcrules.algebra.letters import conic_points
+from gcrules.algebra.letters import conic_points, names_of
 
 __all__ = ["METRIC"]
 
@@ -173,6 +184,20 @@ def reim(rng: random.Random) -> Position:
     return weighted(rng, points) | ISOTROPIC
 
 
+def tangents(names: str) -> Callable[[random.Random], Position]:
+    """Five points of a conic, and lines, each by two points, that touch it in points called t_aK and so on."""
+
+    def position(rng: random.Random) -> Position:
+        found, places = conic_with_tangents(rng, len(HIDDEN), len(names))
+        points = dict(zip(HIDDEN, found, strict=True))
+        for name, (at, beside) in zip(names, places, strict=True):
+            ends = (mixed((rng.randint(1, 9), at), (rng.randint(1, 9), beside)) for _ in range(2))
+            points |= dict(zip(names_of(name, 2), ends, strict=True)) | {f"t_{name}K": at}
+        return points
+
+    return position
+
+
 def miquel(rng: random.Random) -> Position:
     found = {n: drawn(rng, 3) for n in "abcmij"}
     return found | {"r": between(rng, found["a"], found["b"])}
@@ -184,10 +209,12 @@ METRIC: Mapping[str, Callable[[random.Random], Position]] = {
     "butterfly": butterfly,
     "circumcentre": circle,
     "polar-triangle": lambda rng: dict(zip(HIDDEN, conic(rng, 5), strict=True)) | {n: drawn(rng, 3) for n in "abc"},
+    "tangent-hexagon": tangents("abcdef"),
     "tangent-triangle": lambda rng: dict(zip((*HIDDEN, *"abc"), conic(rng, 8), strict=True)),
     "diagonal-triangle": lambda rng: {n: drawn(rng, 3) for n in "abcde"},
     "euler-line": euclidean("a b c"),
     "feet": euclidean("a b c"),
+    "feuerbach": euclidean("d e f"),
     "medians": affine("a b c"),
     "midpoints": midpoints,
     "newton-gauss": affine("a b c d"),

@@ -136,10 +136,23 @@ def pappus(rng: random.Random) -> Position:
     return ends | {"c": between(rng, ends["a"], ends["b"]), "c'": between(rng, ends["a'"], ends["b'"])}
 
 
+Tangent = tuple[Vector, Vector]
+
+
 def conic(rng: random.Random, number: int) -> list[Vector]:
     """Points M (t², t, 1) of the conic with a random matrix M, at different parameters."""
+    return conic_with_tangents(rng, number, 0)[0]
+
+
+def conic_with_tangents(rng: random.Random, number: int, tangents: int) -> tuple[list[Vector], list[Tangent]]:
+    """Points of a conic as above, and of tangents at others these and M (2 t, 1, 0), the derivative."""
     rows = [drawn(rng, 3) for _ in range(3)]
-    return [tuple(dot(r, vector(t * t, t, 1)) for r in rows) for t in rng.sample(range(-9, 10), number)]
+
+    def at(*p: int) -> Vector:
+        return tuple(dot(r, vector(*p)) for r in rows)
+
+    places = rng.sample(range(-9, 10), number + tangents)
+    return [at(t * t, t, 1) for t in places[:number]], [(at(t * t, t, 1), at(2 * t, 1, 0)) for t in places[number:]]
 
 
 def brianchon(rng: random.Random) -> Position:
@@ -357,6 +370,15 @@ def cox(rng: random.Random) -> Position:
     return {"o": o} | {n: between(rng, o, cross(*both, drawn(rng, 4))) for n, both in lines}
 
 
+def twisted_cubic(rng: random.Random) -> Position:
+    """Seven points M (t³, t², t, 1), and a point of each plane through the last one and two of the first three."""
+    rows = [drawn(rng, 4) for _ in range(4)]
+    curve = [tuple(dot(r, vector(t**3, t * t, t, 1)) for r in rows) for t in rng.sample(range(-9, 10), 7)]
+    a, b, c, *_, g = curve
+    planes = {"p": (a, b, g), "q": (b, c, g), "r": (c, a, g)}
+    return dict(zip("abcdef", curve[:6], strict=True)) | {n: between(rng, *plane) for n, plane in planes.items()}
+
+
 POSITIONS: Mapping[str, Callable[[random.Random], Position]] = {
     "brianchon": brianchon,
     "bundle": bundle,
@@ -393,4 +415,5 @@ POSITIONS: Mapping[str, Callable[[random.Random], Position]] = {
     "steiner": conic_points("a b c d e f"),
     "three-triangles": three_triangles,
     "triple-perspective": twice_in_perspective,
+    "twisted-cubic": twisted_cubic,
 }

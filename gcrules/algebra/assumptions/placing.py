@@ -102,10 +102,10 @@ class Placement:
         """The second point of a quadric on a line through one that is placed."""
         for c in conditions:
             for known in c.through[name].known if name in c.through else ():
-                if known in self.values:
+                if self.values.keys() >= {*points_of(known)}:
                     other = f"{name}:1"
                     parts = c.through[name].parts(known, other)
-                    polar = c.through[name].polar(Point(known), Point(name))
+                    polar = c.through[name].polar(known, Point(name))
                     within = ex.add(*parts, rank=self.aim.space.rank)
                     return ConstructionStep(name, within, parts, (other,), False, (polar,)), [c]
         raise Failure(depth, conditions[0].cause, f"nothing is left on which {name} could lie")

@@ -7,13 +7,15 @@ point p of the quadric comes of r = p.
 
 >>> from gcrules.algebra.language.syntax import parse
 >>> found = quadric(parse("[abp][cdp] - 2 [acp][bdp]", rank=3), "p", 3)
->>> found.known, str(found.polar(Point("a"), Point("r")))
-(('a', 'b', 'c', 'd'), '[abr][cda] - 2[acr][bda]')
+>>> print(*found.known, found.polar(Point("a"), Point("r")), sep=", ")
+a, b, c, d, [abr][cda] - 2[acr][bda]
 """
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
 from fractions import Fraction
+from itertools import combinations
 
 from gcrules.algebra import expr as ex
 from gcrules.algebra.bracket import BracketPolynomial
@@ -35,12 +37,13 @@ _Term = tuple[int | Fraction, _Row, _Row, tuple[_Row, ...]]
 @dataclass(frozen=True)
 class Quadric:
     """The equation of a point: for each term its number, the other points of the two brackets that hold the point,
-    which comes last in them, and the other brackets. `known` are points at which it vanishes at all positions.
+    which comes last in them, and the other brackets. `known` are points, or sums of points, at which it vanishes at
+    all positions.
     """
 
     rank: int
     terms: tuple[_Term, ...]
-    known: tuple[str, ...] = ()
+    known: tuple[Expr, ...] = ()
 
     def at(self, x: Expr) -> Expr:
         """F(x)."""
@@ -51,16 +54,16 @@ class Quadric:
         both = (self._term(t, *places) for t in self.terms for places in ((x, y), (y, x)))
         return ex.add(*(e for e in both if e != ZERO), rank=self.rank)
 
-    def parts(self, known: str, other: str) -> tuple[Expr, Expr]:
+    def parts(self, known: Expr, other: str) -> tuple[Expr, Expr]:
         """Two points whose sum is the second point on the line through a known point and another one."""
-        a, r = Point(known), Point(other)
-        return ex.mul(self.at(r), a), ex.mul(Number(-1), self.polar(a, r), r)
+        r = Point(other)
+        return ex.mul(self.at(r), known), ex.mul(Number(-1), self.polar(known, r), r)
 
-    def passes_through(self, known: str, name: str) -> bool:
+    def passes_through(self, known: Expr, name: str) -> bool:
         """Whether it vanishes at a point at all positions, and lines through that have one more point of it in common:
         it is not a double point.
         """
-        value, polar = self.at(Point(known)), self.polar(Point(known), Point(name))
+        value, polar = self.at(known), self.polar(known, Point(name))
         zero = (is_zero(e, rank=self.rank, limit=_MAX_TERMS * 20) for e in (value, polar))
         return tuple(zero) == (True, False)
 
@@ -93,8 +96,25 @@ def quadric(e: Expr, name: str, rank: int) -> Quadric | None:
             one, two = (tuple(n for n in row if n != name) for row in holding)
             terms.append((sign * number, one, two, tuple(row for row in rows if name not in row)))
         found = Quadric(rank, tuple(terms))
-        others = (n for n in points_of(e) if n != name)
-        known = tuple(n for n in others if found.passes_through(n, name))
+        points: list[Expr] = [Point(n) for n in points_of(e) if n != name]
+        known = [p for p in points if found.passes_through(p, name)]
+        known = known or [p for p in _fourth_corners(found.terms, rank) if found.passes_through(p, name)]
     except LimitReached:
         return None
-    return Quadric(rank, found.terms, known) if known and terms else None
+    return Quadric(rank, found.terms, tuple(known)) if known and terms else None
+
+
+def _fourth_corners(terms: Sequence[_Term], rank: int) -> Iterator[Expr]:
+    """x + y - z, where x z y are three corners of a parallelogram: of points that stand in brackets with the points at
+    infinity, their weights, as equations between lengths have them.
+    """
+    rows = {row for *_, others in terms for row in others}
+    for infinite in dict.fromkeys(one for _, one, two, _ in terms if one == two):
+        finite = sorted(n for row in rows if {*infinite} < {*row} for n in row if n not in infinite)
+        weight = {n: bracket(*map(Point, (*infinite, n)), rank=rank) for n in finite}
+        for z in weight:
+            for x, y in combinations([n for n in weight if n != z], 2):
+                corners = ((x, y, z, 1), (y, z, x, 1), (z, x, y, -1))
+                yield ex.add(
+                    *(ex.mul(Number(sign), weight[m], weight[n], Point(p)) for p, m, n, sign in corners), rank=rank
+                )

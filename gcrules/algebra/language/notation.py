@@ -24,6 +24,7 @@ from gcrules.algebra.expr import (
     neg,
 )
 from gcrules.algebra.letters import grouped, plain_name
+from gcrules.algebra.polars import Polar
 from gcrules.algebra.screw_letters import Screw
 from gcrules.core.budget import watched
 from gcrules.core.dataclass import dataclass
@@ -200,6 +201,8 @@ def _signs(e: Expr) -> Iterator[Sign]:
             yield Mark("[[")
             yield from _comma_separated(lines)
             yield Mark("]]")
+        case Polar(of=of, letter=letter):
+            yield from (Mark(f"{e.word}("), *_signs(of), Mark(","), Row((letter,)), Mark(")"))
         case Power(base=base, exponent=exponent):
             yield Raised(tuple(_wrapped(base, (Bracket, Superbracket))), exponent)
         case Product(factors=factors):
@@ -295,7 +298,7 @@ def _is_sum(e: Expr) -> bool:
 
 
 def _wrapped(e: Expr, bare: tuple[type[Expr], ...]) -> Iterator[Sign]:
-    if isinstance(e, bare) or _side_by_side(e):
+    if isinstance(e, (*bare, Polar)) or _side_by_side(e):
         yield from _signs(e)
     else:
         yield Mark("(")

@@ -10,11 +10,10 @@ They are assumed by `given` and claimed by `claim`, and so are equations LHS == 
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
-from itertools import combinations, islice
+from itertools import islice
 
-from gcrules.algebra import conics, metric, quadric_forms
 from gcrules.algebra import expr as ex
 from gcrules.algebra.assumptions.incidences import MAX_CONDITIONS, equations
 from gcrules.algebra.duality import Dual, dual_of
@@ -22,21 +21,18 @@ from gcrules.algebra.expr import ZERO, Expr, Point, points_of
 from gcrules.algebra.language.conic_words import conic_behind
 from gcrules.algebra.language.letter_words import RELATIONS_OF_LETTERS
 from gcrules.algebra.language.parse_tree import Node, read, span_of
+from gcrules.algebra.language.relation_words import INCIDENCES, RELATIONS
 from gcrules.algebra.language.syntax import Builder, Context
-from gcrules.algebra.language.words import FLAT, POINT, SEGMENT, Relation, Requirement, ends
+from gcrules.algebra.language.with_polars import WithPolars
+from gcrules.algebra.language.words import SEGMENT, Relation, Requirement, ends
 from gcrules.algebra.letter_forms import FORMS
 from gcrules.algebra.letters import conics_of, named_letter
-from gcrules.algebra.metric import Infinity
-from gcrules.algebra.names import primed, step_name
-from gcrules.algebra.screw_letters import refuse_screw
-from gcrules.algebra.space import Assumption, SourcePlace, Space
+from gcrules.algebra.names import primed
+from gcrules.algebra.space import Assumption, SourcePlace, Space, Written
 from gcrules.core.dataclass import dataclass
-from gcrules.core.errors import GcrulesError, InputError, StepError
+from gcrules.core.errors import GcrulesError, InputError
 
 __all__ = [
-    "INCIDENCES",
-    "RELATIONS",
-    "RELATION_NAMES",
     "Claimed",
     "parse_claim",
     "parse_sides",
@@ -44,16 +40,15 @@ __all__ = [
     "read_claim",
 ]
 
-_Equations = Iterable[Expr]
-
 
 @dataclass(frozen=True, slots=True)
 class Claimed:
     """Equations that are claimed together; `relation` is how they were written if that was one word, of `args`.
 
     The claim is about positions at which nothing `required` vanishes, which is told, nor the expressions of `nonzero`.
-    `kind` is the name of a relation of incidence. With a `dual` what is claimed is that; the equations are those of
-    which it is the dual, which hold exactly where it does.
+    `kind` is the name of a relation of incidence; `written` is what was read, where letters for conics or quadrics are
+    declared. With a `dual` what is claimed is that; the equations are those of which it is the dual, which hold exactly
+    where it does.
     """
 
     equations: tuple[tuple[Expr, Expr], ...]
@@ -63,6 +58,13 @@ class Claimed:
     args: tuple[Expr, ...] = ()
     kind: str = ""
     dual: Dual | None = None
+    written: tuple[Written, ...] = ()
+
+    def says(self) -> tuple[Written, ...]:
+        """What was read, or else the relation or the equations."""
+        if self.written or not self.kind:
+            return self.written or tuple(Written("equal", pair) for pair in self.equations)
+        return (Written(self.kind, self.args),)
 
 
 def parse_claim(text: str, context: Context | None = None, filename: str = "<input>") -> Claimed:
@@ -99,9 +101,10 @@ def read_claim(tree: Node, builder: Builder, text: str) -> Claimed:
     if tree.data == "equation":
         sides = builder.equation(tree)
         said = text if conics_of(points_of(*sides)) else ""
-        return Claimed((sides,), said, builder.requirements(), _apart(builder))
-    kind, args, own = _arguments(tree, builder)
-    if own:
+        return Claimed((sides,), said, builder.requirements(), _apart(builder), written=_written(tree, builder.context))
+    kind, args, letter = _arguments(tree, builder)
+    if letter:
+        own = FORMS[builder.rank].own(letter)
         found = tuple(RELATIONS_OF_LETTERS[builder.rank][kind].whole(builder.rank, own, *args))
         kind = ""
     elif kind in INCIDENCES:
@@ -111,7 +114,13 @@ def read_claim(tree: Node, builder: Builder, text: str) -> Claimed:
     claimed: tuple[tuple[Expr, Expr], ...] = tuple((e, ZERO) for e in found) or ((ZERO, ZERO),)
     lines = tuple(a for a in args if a.step > 1)
     return Claimed(
-        claimed, text, builder.requirements(), (*_apart(builder), *lines), args, kind if kind in INCIDENCES else ""
+        claimed,
+        text,
+        builder.requirements(),
+        (*_apart(builder), *lines),
+        args,
+        kind if kind in INCIDENCES else "",
+        written=_written(tree, builder.context),
     )
 
 
@@ -125,15 +134,26 @@ def _dual(tree: Node, builder: Builder, text: str) -> Claimed:
         what = f"a dual is projective, and {at.ideal[0]} is a point at infinity, a word without a dual"
         raise InputError(what, hint="claim it without points at infinity")
     found = read_claim(inner, builder, text)
-    if at.conics and conics_of(
-        points_of(*(e for pair in found.equations for e in pair), *(e for a in at.given for e in a.args))
-    ):
-        form = FORMS[at.rank]
-        raise InputError(f"the dual of a {form.word} letter has no word", hint=f"claim it of {form.instead}")
-    if any(r for some in at.required.values() for r in some) or found.required:
+    if any(not r.letter for some in (*at.required.values(), found.required) for r in some):
         raise InputError("the dual of a construction has no word", hint="write out its joins and meets")
-    relation = Assumption(found.kind, found.args, text) if found.kind else None
-    return replace(found, relation=text, dual=dual_of(found.equations, relation, at.given, builder.rank))
+    return replace(found, relation=text, dual=dual_of(found.says(), at.given, builder.rank))
+
+
+def _written(tree: Node, at: Context) -> tuple[Written, ...]:
+    """What a parse tree says with polars as such, where letters for conics or quadrics are declared."""
+    if not at.conics:
+        return ()
+    builder = WithPolars(at)
+    if tree.data in ("equation", "equal"):
+        return (builder.said(*builder.equation(tree if tree.data == "equation" else tree.children[0])),)
+    kind, args, letter = _arguments(tree, builder)
+    if letter and kind == "touches":
+        return (Written(kind, args, letter),)
+    if letter:
+        return tuple(Written("on", (p,), letter) for p in args)
+    if kind in INCIDENCES:
+        return (Written(kind, args),)
+    return tuple(Written("zero", (e,)) for e in _expanded(RELATIONS[kind], args, at)[0])
 
 
 def read_assumptions(
@@ -146,32 +166,37 @@ def read_assumptions(
     if tree.data == "equal":
         left, right = builder.equation(tree.children[0])
         zero = left if right == ZERO else right if left == ZERO else ex.sub(left, right, rank=builder.rank)
-        return (Assumption("zero", (zero,), text, place, exists=_existing(builder)),)
-    kind, args, own = _arguments(tree, builder)
-    if own:
-        word = RELATIONS_OF_LETTERS[builder.rank][kind]
+        return (
+            Assumption(
+                "zero", (zero,), text, place, exists=_existing(builder), written=_written(tree, builder.context)
+            ),
+        )
+    kind, args, letter = _arguments(tree, builder)
+    written = _written(tree, builder.context)
+    if letter:
+        own, word = FORMS[builder.rank].own(letter), RELATIONS_OF_LETTERS[builder.rank][kind]
         exists = _existing(builder)
         if word.at_point is None:
             whole = word.whole(builder.rank, own, *args)
-            return tuple(Assumption("zero", (e,), text, place, exists=exists) for e in whole)
-        t = _further_point(args[0], own, builder.context)
-        found = word.at_point(builder.rank, own, t, *args)
-        return tuple(Assumption(kind, some, text, place, exists=(*exists, *args)) for kind, some in found)
+            return tuple(Assumption("zero", (e,), text, place, exists=exists, written=written) for e in whole)
+        t = _further_point(args[0], letter, builder.context)
+        found, exists = word.at_point(builder.rank, own, t, *args), (*exists, *args)
+        return tuple(Assumption(k, some, text, place, exists=exists, written=written) for k, some in found)
     if kind in INCIDENCES:
-        return (Assumption(kind, args, text, place, exists=_existing(builder)),)
+        return (Assumption(kind, args, text, place, exists=_existing(builder), written=written),)
     whole, chain = _expanded(RELATIONS[kind], args, builder.context)
     exists = (*_existing(builder), *(a for a in args if a.step > 1))
     also = tuple(e for e in whole if e not in chain)
-    return tuple(Assumption("zero", (e,), text, place, also=also, exists=exists) for e in chain)
+    return tuple(Assumption("zero", (e,), text, place, also=also, exists=exists, written=written) for e in chain)
 
 
-def _further_point(flat: Expr, own: Sequence[Expr], at: Context) -> Point:
+def _further_point(flat: Expr, conic: str, at: Context) -> Point:
     """The point in which a line or a plane touches a conic or a quadric, by a name that is not taken: t_PQ."""
     letter, made_of = named_letter(flat), flat.args if isinstance(flat, ex.Join) else ()
     if letter is None and not all(isinstance(a, Point) for a in made_of or (flat,)):
-        hint = f"say where: `given incident(a, {conics_of(points_of(*own))[0]})`, and its tangent at a touches there"
+        hint = f"say where: `given incident(a, {conic})`, and its tangent at a touches there"
         raise InputError("that something touches is assumed of letters and of joins of points", hint=hint)
-    name = re.sub(r"\W", "", "".join([letter or "".join(points_of(flat)), *conics_of(points_of(*own))]))
+    name = re.sub(r"\W", "", "".join([letter or "".join(points_of(flat)), conic]))
     taken = {*at.points, *points_of(flat, *(e for a in at.given for e in a.args))}
     return Point(primed(f"t_{name}", taken.__contains__))
 
@@ -186,24 +211,23 @@ def _existing(builder: Builder) -> tuple[Expr, ...]:
     return (*_apart(builder), *(r.expr for r in builder.requirements()))
 
 
-def _arguments(tree: Node, builder: Builder) -> tuple[str, tuple[Expr, ...], tuple[Expr, ...]]:
-    """The name of a relation, its arguments, which it takes, and the points of the letter behind them that stands for a
-    conic or a quadric.
+def _arguments(tree: Node, builder: Builder) -> tuple[str, tuple[Expr, ...], str]:
+    """The name of a relation, its arguments, which it takes, and the letter behind them that stands for a conic or a
+    quadric, "" where there is none.
     """
     token, *parts = tree.children
     kind, rank, others = str(token), builder.rank, (*INCIDENCES, *RELATIONS)
     of_letters = RELATIONS_OF_LETTERS.get(rank, {})
     parts, conic = conic_behind(kind, of_letters, others, parts, builder.context.conics, rank)
     args = tuple(map(builder.value, parts))
-    own = FORMS[rank].own(conic) if conic else ()
-    if own:
+    if conic:
         builder.check(of_letters[kind], args, parts)
     elif kind in INCIDENCES:
         INCIDENCES[kind](args, parts, rank)
     else:
         word = RELATIONS[kind]
         builder.check(word, args, parts)
-    return kind, args, own
+    return kind, args, conic
 
 
 def _expanded(word: Relation, args: Sequence[Expr], at: Space) -> tuple[list[Expr], list[Expr]]:
@@ -214,173 +238,3 @@ def _expanded(word: Relation, args: Sequence[Expr], at: Space) -> tuple[list[Exp
     if len(whole) > MAX_CONDITIONS:
         raise InputError(f"{len(args)} arguments are more than {word.usage} can take", hint="say it of fewer at a time")
     return whole, list(word.chain(*where, *given)) if word.chain else whole
-
-
-# --- relations of incidence, which the prover knows by name ---------------------------------------------------------
-
-
-def _points_only(number: int) -> Callable[[tuple[Expr, ...], list[Node], int], None]:
-    """A check that all arguments are points, at least so many different ones."""
-
-    def check(args: tuple[Expr, ...], trees: list[Node], rank: int) -> None:
-        for arg, tree in zip(args, trees, strict=True):
-            if arg.step != 1:
-                joined = isinstance(arg, ex.Join) and named_letter(arg) is None
-                hint = "separate the points with commas" if joined else None
-                what = f"{step_name(arg.step, rank)} where a point is expected"
-                raise StepError(what, span=span_of(tree), hint=hint)
-        different = len({*args})
-        if different < number:
-            found = "1 point is" if different == 1 else f"{different} points are"
-            raise InputError(f"{found} always so; at least {number} different ones are expected")
-
-    return check
-
-
-def _steps_between(number: int) -> Callable[[tuple[Expr, ...], list[Node], int], None]:
-    """At least `number` extensors that are neither scalars nor the whole space."""
-
-    def check(args: tuple[Expr, ...], trees: list[Node], rank: int) -> None:
-        for arg, tree in zip(args, trees, strict=True):
-            refuse_screw(arg, span_of(tree))
-            if not 1 <= arg.step < rank:
-                raise StepError(f"{step_name(arg.step, rank)} where an extensor is expected", span=span_of(tree))
-        if len(args) < number:
-            raise InputError(f"at least {number} extensors are expected, found {len(args)}")
-
-    return check
-
-
-def _pair(args: tuple[Expr, ...], trees: list[Node], rank: int) -> None:
-    _steps_between(2)(args, trees, rank)
-    if len(args) != 2:
-        raise InputError(f"incident(X, Y) has two extensors, found {len(args)}")
-
-
-INCIDENCES: Mapping[str, Callable[[tuple[Expr, ...], list[Node], int], None]] = {
-    "collinear": _points_only(3),
-    "coplanar": _points_only(4),
-    "concurrent": _steps_between(2),
-    "incident": _pair,
-}
-"""Relations of points, lines and planes in any rank, each with the check of its arguments."""
-
-
-# --- relations that are written out ---------------------------------------------------------------------------------
-
-
-def _any_of(number: int, scalar: Callable[..., Expr], *, metric: bool = True) -> Callable[..., _Equations]:
-    """A scalar of any so many of the points."""
-
-    def whole(*args: object) -> _Equations:
-        head, points = (args[:1], args[1:]) if metric else ((), args)
-        return (scalar(*head, *some) for some in combinations(points, number))
-
-    return whole
-
-
-def _beside(number: int, scalar: Callable[..., Expr], *, metric: bool = True) -> Callable[..., _Equations]:
-    """A scalar of the first points, one fewer than so many, with each of the others."""
-
-    def chain(*args: object) -> _Equations:
-        head, points = (args[:1], args[1:]) if metric else ((), args)
-        return [scalar(*head, *points[: number - 1], p) for p in points[number - 1 :]]
-
-    return chain
-
-
-def _equidistant(at: Infinity, o: Expr, first: Expr, *others: Expr) -> _Equations:
-    return [metric.equidistant(at, o, first, p) for p in others]
-
-
-def _equal_distance(at: Infinity, first: tuple[Expr, Expr], *others: tuple[Expr, Expr]) -> _Equations:
-    return [metric.equal_distances(at, first, pair) for pair in others]
-
-
-def _one(scalar: Callable[..., Expr]) -> Callable[..., _Equations]:
-    return lambda *args: [scalar(*args)]
-
-
-_PLANE, _SPACE, _BOTH = (3,), (4,), (3, 4)
-
-RELATIONS: Mapping[str, Relation] = {
-    w.name: w
-    for w in (
-        Relation(
-            "parallel(ab, cd)",
-            "two lines have one direction, in space also a line and a plane; two planes meet at infinity",
-            (FLAT, FLAT),
-            _BOTH,
-            whole=_one(metric.parallel),
-        ),
-        Relation(
-            "perpendicular(ab, cd)",
-            "two lines are at right angles, in space also planes, or a line and a plane",
-            (FLAT, FLAT),
-            _BOTH,
-            whole=_one(metric.perpendicular),
-        ),
-        Relation(
-            "concyclic(a, b, c, d, …)",
-            "the points are on a circle, or on a line",
-            (POINT,) * 4,
-            _PLANE,
-            open=True,
-            whole=_any_of(4, metric.concyclic),
-            chain=_beside(4, metric.concyclic),
-        ),
-        Relation(
-            "cospherical(a, b, c, d, e, …)",
-            "the points are on a sphere, or in a plane",
-            (POINT,) * 5,
-            _SPACE,
-            open=True,
-            whole=_any_of(5, metric.cospherical),
-            chain=_beside(5, metric.cospherical),
-        ),
-        Relation(
-            "equidistant(o, a, b, …)",
-            "o is as far from a as from b and the others",
-            (POINT,) * 3,
-            _BOTH,
-            open=True,
-            whole=_equidistant,
-        ),
-        Relation(
-            "equal_distance(ab, cd, …)",
-            "a is as far from b as c from d",
-            (SEGMENT, SEGMENT),
-            _BOTH,
-            open=True,
-            whole=_equal_distance,
-        ),
-        Relation(
-            "on_conic(a, b, c, d, e, f, …)",
-            "the points are on a conic, which may be two lines",
-            (POINT,) * 6,
-            _PLANE,
-            metric=False,
-            letter="conic K",
-            open=True,
-            whole=_any_of(6, conics.on_conic, metric=False),
-            chain=_beside(6, conics.on_conic, metric=False),
-        ),
-        Relation(
-            "on_quadric(a, b, c, d, e, f, g, h, i, j, …)",
-            "the points are on a quadric, which may be a cone or two planes",
-            (POINT,) * 10,
-            _SPACE,
-            metric=False,
-            letter="quadric Q",
-            open=True,
-            whole=_any_of(10, quadric_forms.on_quadric, metric=False),
-            chain=_beside(10, quadric_forms.on_quadric, metric=False),
-        ),
-    )
-}
-"""Relations that are equations of brackets, joins and meets, by their names."""
-
-RELATION_NAMES = tuple(
-    dict.fromkeys((*INCIDENCES, *RELATIONS, *(n for some in RELATIONS_OF_LETTERS.values() for n in some)))
-)
-"""The names of all relations, which grammar.lark lists too."""

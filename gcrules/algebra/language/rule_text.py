@@ -7,7 +7,8 @@ from collections.abc import Callable, Iterator, Mapping
 from gcrules.algebra import expr as ex
 from gcrules.algebra.expr import Expr
 from gcrules.algebra.language.parse_tree import Node, run_name, span_of
-from gcrules.algebra.language.relations import RELATIONS, read_assumptions
+from gcrules.algebra.language.relation_words import RELATIONS
+from gcrules.algebra.language.relations import read_assumptions
 from gcrules.algebra.language.syntax import Builder, Context
 from gcrules.algebra.names import step_name
 from gcrules.algebra.space import RANKS, Assumption, shortened

@@ -15,6 +15,7 @@ from gcrules.algebra.language.parse_tree import Node, read, span_of, whole
 from gcrules.algebra.language.relations import Claimed, read_assumptions, read_claim
 from gcrules.algebra.language.rule_text import Case, RuleText, instances
 from gcrules.algebra.language.syntax import Builder, Context
+from gcrules.algebra.language.with_polars import WithPolars
 from gcrules.algebra.language.words import METRICS, with_infinity
 from gcrules.algebra.letter_forms import FORMS
 from gcrules.algebra.letters import LETTERS, SCREW, letter_name, letter_step
@@ -228,8 +229,10 @@ class _Reader:
         builder = Builder(at)
         bound = {**at.bound, name: builder.value(body)}
         required = {**at.required, name: found} if (found := builder.requirements()) else at.required
+        polars = {**at.with_polars, name: WithPolars(at).value(body)} if at.conics else at.with_polars
+        finite, on_conics = frozenset(builder.finite), frozenset(builder.on_conics)
         self.context = replace(
-            at, bound=bound, required=required, finite=frozenset(builder.finite), on_conics=frozenset(builder.on_conics)
+            at, bound=bound, required=required, finite=finite, on_conics=on_conics, with_polars=polars
         )
 
     def _claim(self, item: Node) -> None:

@@ -54,7 +54,8 @@ MAX_WORD = 1_000
 class Context(Space):
     """What names mean: a space, and the names bound by `let`, each with what its words require not to vanish; which of
     what these made is `finite` then. `letters`, each with its step, stand for lines, planes and hyperplanes, or are
-    `screws`; `conics` for conics, in space quadrics, whose forms in `on_conics` are zero, as words made points of them.
+    `screws`; `conics` for conics, in space quadrics, whose forms in `on_conics` are zero, as words made points of them;
+    what was bound since then is in `with_polars` too, with polars as such.
     """
 
     bound: Mapping[str, Expr] = FrozenMap()
@@ -63,12 +64,12 @@ class Context(Space):
     letters: Mapping[str, int] = FrozenMap()
     screws: tuple[str, ...] = ()
     conics: tuple[str, ...] = ()
+    with_polars: Mapping[str, Expr] = FrozenMap()
     on_conics: frozenset[Expr] = frozenset()
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "bound", FrozenMap(self.bound))
-        object.__setattr__(self, "required", FrozenMap(self.required))
-        object.__setattr__(self, "letters", FrozenMap(self.letters))
+        for key in ("bound", "required", "letters", "with_polars"):
+            object.__setattr__(self, key, FrozenMap(getattr(self, key)))
         Space.__post_init__(self)
 
     def declared(self) -> tuple[str, ...]:
@@ -238,7 +239,7 @@ class Builder:
         self._count(made, word.name)
         self.made[made] = f"{word.name}({', '.join((*map(self._called, args), *filter(None, [conic])))})"
         if may_vanish:
-            self.required[made] = Requirement(made, self.made[made], f"{_KINDS.get(made.step, 'it')} exists")
+            self.required[made] = Requirement(made, self.made[made], f"{_KINDS.get(made.step, 'it')} exists", conic)
         else:
             self.finite.add(made)
         return made
@@ -277,7 +278,7 @@ class Builder:
         entries = self.split(tree.children[0])
         if any(d for _, d in entries):
             return self._dotted(entries, tree)
-        return ex.join(*(self._named(n) for n, _ in entries), rank=self.rank)
+        return ex.join(*(self.named(n) for n, _ in entries), rank=self.rank)
 
     def dotted_word(self, tree: Node) -> _DottedRun:
         (first, _), *rest = self.split(tree.children[0])
@@ -289,7 +290,7 @@ class Builder:
         for name, dot in entries:
             at = self.context
             if name in at.letters or name in at.conics:
-                self._named(name)
+                self.named(name)
             found += beside_dots(name, dot, at.letters, at.screws, span_of(tree))
         return _DottedRun(tuple(found))
 
@@ -337,7 +338,7 @@ class Builder:
         others = (self.context.bound, self.context.letters)
         return None if any(n in some for n in names for some in others) else len(names)
 
-    def _named(self, name: str) -> Expr:
+    def named(self, name: str) -> Expr:
         """What a name stands for, counted among the parts of the expression."""
         bound = self.context.bound.get(name)
         refuse_conic(name, self.context.conics, self.rank)

@@ -54,11 +54,14 @@ _BOTH = (3, 4)
 
 @dataclass(frozen=True, slots=True)
 class Requirement:
-    """What must not vanish so that words mean something: as text of the language, with what that says."""
+    """What must not vanish so that words mean something: as text of the language, with what that says; `letter` is that
+    of a conic or a quadric of which the word is said.
+    """
 
     expr: Expr
     text: str
     meaning: str
+    letter: str = ""
 
 
 @dataclass(frozen=True, slots=True)

@@ -20,8 +20,9 @@ from gcrules.algebra.assumptions.frame import occurrences
 from gcrules.algebra.expr import Expr, Point, Superbracket, subexpressions
 from gcrules.core.errors import InputError
 
-__all__ = ["has_large_superbracket", "in_a_basis"]
+__all__ = ["IN_A_BASIS", "has_large_superbracket", "in_a_basis"]
 
+IN_A_BASIS = 5  # times as many terms may be made: none of them is exchanged
 _RANK = 4  # the highest one in which superbrackets are polynomials in brackets to a checker
 
 
@@ -31,8 +32,8 @@ def has_large_superbracket(e: Expr) -> bool:
 
 
 def in_a_basis(c: Construction, e: Expr) -> Construction:
-    """The construction with its free points on the join of those that an expression has most often. Raises InputError
-    where more points are at infinity than may be points like the others.
+    """The construction with its free points on the join of those at infinity and of those that an expression has most
+    often. Raises InputError where more points are at infinity than may be points like the others.
     """
     fresh = {n for s in c.steps for n in s.fresh}
     ideal = [n for n in c.order[: c.at_infinity] if n not in fresh]
@@ -40,7 +41,7 @@ def in_a_basis(c: Construction, e: Expr) -> Construction:
     if len(ideal) >= c.rank:
         raise InputError(f"{len(ideal)} points at infinity are too many to be points like the others")
     times = occurrences(free, c.steps, e)
-    free.sort(key=lambda n: -times[n])
+    free.sort(key=lambda n: (n not in ideal, -times[n]))
     base, others = free[: c.rank], free[c.rank :]
     whole = ex.join(*map(Point, base), rank=c.rank)
     placed = tuple(step_on(Within(n, whole, ()), c.rank) for n in others)

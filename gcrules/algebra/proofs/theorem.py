@@ -12,7 +12,7 @@ from gcrules.algebra.bracket import Coefficient, Monomial
 from gcrules.algebra.expand import MAX_TERMS
 from gcrules.algebra.expr import ZERO, Bracket, Expr, Join, Meet, Point, Product, Sum, points_of
 from gcrules.algebra.letters import conic_of, letter_of, marked
-from gcrules.algebra.proofs.basis import has_large_superbracket, in_a_basis
+from gcrules.algebra.proofs.basis import IN_A_BASIS, has_large_superbracket, in_a_basis
 from gcrules.algebra.proofs.coverage import Flat, Multiple, equal, flats
 from gcrules.algebra.proofs.relations import MAX_RELATIONS, Relation, relations
 from gcrules.algebra.proofs.sequences import Sequences
@@ -161,7 +161,7 @@ def placed_theorem(
         return _theorem(name, left, right, c, nonzero, limit)
     except LimitReached as limited:
         try:
-            return _theorem(name, left, right, in_a_basis(c, difference), nonzero, limit)
+            return _theorem(name, left, right, in_a_basis(c, difference), nonzero, IN_A_BASIS * limit)
         except (InputError, LimitReached):
             raise limited from None
 

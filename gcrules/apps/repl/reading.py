@@ -15,7 +15,7 @@ from dataclasses import replace
 
 from gcrules.algebra.expr import Expr, points_of
 from gcrules.algebra.language.parse_tree import read, span_of
-from gcrules.algebra.language.relations import RELATION_NAMES
+from gcrules.algebra.language.relation_words import RELATION_NAMES
 from gcrules.algebra.language.syntax import Context
 from gcrules.algebra.language.text import text as text_of
 from gcrules.apps.repl.tables import COMMANDS, RULE_WORDS, STATEMENTS, meant

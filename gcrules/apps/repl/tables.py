@@ -8,8 +8,8 @@ from collections.abc import Iterable, Iterator, Mapping
 
 from gcrules.algebra.discovery.limits import RELATIONS as DISCOVERED
 from gcrules.algebra.language.letter_words import CONSTRUCTIONS_OF_LETTERS, RELATIONS_OF_LETTERS
-from gcrules.algebra.language.relations import INCIDENCES, RELATION_NAMES
-from gcrules.algebra.language.relations import RELATIONS as METRIC_RELATIONS
+from gcrules.algebra.language.relation_words import INCIDENCES, RELATION_NAMES
+from gcrules.algebra.language.relation_words import RELATIONS as METRIC_RELATIONS
 from gcrules.algebra.language.words import CONSTRUCTIONS, METRICS, Word
 from gcrules.algebra.letters import LETTERS
 from gcrules.core.dataclass import dataclass

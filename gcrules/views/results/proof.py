@@ -16,6 +16,7 @@ from gcrules.algebra.letter_forms import FORMS, coefficients
 from gcrules.algebra.letters import conics_of, letter, letters_of, marked
 from gcrules.algebra.prove import Proof
 from gcrules.algebra.screw_letters import screw, screws_of
+from gcrules.core.english import listed
 from gcrules.views.formulas import latex as formulas
 from gcrules.views.results.polynomial import points_shown
 
@@ -30,14 +31,24 @@ def as_text(proof: Proof, *, unicode: bool = False) -> str:
     lines = [f"{proof.verdict}: {proof.relation or f'{left} == {right}'}", *dual_lines(proof), f"  {proof.reason}"]
     if proof.counterexample is not None:
         lines += [f"  {name} = {c}" for name, c in _coordinates(proof.counterexample, proof.rank)]
-        lines += (
-            [f"  the dual fails at the hyperplanes with {_OF[bool(letters_of(proof.counterexample))]}"]
-            if proof.dual
-            else []
-        )
+        lines += [_failing(proof.counterexample, proof.rank)] if proof.dual else []
     if proof.values is not None and not proof.relation:
         lines += [f"  left side  = {number_text(proof.values[0])}", f"  right side = {number_text(proof.values[1])}"]
     return "\n".join([*lines, *conditions(proof)])
+
+
+def _failing(points: Mapping[str, Sequence[Any]], rank: int) -> str:
+    """Where a dual fails, by the counterexample to the claim that it is the dual of."""
+    where = f"  the dual fails at the hyperplanes with {_OF[bool(letters_of(points))]}"
+    conics = conics_of(points)
+    if not conics:
+        return where
+    plural, forms = ("", "its form is") if len(conics) == 1 else ("s", "their forms are")
+    word = f"{FORMS[rank].word}{plural} {listed(conics)}"
+    return f"{where}, for the {word} of the {_TANGENTS[rank]} at whose coordinates {forms} zero"
+
+
+_TANGENTS = {3: "lines", 4: "planes"}
 
 
 def dual_lines(proof: Proof) -> list[str]:
