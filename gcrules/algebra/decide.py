@@ -14,7 +14,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from gcrules.algebra.assumptions.nondegeneracy import Nowhere, chosen, words
 from gcrules.algebra.combinations import given_part
 from gcrules.algebra.duality import Dual, dual_of
 from gcrules.algebra.evaluate import vanishes
@@ -24,11 +23,11 @@ from gcrules.algebra.language.relations import Claimed, parse_claim
 from gcrules.algebra.language.statements import parse_assumption
 from gcrules.algebra.language.syntax import Context
 from gcrules.algebra.language.text import text
-from gcrules.algebra.letters import conics_of, declarations, letter_of, letters_of, marks_in, named_letter
+from gcrules.algebra.letters import conics_of, declarations, letter_of, letters_of, named_letter
 from gcrules.algebra.prove import Proof, difference_of, prove
 from gcrules.algebra.reciprocal import Reciprocal, reciprocal
 from gcrules.algebra.screw_letters import screw_of, screws_of
-from gcrules.algebra.seated import Seated, seated
+from gcrules.algebra.seated import Seated, in_words, seated
 from gcrules.algebra.space import Space, Written
 from gcrules.core.english import listed
 from gcrules.core.errors import GcrulesError, InputError
@@ -37,10 +36,6 @@ __all__ = ["decide"]
 
 _VERDICTS = ("refuted", "undecided", "proved")
 _SUMMED = "both sides differ by a sum of multiples of what is given, which vanishes"
-_UNRESOLVED = "the assumptions about {} cannot be resolved"
-_VANISHING = (
-    "something that is said to exist vanishes at all positions that were found to satisfy what is assumed of {}"
-)
 _UNSAID = "both sides are equal where something does not vanish that cannot be said without the corners of {}"
 
 
@@ -131,44 +126,29 @@ def _of_points(claimed: Claimed, at: Space) -> tuple[Claimed, Space] | None:
 
 def _about_conics(claimed: Claimed, at: Space, limit: int) -> Proof:
     """The verdict on a claim about conics or quadrics: with points that are given on them in place of their own."""
-    placed = seated(claimed, at)
-    try:
+    placed, letters = seated(claimed, at), conics_of(_names(claimed, at))
+    with in_words(placed, letters, at.given):
         found = _decided(placed.claimed, placed.space, limit, placed)
-    except InputError as fault:
-        nowhere = isinstance(fault, Nowhere)
-        if marks_in(fault.message) or (placed.generic and placed.places and nowhere):
-            fault.message = (_VANISHING if nowhere else _UNRESOLVED).format(listed(conics_of(_names(claimed, at))))
-        fault.hint = fault.hint or placed.taken
-        place = next((a.place for a in at.given[::-1] if a.place is not None), None)
-        if nowhere and place is not None:
-            fault.located(place.source, place.filename, place.span)
-        raise
     if found.counterexample is not None:
         places = {n: found.counterexample[p] for n, p in placed.places.items() if p in found.counterexample}
         return replace(found, counterexample={**found.counterexample, **places})
     if not found.proved:
         return found
-    if placed.irreducible:
-        required = {r.text: r.meaning for r in claimed.required}
-        return replace(found, assumed=tuple(required), meanings=tuple(required.values()), kinds=())
-    if placed.flats is not None:
-        spoken = dict(placed.differ) | {text(e): words(e) for e in chosen(placed.flats, at.rank)}
-        if not any(map(marks_in, spoken)):
-            spoken |= {r.text: r.meaning for r in claimed.required}
-            return replace(found, assumed=tuple(spoken), meanings=tuple(spoken.values()), kinds=())
-    told = dict(placed.told)
-    told |= dict(zip(found.assumed, found.meanings or [""] * len(found.assumed), strict=True))
-    if placed.generic and any(map(marks_in, (*told, *map(str, found.kinds)))):
+    spoken = dict(zip(found.assumed, found.meanings or [""] * len(found.assumed), strict=True))
+    told = placed.assumed(spoken, found.kinds)
+    if told is None:
         return replace(
             found,
             verdict="undecided",
             method="random-points",
-            reason=_UNSAID.format(listed(conics_of(_names(claimed, at)))),
+            reason=_UNSAID.format(listed(letters)),
             assumed=(),
             meanings=(),
             kinds=(),
         )
-    return replace(found, assumed=tuple(told), meanings=tuple(told.values()))
+    told = {**told, **{r.text: r.meaning for r in claimed.required}}
+    kinds = found.kinds if placed.alone is None else ()
+    return replace(found, assumed=tuple(told), meanings=tuple(told.values()), kinds=kinds)
 
 
 def _said(proof: Proof, placed: Seated) -> Proof:

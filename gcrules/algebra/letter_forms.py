@@ -14,7 +14,7 @@ from gcrules.algebra.expr import Expr, Point
 from gcrules.algebra.letters import conic_points
 from gcrules.core.dataclass import dataclass
 
-__all__ = ["FORMS", "LetterForm", "coefficients"]
+__all__ = ["FORMS", "LetterForm", "coefficients", "polar_of"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -63,6 +63,16 @@ FORMS: Mapping[int, LetterForm] = {
 }
 
 
+def polar_of(flat: Expr, own: Sequence[Expr], rank: int) -> tuple[str, Expr]:
+    """The word for the polar of a point, or of a line or plane of space, and what it is."""
+    if flat.step == 1:
+        return "polar", FORMS[rank].polar(flat, *own)
+    if flat.step == rank - 1:
+        return "pole", (quadric_forms.pole if rank == _SPACE else conics.pole_of)(flat, *own)
+    return "polar", quadric_forms.polar_line(flat, *own)
+
+
+_SPACE = 4
 _MIXED = {3: ((1, 2), (2, 0), (0, 1)), 4: ((1, 2), (2, 0), (0, 1), (0, 3), (1, 3), (2, 3))}
 
 

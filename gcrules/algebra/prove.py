@@ -19,11 +19,11 @@ from fractions import Fraction
 from itertools import combinations
 from typing import Any
 
-from gcrules.algebra.assumptions.assumed import PositionKind, kinds
+from gcrules.algebra.assumptions.assumed import kinds
 from gcrules.algebra.assumptions.building import coinciding
 from gcrules.algebra.assumptions.construction import Construction
 from gcrules.algebra.assumptions.frame import Frame, zero_by
-from gcrules.algebra.assumptions.nondegeneracy import chosen, fewest, nowhere, words
+from gcrules.algebra.assumptions.nondegeneracy import chosen, fewest, met, words
 from gcrules.algebra.bracket import tableau_order
 from gcrules.algebra.claims import error_below
 from gcrules.algebra.duality import Dual
@@ -200,13 +200,6 @@ class _Positions:
             _differ(evaluate(e, points), 0) for e in self.zero
         )
 
-    def met(self, found: Sequence[PositionKind]) -> list[PositionKind]:
-        """The kinds of positions that some of them are of."""
-        left = [kind for kind in found if not any(map(kind.construction.vanishes, self.nonzero))]
-        if found and not left:
-            raise nowhere(kind.construction for kind in found)
-        return left
-
 
 def difference_of(left: Expr, right: Expr, rank: int) -> Expr:
     """left − right, where 0 may stand for an extensor of any step. Raises StepError where the steps differ."""
@@ -257,7 +250,7 @@ def _in_frame(frame: Frame) -> str:
 def _under_assumptions(left: Expr, right: Expr, difference: Expr, space: Space, where: _Positions, limit: int) -> Proof:
     """The proof at each kind of position that the assumptions allow, taken together."""
     try:
-        found = where.met(kinds(space, (*points_of(left, right), *where.names), (difference,)))
+        found = met(kinds(space, (*points_of(left, right), *where.names), (difference,)), where.nonzero)
     except LimitReached as limited:
         reason = _reason(limited, "; the assumptions are not resolved")
         return Proof(left, right, "undecided", "random-points", reason)

@@ -16,29 +16,32 @@ it take the places of corners of a tetrahedron on it (see `seats`).
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import replace
+from functools import partial
 from itertools import combinations
 from random import Random
 
-from gcrules.algebra import conics, quadric_forms
 from gcrules.algebra import expr as ex
-from gcrules.algebra.assumptions.nondegeneracy import words
+from gcrules.algebra.assumptions.nondegeneracy import Nowhere, chosen, words
 from gcrules.algebra.evaluate import PRIME, Evaluator
 from gcrules.algebra.expr import Expr, Point, points_of, subexpressions
 from gcrules.algebra.language.relations import Claimed
 from gcrules.algebra.language.text import text
-from gcrules.algebra.letter_forms import FORMS
-from gcrules.algebra.letters import conic_of, conic_points, conics_of
+from gcrules.algebra.letter_forms import FORMS, polar_of
+from gcrules.algebra.letters import conic_of, conic_points, conics_of, marks_in
 from gcrules.algebra.lines_on_quadrics import OnLines, on_lines
 from gcrules.algebra.parts import substitute
 from gcrules.algebra.seats import SEATS, given_on
 from gcrules.algebra.space import Assumption, Space
 from gcrules.algebra.towers import polar_of_line, tower
 from gcrules.core.dataclass import dataclass
+from gcrules.core.english import listed
+from gcrules.core.errors import InputError
 from gcrules.core.frozen import FrozenMap
 
-__all__ = ["Seated", "seated"]
+__all__ = ["Seated", "in_words", "seated"]
 
 _PLANE, _SPACE = 3, 4
 
@@ -61,6 +64,31 @@ class Seated:
     generic: tuple[frozenset[str], ...] = ()
     flats: tuple[Expr, ...] | None = None
     differ: tuple[tuple[str, str], ...] = ()
+
+    def put(self, e: Expr) -> Expr:
+        """An expression with the points that have places of others."""
+        return _put(e, self.places, self.space.rank)
+
+    @property
+    def alone(self) -> Mapping[str, str] | None:
+        """What is assumed not to vanish whatever a proof asks for, in words with their meanings; None where that is
+        assumed as well.
+        """
+        if self.irreducible:
+            return {}
+        if self.flats is None:
+            return None
+        told = dict(self.differ) | {text(e): words(e) for e in chosen(self.flats, self.space.rank)}
+        return None if any(map(marks_in, told)) else told
+
+    def assumed(self, spoken: Mapping[str, str], kinds: Iterable[object] = ()) -> Mapping[str, str] | None:
+        """What is assumed not to vanish by a proof with the conditions that are `spoken`, for these kinds of positions;
+        None where it cannot be said without the points of letters.
+        """
+        if self.alone is not None:
+            return self.alone
+        told = {**dict(self.told), **spoken}
+        return None if self.generic and any(map(marks_in, (*told, *map(str, kinds)))) else told
 
     @property
     def taken(self) -> str | None:
@@ -124,7 +152,7 @@ class Seated:
         for letter, points in self._letters(names):
             for some in combinations((n for n in points_of(part) if conic_of(n) is None), rank - part.step):
                 flat = ex.join(*map(Point, some), rank=rank)
-                word, polar = _polar_of(flat, points, rank)
+                word, polar = polar_of(flat, points, rank)
                 if self._multiple(part, polar, names):
                     return f"{word}({text(flat, names=self.space.declared())}, {letter})", flat
         return None
@@ -154,15 +182,6 @@ class Seated:
         return len(ratios) == 1 and 0 not in ratios
 
 
-def _polar_of(flat: Expr, points: Sequence[Expr], rank: int) -> tuple[str, Expr]:
-    """The word for the polar of a point, or of a line or plane of space, and what it is."""
-    if flat.step == 1:
-        return "polar", FORMS[rank].polar(flat, *points)
-    if flat.step == rank - 1:
-        return "pole", (quadric_forms.pole if rank == _SPACE else conics.pole_of)(flat, *points)
-    return "polar", quadric_forms.polar_line(flat, *points)
-
-
 def seated(claimed: Claimed, at: Space) -> Seated:
     """The claim, of conics that are no pairs of lines and quadrics that are no cones, with points that are given on
     them in place of their own.
@@ -182,14 +201,11 @@ def seated(claimed: Claimed, at: Space) -> Seated:
     claimed = replace(claimed, nonzero=tuple(dict.fromkeys((*claimed.nonzero, *proper))))
     if not seats.places:
         return Seated(claimed, at, irreducible=seats.irreducible, generic=seats.generic, flats=flats)
-    seat: dict[str, Expr] = {n: Point(p) for n, p in seats.places.items()}
     seated_apart = {frozenset(points_of(e)) for e in seats.apart}
     apart = [e for e in lines.apart if frozenset(points_of(e)) not in seated_apart]
     differ = tuple((text(e), words(e)) for e in apart)
 
-    def put(e: Expr) -> Expr:
-        return substitute(e, seat, at.rank)
-
+    put = partial(_put, places=seats.places, rank=at.rank)
     return Seated(
         replace(
             claimed,
@@ -206,6 +222,32 @@ def seated(claimed: Claimed, at: Space) -> Seated:
         flats,
         (*seats.differ, *differ),
     )
+
+
+def _put(e: Expr, places: Mapping[str, str], rank: int) -> Expr:
+    return substitute(e, {n: Point(p) for n, p in places.items()}, rank) if places else e
+
+
+@contextmanager
+def in_words(placed: Seated, letters: Sequence[str], given: Sequence[Assumption]) -> Iterator[None]:
+    """InputErrors about what is made of assumptions, which are `given`, say it of the letters."""
+    try:
+        yield
+    except InputError as fault:
+        nowhere = isinstance(fault, Nowhere)
+        if marks_in(fault.message) or (placed.generic and placed.places and nowhere):
+            fault.message = (_VANISHING if nowhere else _UNRESOLVED).format(listed(letters))
+        fault.hint = fault.hint or placed.taken
+        place = next((a.place for a in given[::-1] if a.place is not None), None)
+        if nowhere and place is not None:
+            fault.located(place.source, place.filename, place.span)
+        raise
+
+
+_UNRESOLVED = "the assumptions about {} cannot be resolved"
+_VANISHING = (
+    "something that is said to exist vanishes at all positions that were found to satisfy what is assumed of {}"
+)
 
 
 def _expressions(given: Iterable[Assumption]) -> tuple[Expr, ...]:

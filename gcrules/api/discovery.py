@@ -30,9 +30,10 @@ def discover(
 
     A script is the name of a `.gca` file or its text: points, points at infinity, assumptions, names by `let`; its
     claims are not looked at. `relations` are some of "equal", "incident", "collinear", "concurrent", "coplanar" and
-    "on_conic", all of them if none is named. A proof that takes more than `limit` terms leaves an incidence undecided;
-    for `seconds` positions are looked for at which one that is proved fails. Raises InputError for assumptions that are
-    not resolved and in ranks other than 3 and 4, LimitReached for more than `candidates` sets of points and lines.
+    "on_conic", for letters of conics and quadrics "on_quadric", "touches", "polar" and "conjugate", all of them if none
+    is named. A proof that takes more than `limit` terms leaves an incidence undecided; for `seconds` positions are
+    looked for at which one that is proved fails. Raises InputError for assumptions that are not resolved and in ranks
+    other than 3 and 4, LimitReached for more than `candidates` sets of points and lines.
     """
     written = fspath(script)
     named = not isinstance(script, str) or written.endswith(".gca")

@@ -257,6 +257,31 @@ def test_a_question_alone_is_a_call_of_its_function(text: str, call: str) -> Non
         subprocess.run([sys.executable, "-c", python], capture_output=True, check=True)
 
 
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        (
+            "rank 3\nconic K\nline L\ngiven touches(L, K)\nlet t = pole(L, K)\nlet p = polar(a, K)\n:discover",
+            "nothing new",
+        ),
+        ("rank 3\nconic K\n:prove conic(a, K) == 0", "refuted"),
+        ("quadric Q\nplane P\ngiven touches(P, Q)\n:prove incident(pole(P, Q), Q)", "proved"),
+        ("line L\n:prove [L ab] == [ab L]", "proved"),
+        ("line L M\n:transversals Aa Ab Bc Bd L M", "transversals"),
+        ("screw S\n:expand S /\\ ab", "S"),
+    ],
+)
+def test_letters_are_declared(repeat: Repeat, text: str, said: str) -> None:
+    """The shell answers the same, and Python does not refuse it."""
+    found = repeated(None, "bench", {"text": text})
+    program, *lines = found["shell"].split(" <<'END'\n")
+    words = shlex.split(program)[1:]
+    answered = repeat.run(*words, input=lines[0].rpartition("END")[0]) if lines else repeat.run(*words)
+    assert answered.exit_code in (0, 1), answered.output
+    assert said in answered.stdout
+    exec(found["python"], {"print": lambda _: None})
+
+
 ACTUATED = [(OCTAHEDRAL, MOVED), ({"kind": "robot", "id": "octahedral"}, NEAR), (THREE_RPS, driven(0.05, 0.1, -0.02))]
 
 

@@ -13,6 +13,7 @@ from collections.abc import Iterable, Mapping, Sequence
 
 from gcrules.algebra import expr as ex
 from gcrules.algebra.assumptions.construction import Construction, ConstructionStep
+from gcrules.algebra.assumptions.images import PositionKind
 from gcrules.algebra.assumptions.incidences import Helper
 from gcrules.algebra.expr import Bracket, Expr, Join, Meet, Point, Product, points_of
 from gcrules.algebra.language.text import text
@@ -20,7 +21,7 @@ from gcrules.algebra.letters import conic_of, conics_of, grouped, letter_of, let
 from gcrules.algebra.parts import substitute
 from gcrules.core.errors import InputError
 
-__all__ = ["Nowhere", "assumed", "chosen", "fewest", "nowhere", "words"]
+__all__ = ["Nowhere", "assumed", "chosen", "fewest", "met", "words"]
 
 
 def assumed(
@@ -69,11 +70,19 @@ class Nowhere(InputError):
     """What is given leads nowhere, as far as constructions of it were found."""
 
 
-def nowhere(constructions: Iterable[Construction]) -> Nowhere:
+def _nowhere(constructions: Iterable[Construction]) -> Nowhere:
     """That nothing holds where nothing vanishes that these ask for, and what is said of points exists."""
     told = ", ".join(map(text, fewest(e for c in constructions for e in chosen(c.nonzero, c.rank))))
     what = "the assumptions hold only where something that is said of points does not exist"
     return Nowhere(f"{what}, or where one of these vanishes: {told}" if told else what)
+
+
+def met(found: Sequence[PositionKind], nonzero: Sequence[Expr]) -> list[PositionKind]:
+    """The kinds of positions at some of which nothing vanishes that must not. Raises Nowhere where there is none."""
+    left = [kind for kind in found if not any(map(kind.construction.vanishes, nonzero))]
+    if found and not left:
+        raise _nowhere(kind.construction for kind in found)
+    return left
 
 
 def _chosen(e: Expr, rank: int) -> Expr | None:

@@ -9,17 +9,17 @@ r"""What a script draws: its points, its letters for lines and planes, and what 
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Mapping, Sequence
-from dataclasses import field
+from dataclasses import field, replace
 from itertools import combinations
 
 from gcrules.algebra import expr as ex
 from gcrules.algebra.assumptions.linear import is_extensor
 from gcrules.algebra.bracket import tableau_order
-from gcrules.algebra.evaluate import PRIME, Evaluator
+from gcrules.algebra.evaluate import PRIME, Evaluator, vanishes
 from gcrules.algebra.expr import Expr, Point, points_of
 from gcrules.algebra.language.syntax import Context
-from gcrules.algebra.language.text import text
-from gcrules.algebra.letters import letter, letter_of
+from gcrules.algebra.language.text import SHORT_NAME, text
+from gcrules.algebra.letters import conic_points, conics_of, letter, marked
 from gcrules.algebra.scalars import bracket
 from gcrules.core.dataclass import dataclass
 from gcrules.core.frozen import FrozenMap
@@ -55,6 +55,16 @@ class Figure:
         found = ex.join(*map(self.meaning, names), rank=self.rank)
         return bracket(found, rank=self.rank) if found.step == self.rank else found
 
+    def line(self, names: Sequence[str]) -> Expr:
+        """A line, or a plane, that is given by its name or by points on it."""
+        return self.meaning(names[0]) if len(names) == 1 else self.joined(names)
+
+    @property
+    def named(self) -> Figure:
+        """The figure in which names stand for themselves, as they are written in scripts."""
+        bound = {n: Point(n) if e.step == 1 else letter(n, e.step) for n, e in self.bound.items()}
+        return replace(self, bound=FrozenMap(bound))
+
     def required(self, names: Collection[str], finite: Collection[str]) -> Mapping[str, str]:
         """What the words that made points, lines and planes are taken to have made, as texts with their meanings; of
         some points that they are finite.
@@ -78,12 +88,21 @@ def figure_of(at: Context) -> Figure:
     letters = {n: letter(n, step, at.screws) for n, step in at.letters.items()}
     bound = letters | {n: e for n, e in at.bound.items() if not isinstance(e, Point)}
     used += (n for e in bound.values() for n in points_of(e))
+    used += (n for name in at.conics for n in conic_points(name, at.rank))
     own = tableau_order(used, at.points, at.ideal)
     points = [n for n, e in bound.items() if e.step == 1]
-    flats = [n for n, e in bound.items() if 1 < e.step < at.rank and is_extensor(e, at.rank)]
+    flats = [n for n, e in bound.items() if 1 < e.step < at.rank and _is_flat(e, at.rank)]
     kept = FrozenMap((n, bound[n]) for n in (*points, *flats))
-    named = (n for n in own if letter_of(n) is None)
+    written = {*at.points, *at.ideal}
+    named = (n for n in own if not marked(n) and (n in written or SHORT_NAME.fullmatch(n)))
     return Figure(at, own, (*named, *points), tuple(flats), kept)
+
+
+def _is_flat(e: Expr, rank: int) -> bool:
+    """Whether it is a line or a plane wherever it is not zero, as polar lines of space are."""
+    if is_extensor(e, rank):
+        return True
+    return bool(conics_of(points_of(e))) and vanishes(bracket(e, e, rank=rank), rank=rank)
 
 
 class Position:

@@ -1,6 +1,6 @@
-r"""Incidences of a figure: what they are, what they ask for, and which of them hold at a position.
+r"""Incidences of a figure: what they are, and what they ask for.
 
-Whole sets are found, not parts of them: all points of a line, all lines through a point. Of a set, the equations
+Whole sets are meant, not parts of them: all points of a line, all lines through a point. Of a set, the equations
 compare each element with a few that span the rest and are independent at the position. They are enough. Wherever a
 construction leads, points are polynomials in what is drawn; where these few are independent, the equations give that
 all elements are incident, so any other condition of the set is a polynomial that vanishes on a dense set, and is zero.
@@ -14,15 +14,16 @@ from math import comb
 
 from gcrules.algebra import expr as ex
 from gcrules.algebra.conics import on_conic
-from gcrules.algebra.discovery.figure import Figure, Position, Vector, minors, normalized
+from gcrules.algebra.discovery.figure import Figure, Position, Vector, normalized
 from gcrules.algebra.evaluate import PRIME
 from gcrules.algebra.expr import Expr
+from gcrules.algebra.language.text import text
+from gcrules.algebra.letter_forms import FORMS, LetterForm
 from gcrules.algebra.scalars import bracket
-from gcrules.core.budget import checkpoint
 from gcrules.core.dataclass import dataclass
-from gcrules.core.linear_algebra import cross, kernel, rank
+from gcrules.core.linear_algebra import kernel, rank
 
-__all__ = ["Incidence", "candidates", "incidences"]
+__all__ = ["Incidence", "conics_through", "squares"]
 
 _SIX = 6
 _MOST_SIXES = 84  # six of nine points
@@ -33,11 +34,16 @@ class Incidence:
     """`names` of points that coincide, or lie on a line, plane or conic ("equal", "collinear", "coplanar", "on_conic");
     of points and the line or plane, the last one, on which they lie ("incident"); `lines`, each told by a name or by
     two points on it, that pass through one point ("concurrent").
+
+    Of the `letter` of a conic or a quadric points may be on it ("on_conic", "on_quadric"), lie on the polar of the last
+    one ("conjugate"), or a point be the pole of the line or plane behind it ("polar"); one of the `lines`, which may be
+    a plane with a name, may touch it ("touches").
     """
 
     relation: str
     names: tuple[str, ...] = ()
     lines: tuple[tuple[str, ...], ...] = ()
+    letter: str = ""
 
     @property
     def size(self) -> int:
@@ -47,22 +53,40 @@ class Incidence:
     @property
     def involved(self) -> frozenset[str]:
         """The names that occur in it."""
-        return frozenset((*self.names, *(n for line in self.lines for n in line)))
+        letter = (self.letter,) if self.letter else ()
+        return frozenset((*self.names, *(n for line in self.lines for n in line), *letter))
 
     def on_circle(self, figure: Figure) -> tuple[str, ...]:
         """The points of a circle, which is a conic through the isotropic points; none of other incidences."""
         far = figure.space.infinity.points if figure.space.infinity else ()
-        circle = self.relation == "on_conic" and far and set(far) <= set(self.names)
+        circle = self.relation == "on_conic" and not self.letter and far and set(far) <= set(self.names)
         return tuple(n for n in self.names if n not in far) if circle else ()
 
     def equations(self, position: Position) -> tuple[Expr, ...]:
         """Expressions that all vanish wherever a construction leads that it holds for, if they do at its positions."""
-        return tuple(_EQUATIONS[self.relation](self, position))
+        return tuple(self._equations(position, position.figure))
+
+    def expressions(self, position: Position) -> tuple[str, ...]:
+        """The same as texts: in the points of the script, or where there are conics or quadrics in its names."""
+        figure = position.figure
+        if self.letter:
+            return tuple(_OF_LETTERS[self.relation].texts(self, figure))
+        if not figure.space.conics:
+            return tuple(text(e, names=figure.space.declared()) for e in self.equations(position))
+        return tuple(text(e, names=figure.space.declared()) for e in self._equations(position, figure.named))
+
+    def _equations(self, position: Position, figure: Figure) -> Iterator[Expr]:
+        if self.letter:
+            form = FORMS[position.rank]
+            return _OF_LETTERS[self.relation].equations(self, figure, form, form.own(self.letter))
+        return _EQUATIONS[self.relation](self, position, figure)
 
     def text(self, position: Position) -> str:
         """As it is written in scripts, if names bound by `let` are points there; of what is at infinity in words."""
         figure = position.figure
         far = set(figure.space.infinity.points) if figure.space.infinity else set()
+        if self.letter:
+            return ", ".join(_OF_LETTERS[self.relation].claims(self, figure))
         if on_circle := self.on_circle(figure):
             return f"concyclic({', '.join(on_circle)})"
         if self.relation == "concurrent" and len(self.lines) == 3 and far in map(set, self.lines):
@@ -79,58 +103,57 @@ class Incidence:
 # --- what is asked ---------------------------------------------------------------------------------------------------
 
 
-def _equal(i: Incidence, position: Position) -> Iterator[Expr]:
+def _equal(i: Incidence, position: Position, figure: Figure) -> Iterator[Expr]:
     first, *others = i.names
-    return (position.figure.joined([first, other]) for other in others)
+    return (figure.joined([first, other]) for other in others)
 
 
-def _incident(i: Incidence, position: Position) -> Iterator[Expr]:
+def _incident(i: Incidence, position: Position, figure: Figure) -> Iterator[Expr]:
     *names, flat = i.names
-    figure = position.figure
     return (figure.joined([n, flat]) for n in names)
 
 
-def _on_flat(i: Incidence, position: Position) -> Iterator[Expr]:
+def _on_flat(i: Incidence, position: Position, figure: Figure) -> Iterator[Expr]:
     step = 2 if i.relation == "collinear" else 3
     base = position.independent([n for n in i.names if n in position.vectors], step)
     for n in i.names:
         if n not in base:
-            yield position.figure.joined([*base, n])
+            yield figure.joined([*base, n])
 
 
-def _concurrent(i: Incidence, position: Position) -> Iterator[Expr]:
-    figure = position.figure
-    lines = [figure.meaning(line[0]) if len(line) == 1 else figure.joined(line) for line in i.lines]
-    first, *rest = lines
-    second = next((e for e in rest if not _one_line(first, e, position)), rest[0])
+def _concurrent(i: Incidence, position: Position, figure: Figure) -> Iterator[Expr]:
+    first, *rest = i.lines
+    second = next((line for line in rest if not _one_line(first, line, position)), rest[0])
     for other in rest:
         if other is not second:
             if position.rank == 3:
-                yield ex.meet(first, second, other, rank=3)
+                yield ex.meet(*map(figure.line, (first, second, other)), rank=3)
             else:
-                yield from _in_space(first, second, other, position)
+                yield from _in_space((first, second, other), position, figure)
 
 
-def _in_space(a: Expr, b: Expr, c: Expr, position: Position) -> Iterator[Expr]:
+def _in_space(three: Sequence[tuple[str, ...]], position: Position, figure: Figure) -> Iterator[Expr]:
     """Any two of three lines meet; where they are in a plane, the point of two, told by a point off it, is on the third
     one.
     """
+    a, b, c = map(figure.line, three)
     yield from (bracket(ex.join(p, q, rank=4), rank=4) for p, q in ((a, b), (a, c), (b, c)))
-    spanned = [*position.span(a), *position.span(b), *position.span(c)]
+    spanned = [v for line in three for v in position.span(position.figure.line(line))]
     if rank(spanned, PRIME) == 3:
-        off = next(n for n, vector in position.drawn.items() if rank([*spanned, vector], PRIME) == 4)
-        plane = ex.join(b, position.figure.meaning(off), rank=4)
+        points = {n: position.vectors[n] for n in position.points} | position.drawn
+        off = next(n for n, vector in points.items() if rank([*spanned, vector], PRIME) == 4)
+        plane = ex.join(b, figure.meaning(off), rank=4)
         yield ex.join(ex.meet(a, plane, rank=4), c, rank=4)
 
 
-def _one_line(a: Expr, b: Expr, position: Position) -> bool:
-    return normalized(position.at.value(a)) == normalized(position.at.value(b))
+def _one_line(a: tuple[str, ...], b: tuple[str, ...], position: Position) -> bool:
+    one, other = (normalized(position.at.value(position.figure.line(line))) for line in (a, b))
+    return one == other
 
 
-def _conic(i: Incidence, position: Position) -> Iterator[Expr]:
-    figure = position.figure
+def _conic(i: Incidence, position: Position, figure: Figure) -> Iterator[Expr]:
     known = [n for n in i.names if n in position.vectors]
-    five = next((f for f in combinations(known, 5) if len(_conics_through(f, position)) == 1), None)
+    five = next((f for f in combinations(known, 5) if len(conics_through(f, position)) == 1), None)
     if five is None:
         sixes = combinations(i.names, _SIX) if comb(len(i.names), _SIX) <= _MOST_SIXES else iter(())
     else:
@@ -139,7 +162,18 @@ def _conic(i: Incidence, position: Position) -> Iterator[Expr]:
         yield on_conic(*map(figure.meaning, six))
 
 
-_EQUATIONS: Mapping[str, Callable[[Incidence, Position], Iterator[Expr]]] = {
+def conics_through(five: Iterable[str], position: Position) -> list[Vector]:
+    """The conics through points at a position, each by the coefficients of x², y², z², xy, xz and yz."""
+    return kernel([squares(position.vectors[n]) for n in five], 6, PRIME)
+
+
+def squares(p: Vector) -> Vector:
+    """The products x², y², z², xy, xz and yz of the coordinates of a point."""
+    x, y, z = p
+    return x * x % PRIME, y * y % PRIME, z * z % PRIME, x * y % PRIME, x * z % PRIME, y * z % PRIME
+
+
+_EQUATIONS: Mapping[str, Callable[[Incidence, Position, Figure], Iterator[Expr]]] = {
     "equal": _equal,
     "incident": _incident,
     "collinear": _on_flat,
@@ -149,133 +183,77 @@ _EQUATIONS: Mapping[str, Callable[[Incidence, Position], Iterator[Expr]]] = {
 }
 
 
-# --- what holds ------------------------------------------------------------------------------------------------------
+# --- of letters ------------------------------------------------------------------------------------------------------
 
 
-def candidates(points: int, flats: int, rank: int) -> int:
-    """How many sets of points and lines are looked at for so many points, and lines or planes with names."""
-    lines = comb(points, 2) + flats
-    return comb(points, 3) + comb(lines, 2) + (comb(points, 5) if rank == 3 else comb(points, 4))
+@dataclass(frozen=True)
+class _OfLetter:
+    """A relation to a conic or a quadric: what it asks for, that as texts in words, and the claims of it."""
+
+    equations: Callable[[Incidence, Figure, LetterForm, tuple[Expr, ...]], Iterator[Expr]]
+    texts: Callable[[Incidence, Figure], Iterable[str]]
+    claims: Callable[[Incidence, Figure], Iterable[str]]
 
 
-def incidences(position: Position, relation: str) -> Iterator[Incidence]:
-    """The largest incidences of this kind at a position. Those with points of which several are at one place name the
-    first of them.
-    """
-    return _HOLDING[relation](position)
+def _on(i: Incidence, figure: Figure, form: LetterForm, own: tuple[Expr, ...]) -> Iterator[Expr]:
+    return (form.value(figure.meaning(n), *own) for n in i.names)
 
 
-def _same(position: Position) -> Iterator[Incidence]:
-    for first in position.points:
-        names = [n for n, other in position.same.items() if other == first]
-        if len(names) > 1:
-            yield Incidence("equal", tuple(names))
+def _on_texts(i: Incidence, figure: Figure) -> Iterable[str]:
+    return (f"{FORMS[figure.rank].word}({n}, {i.letter})" for n in i.names)
 
 
-def _on_named(position: Position) -> Iterator[Incidence]:
-    figure = position.figure
-    for flat in position.flats:
-        value, step = position.at.value(figure.meaning(flat)), figure.meaning(flat).step
-        on = [n for n in position.points if not any(position.at.joined([*position.vectors[n]], 1, value, step))]
-        if on:
-            yield Incidence("incident", (*on, flat))
+def _on_claims(i: Incidence, figure: Figure) -> Iterable[str]:
+    word = i.relation if len(i.names) > 1 else "incident"
+    return [f"{word}({', '.join((*i.names, i.letter))})"]
 
 
-def _lines(position: Position) -> dict[Vector, tuple[str, ...]]:
-    """All points on each line through two of them."""
-    found: dict[Vector, dict[str, None]] = {}
-    for a, b in combinations(position.points, 2):
-        checkpoint()
-        line = normalized(minors((position.vectors[a], position.vectors[b])))
-        found.setdefault(line, {}).update({a: None, b: None})
-    order = {n: k for k, n in enumerate(position.points)}
-    return {line: tuple(sorted(names, key=order.__getitem__)) for line, names in found.items()}
+def _touching(i: Incidence, figure: Figure, form: LetterForm, own: tuple[Expr, ...]) -> Iterator[Expr]:
+    return (form.touching(figure.line(line), *own) for line in i.lines)
 
 
-def _collinear(position: Position) -> Iterator[Incidence]:
-    return (Incidence("collinear", names) for names in _lines(position).values() if len(names) > 2)
+def _touching_texts(i: Incidence, figure: Figure) -> Iterable[str]:
+    for line in i.lines:
+        step = figure.line(line).step
+        word, told = "pole" if step == figure.rank - 1 else "polar", figure.written(line)
+        yield f"[{', '.join(line)}, {word}({told}, {i.letter})]"
 
 
-def _coplanar(position: Position) -> Iterator[Incidence]:
-    """Planes, but for those of a line and one more point, which are no news."""
-    if position.rank != 4:
-        return
-    seen: set[frozenset[str]] = set()
-    lines = [set(names) for names in _lines(position).values() if len(names) > 2]
-    for some in combinations(position.points, 3):
-        checkpoint()
-        if position.dimension(some) < 3 or any(plane.issuperset(some) for plane in seen):
-            continue
-        plane = [n for n in position.points if position.dimension([*some, n]) == 3]
-        if len(plane) > 3:
-            seen.add(frozenset(plane))
-            if not any(len(line.intersection(plane)) >= len(plane) - 1 for line in lines):
-                yield Incidence("coplanar", tuple(plane))
+def _touching_claims(i: Incidence, figure: Figure) -> Iterable[str]:
+    return (f"touches({figure.written(line)}, {i.letter})" for line in i.lines)
 
 
-def _through(position: Position) -> Iterator[Incidence]:
-    """Three lines or more through a point that has no name."""
-    figure = position.figure
-    if rank(list(position.drawn.values()), PRIME) < position.rank:
-        return iter(())
-    lines: list[tuple[tuple[str, ...], tuple[Vector, ...]]] = []
-    named = {tuple(normalized(position.at.value(e))): n for n in position.flats if (e := figure.meaning(n)).step == 2}
-    for key, names in _lines(position).items():
-        own = (named.pop(key),) if key in named else names[:2]
-        lines.append((own, (position.vectors[names[0]], position.vectors[names[1]])))
-    lines += (((n,), position.span(figure.meaning(n))) for n in named.values())
-    places = set(position.vectors.values())
-    found: dict[Vector, dict[tuple[str, ...], None]] = {}
-    for (one, a), (other, b) in combinations(lines, 2):
-        checkpoint()
-        met = _meet(a, b, position.rank)
-        if met is not None and met not in places:
-            found.setdefault(met, {}).update({one: None, other: None})
-    return (Incidence("concurrent", (), tuple(some)) for some in found.values() if len(some) > 2)
+def _conjugate(i: Incidence, figure: Figure, form: LetterForm, own: tuple[Expr, ...]) -> Iterator[Expr]:
+    *names, p = i.names
+    polar = form.polar(figure.meaning(p), *own)
+    return (bracket(figure.meaning(n), polar, rank=figure.rank) for n in names)
 
 
-def _meet(a: Sequence[Vector], b: Sequence[Vector], dimension: int) -> Vector | None:
-    if dimension == 3:
-        return normalized(cross(cross(*a), cross(*b)))
-    rows = list(zip(*a, *b, strict=True))
-    together = kernel(rows, 4, PRIME)
-    if len(together) != 1:
-        return None
-    s, t, *_ = together[0]
-    return normalized([s * x + t * y for x, y in zip(*a, strict=True)])
+def _conjugate_texts(i: Incidence, figure: Figure) -> Iterable[str]:
+    return (f"[{n}, polar({i.names[-1]}, {i.letter})]" for n in i.names[:-1])
 
 
-def _on_conics(position: Position) -> Iterator[Incidence]:
-    if position.rank != 3:
-        return
-    on_line = {three for names in _lines(position).values() for three in combinations(names, 3)}
-    squares = {n: _squares(position.vectors[n]) for n in position.points}
-    seen: list[frozenset[str]] = []
-    for five in combinations(position.points, 5):
-        checkpoint()
-        if any(three in on_line for three in combinations(five, 3)) or any(s.issuperset(five) for s in seen):
-            continue
-        (conic,) = _conics_through(five, position)
-        names = [n for n in position.points if not sum(map(int.__mul__, conic, squares[n])) % PRIME]
-        if len(names) > 5:
-            seen.append(frozenset(names))
-            yield Incidence("on_conic", tuple(names))
+def _conjugate_claims(i: Incidence, figure: Figure) -> Iterable[str]:
+    return (f"incident({n}, polar({i.names[-1]}, {i.letter}))" for n in i.names[:-1])
 
 
-def _squares(p: Vector) -> Vector:
-    x, y, z = p
-    return x * x % PRIME, y * y % PRIME, z * z % PRIME, x * y % PRIME, x * z % PRIME, y * z % PRIME
+def _pole(i: Incidence, figure: Figure, form: LetterForm, own: tuple[Expr, ...]) -> Iterator[Expr]:
+    p, flat = map(figure.meaning, i.names)
+    yield ex.meet(form.polar(p, *own), flat, rank=figure.rank)
 
 
-def _conics_through(five: Iterable[str], position: Position) -> list[Vector]:
-    return kernel([_squares(position.vectors[n]) for n in five], 6, PRIME)
+def _pole_texts(i: Incidence, figure: Figure) -> Iterable[str]:
+    return [f"polar({i.names[0]}, {i.letter}) /\\ {i.names[1]}"]
 
 
-_HOLDING: Mapping[str, Callable[[Position], Iterator[Incidence]]] = {
-    "equal": _same,
-    "incident": _on_named,
-    "collinear": _collinear,
-    "concurrent": _through,
-    "coplanar": _coplanar,
-    "on_conic": _on_conics,
+def _pole_claims(i: Incidence, figure: Figure) -> Iterable[str]:
+    return [f"incident({i.names[1]}, polar({i.names[0]}, {i.letter}))"]
+
+
+_OF_LETTERS: Mapping[str, _OfLetter] = {
+    "on_conic": _OfLetter(_on, _on_texts, _on_claims),
+    "on_quadric": _OfLetter(_on, _on_texts, _on_claims),
+    "touches": _OfLetter(_touching, _touching_texts, _touching_claims),
+    "polar": _OfLetter(_pole, _pole_texts, _pole_claims),
+    "conjugate": _OfLetter(_conjugate, _conjugate_texts, _conjugate_claims),
 }

@@ -9,34 +9,23 @@ a discovery. That points on two planes are on a line is not among them: Desargue
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import field
+from dataclasses import replace
 from itertools import combinations
 
 from gcrules.algebra.assumptions.conics import hexagon
 from gcrules.algebra.discovery.figure import Position, Vector
+from gcrules.algebra.discovery.flats import Flat
 from gcrules.algebra.discovery.incidences import Incidence
+from gcrules.algebra.discovery.polarity import Polarity
 from gcrules.algebra.evaluate import PRIME
 from gcrules.algebra.expr import ZERO, Bracket, Expr, Join, Meet, Number, Point, Product, Sum
 from gcrules.algebra.space import Assumption
 from gcrules.core.budget import checkpoint
-from gcrules.core.dataclass import dataclass
 from gcrules.core.linear_algebra import echelon, kernel, rank
 
-__all__ = ["Flat", "Known", "learn", "unknown"]
+__all__ = ["Known", "learn", "unknown"]
 
 _MAX_FLATS = 2_000  # beyond them nothing more is concluded
-
-
-@dataclass(eq=False)
-class Flat:
-    """A line, plane, … with a basis of its points; `members` are names of points that are known to lie on it."""
-
-    span: tuple[Vector, ...]
-    members: set[str] = field(default_factory=set)
-
-    @property
-    def step(self) -> int:
-        return len(self.span)
 
 
 class Known:
@@ -50,6 +39,7 @@ class Known:
         self.inside: list[tuple[Flat, Flat]] = []
         self.met: list[tuple[Flat, list[Flat]]] = []
         self.conics: list[set[str]] = []
+        self.polarities = {n: Polarity(n, position) for n in position.figure.space.conics}
         self._flat_of: dict[Expr, Flat | None] = {}
         self._name_of: dict[Expr, str] = {}
 
@@ -112,7 +102,25 @@ class Known:
                     around = [f for f in map(self.flat, e.args) if f is not None]
                     self.met.append((found, around))
                     self.inside += [(found, f) for f in around]
+            elif e.step and not self.position.zero(e):
+                self._flat_of[e] = next(filter(None, (self._polar(e, k) for k in self.polarities.values())), None)
         return self._flat_of[e]
+
+    def _polar(self, e: Expr, of_letter: Polarity) -> Flat | None:
+        """The flat of the polar of a point, or of a line of space; None for what words made otherwise."""
+        of = of_letter.polar_of(e)
+        if of is None:
+            return None
+        if of.step == 1:
+            if (name := self._point(of)) is None:
+                return None
+            found = of_letter.polar(name, self.vectors[name], self.flats)
+            found.letter = ""
+            return found
+        line, found = self.flat(of), Flat(self.position.span(e))
+        self.flats.append(found)
+        of_letter.lines += [(line, found)] if line is not None else []
+        return found
 
     def _inside(self, part: Expr, whole: Flat) -> None:
         part = _extensor(part)
@@ -139,6 +147,12 @@ class Known:
         inner = _extensor(e)
         if inner != e and (other := self._point(inner)) is not None:
             self.equal(name, other)
+        for k in self.polarities.values():
+            k.on |= {name} if k.made_on(inner) else set()
+            if (of := k.polar_of(inner)) is not None:
+                if (f := self.flat(of)) is not None:
+                    k.is_polar(name, f)
+                return
         if isinstance(inner, Meet):
             for part in inner.args:
                 if (f := self.flat(part)) is not None:
@@ -169,6 +183,10 @@ class Known:
 
     def _vanishing(self, e: Expr) -> None:
         """What follows from an expression that vanishes, if it can be told."""
+        for k in self.polarities.values():
+            if (p := k.point_on(e)) is not None and (n := self._point(p)) is not None:
+                k.on.add(n)
+                return
         six = hexagon(e, self.rank)
         if six is not None:
             self.conics.append(set(six))
@@ -210,24 +228,29 @@ class Known:
             common = f.members & g.members
             if common and len(self.flats) < _MAX_FLATS:
                 self._compare(f, g, common)
-        for one, other in combinations(self.conics, 2):
+        for k in self.polarities.values():
+            for a, b in k.conclude(self.vectors, self.flats, self.name):
+                self.equal(a, b)
+        known = [*self.conics, *(k.on for k in self.polarities.values())]
+        for one, other in combinations(known, 2):
             if len(one & other) >= 5:
                 one |= other
                 other |= one
         return self._extent() != before
 
-    def _extent(self) -> tuple[int, int, int, int]:
+    def _extent(self) -> tuple[int, ...]:
         return (
             len(self.flats),
             sum(len(f.members) for f in self.flats),
             len(self.same),
             sum(map(len, self.conics)),
+            *(k.extent for k in self.polarities.values()),
         )
 
     def _compare(self, f: Flat, g: Flat, common: set[str]) -> None:
         if f.step > g.step:
             f, g = g, f
-        if f.step == g.step and f.members == g.members:
+        if f.step == g.step and f.members == g.members and len(common) == 1:
             return
         if len(common) >= f.step and self._spanned(common) == f.step:
             g.members |= f.members
@@ -272,30 +295,70 @@ class Known:
         points = self.names(names)
         return points.union(*(f.members for f in self.flats if f.step == 2 and points <= f.members))
 
+    def polar(self, i: Incidence) -> Flat:
+        """The polar of the last point that an incidence names."""
+        name = self.name(i.names[-1])
+        return self.polarities[i.letter].polar(name, self.vectors[name], self.flats)
+
+    def pole(self, i: Incidence) -> str:
+        """The name of the pole of the line or plane that an incidence names last, if it is known to have one."""
+        f = self.flat(self.position.figure.meaning(i.names[-1]))
+        return self.name(self.polarities[i.letter].pole(f, self.vectors)) if f is not None else ""
+
+    def touches(self, i: Incidence) -> bool:
+        """Whether a line or a plane is known to touch."""
+        return any(self.polarities[i.letter].touches(f, self.inside, self.name) for f in self._touching(i))
+
+    def touch(self, i: Incidence) -> None:
+        """Let it be known that it touches: its pole is on the conic or quadric."""
+        k = self.polarities[i.letter]
+        k.on |= {k.pole(f, self.vectors) for f in self._touching(i) if f.step == self.rank - 1}
+
+    def _touching(self, i: Incidence) -> list[Flat]:
+        """The flats that are known to be what an incidence says to touch."""
+        (told,) = i.lines
+        f = self.flat(self.position.figure.line(told))
+        points = self.names(told) if len(told) > 1 else set()
+        around = (g for g in self.flats if g.step == self.rank - 1 and points and points <= g.members)
+        return [*filter(None, [f]), *around]
+
     def meet_in_one(self, lines: Sequence[Sequence[str]]) -> bool:
         """Whether a point is known to lie on lines."""
         return bool(set.intersection(*map(self.line, lines)))
 
 
 def unknown(i: Incidence, known: Known) -> Incidence | None:
-    """An incidence, or None where it follows at once from what is known; of points on a flat with a name, those of
-    which it does not.
+    """An incidence, or None where it follows at once from what is known; of points on a flat with a name, on a conic or
+    quadric with a letter, or on the polar of a point, those of which it does not.
     """
+    among = _among(i, known)
+    if among is not None:
+        count = len(i.names) - (i.relation in ("incident", "conjugate"))
+        left = tuple(n for n in i.names[:count] if known.name(n) not in among)
+        return replace(i, names=(*left, *i.names[count:])) if left else None
     match i.relation:
         case "equal":
             follows = len(known.names(i.names)) == 1
-        case "incident":
-            *names, flat = i.names
-            members = known.line([flat])
-            left = [n for n in names if known.name(n) not in members]
-            return Incidence("incident", (*left, flat)) if left else None
         case "concurrent":
             follows = known.meet_in_one(i.lines)
         case "on_conic":
             follows = any(known.names(i.names) <= known.names(conic) for conic in known.conics)
+        case "polar":
+            follows = known.pole(i) == known.name(i.names[0])
+        case "touches":
+            follows = known.touches(i)
         case _:
             follows = known.on_one(i.names, 2 if i.relation == "collinear" else 3)
     return None if follows else i
+
+
+def _among(i: Incidence, known: Known) -> set[str] | None:
+    """The points that are known to be where an incidence puts its points one by one; None for other incidences."""
+    if i.relation == "incident":
+        return known.line([i.names[-1]])
+    if i.relation == "conjugate":
+        return known.polar(i).members
+    return known.polarities[i.letter].on if i.relation in ("on_conic", "on_quadric") and i.letter else None
 
 
 def learn(i: Incidence, known: Known) -> None:
@@ -309,11 +372,17 @@ def learn(i: Incidence, known: Known) -> None:
             if f is not None:
                 f.members |= known.names(i.names[:-1])
         case "concurrent":
-            figure = known.position.figure
-            lines = [figure.meaning(n[0]) if len(n) == 1 else figure.joined(n) for n in i.lines]
-            known.meet(lines, f"(common point of {i.lines})")
+            known.meet(map(known.position.figure.line, i.lines), f"(common point of {i.lines})")
+        case "on_conic" | "on_quadric" if i.letter:
+            known.polarities[i.letter].on |= known.names(i.names)
         case "on_conic":
             known.conics.append(known.names(i.names))
+        case "conjugate":
+            known.polar(i).members |= known.names(i.names[:-1])
+        case "polar":
+            known.equal(known.pole(i), i.names[0])
+        case "touches":
+            known.touch(i)
         case _:
             known.dependent(known.names(i.names), 2 if i.relation == "collinear" else 3)
     known.close()

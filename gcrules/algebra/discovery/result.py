@@ -40,9 +40,10 @@ class KindOfPositions:
 @dataclass(frozen=True)
 class Discovery:
     """An incidence: its `relation`, and the `claim` as scripts write it. `equations` are texts in the points of the
-    script that all vanish where it holds, `verdicts` those for the kinds of positions, in their order: proved, refuted
-    or undecided (`reason`). It fails at some positions at which an extensor of `fails` vanishes, one that is assumed
-    not to; of the others nothing is said. `names` occur in it, `defined` of them by `let`.
+    script, where there are conics or quadrics in its names, that all vanish where it holds, `verdicts` those for the
+    kinds of positions, in their order: proved, refuted or undecided (`reason`). It fails at some positions at which an
+    extensor of `fails` vanishes, one that is assumed not to; of the others nothing is said. `names` occur in it,
+    `defined` of them by `let`.
     """
 
     relation: str
@@ -78,9 +79,10 @@ class Discovery:
 
 @dataclass(frozen=True)
 class Discoveries(Shown):
-    """What was `found` in a figure with these `points` and lines or planes (`flats`), the most telling first: those of
-    most names bound by `let`, then the smallest. `candidates` are the sets that were looked at, at `samples` random
-    positions of each of the `kinds`; `trivial` of those that hold were left out.
+    """What was `found` in a figure with these `points`, lines or planes (`flats`) and letters of `conics`, in space
+    quadrics, the most telling first: those of most names bound by `let`, then the smallest. `candidates` are the sets
+    that were looked at, at `samples` random positions of each of the `kinds`; `trivial` of those that hold were left
+    out.
     """
 
     found: tuple[Discovery, ...]
@@ -91,6 +93,7 @@ class Discoveries(Shown):
     candidates: int
     trivial: int
     samples: int
+    conics: tuple[str, ...] = ()
     rank: int = field(default=4, compare=False, repr=False)
     ideal: tuple[str, ...] = field(default=(), compare=False, repr=False)
     given: tuple[Assumption, ...] = field(default=(), compare=False, repr=False)
@@ -101,8 +104,8 @@ class Discoveries(Shown):
         return "undecided" if any(d.verdict == "undecided" for d in self.found) else "proved"
 
     def to_json(self) -> dict[str, Any]:
-        """`{verdict, found [{relation, claim, …}], kinds [{where, …}], points, flats, relations, candidates, trivial,
-        samples}`.
+        """`{verdict, found [{relation, claim, …}], kinds [{where, …}], points, flats, conics, relations, candidates,
+        trivial, samples}`.
         """
         return {
             "verdict": self.verdict,
@@ -110,6 +113,7 @@ class Discoveries(Shown):
             "kinds": [k.to_json() for k in self.kinds],
             "points": list(self.points),
             "flats": list(self.flats),
+            "conics": list(self.conics),
             "relations": list(self.relations),
             "candidates": self.candidates,
             "trivial": self.trivial,

@@ -20,7 +20,6 @@ from itertools import count
 
 from gcrules.algebra.language.syntax import Context
 from gcrules.algebra.language.words import METRICS
-from gcrules.algebra.letter_forms import FORMS
 from gcrules.algebra.letters import LETTERS, declarations
 from gcrules.apps.repl.reading import first_word
 from gcrules.apps.repl.state import PromptState
@@ -108,13 +107,9 @@ def _space(question: Question) -> list[Option]:
     named = [("points", at.points), ("ideal", ideal)]
     if known is not None and not of_legs:
         named.append((known.kind, known.points))
-    letters = ", ".join(declarations(at.letters, at.rank, at.screws))
-    if at.conics:
-        letters = ", ".join(filter(None, [letters, f"{FORMS[at.rank].word} {' '.join(at.conics)}"]))
-    if letters:
-        named.append(("letters", (letters,)))
+    named.append(("letters", (", ".join(declarations(at.letters, at.rank, at.screws, at.conics)),)))
     rank = [Option("--rank", "rank", at.rank)] if at.rank != Context().rank else []
-    names = [Option(f"--{word}", word, " ".join(names)) for word, names in named if names]
+    names = [Option(f"--{word}", word, " ".join(names)) for word, names in named if any(names)]
     assumed = tuple(dict.fromkeys([str(known)] * (known is not None and of_legs) + [*map(str, at.given)]))
     given = [Option("--given", "given", assumed)] if assumed else []
     return [*rank, *names, *(given if question.function in _UNDER_ASSUMPTIONS else [])]

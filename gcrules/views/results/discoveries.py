@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from gcrules.algebra.discovery.result import Discoveries, Discovery, KindOfPositions
+from gcrules.algebra.letter_forms import FORMS
+from gcrules.core.english import listed
 from gcrules.views.formulas.latex_text import latex_words
 
 __all__ = ["as_latex", "as_text"]
@@ -21,7 +23,10 @@ def _counted(found: Discoveries) -> str:
     what = f"{number} {'discovery' if number == 1 else 'discoveries'}" if number else "nothing new"
     among = [_number(len(found.points), "point")] if found.points or not found.flats else []
     among += [f"the lines and planes {', '.join(found.flats)}"] if found.flats else []
-    return f"{what} among {' and '.join(among)} ({found.candidates:,} candidates, {found.trivial} trivial incidences)"
+    if found.conics:
+        word = FORMS[found.rank].word
+        among.append(f"the {word}{'s' if len(found.conics) > 1 else ''} {', '.join(found.conics)}")
+    return f"{what} among {listed(among)} ({found.candidates:,} candidates, {found.trivial} trivial incidences)"
 
 
 def _number(n: int, what: str) -> str:
