@@ -20,6 +20,7 @@ from gcrules.algebra.expr import (
     meet,
     mul,
 )
+from gcrules.algebra.letters import named_letter, wholes
 from gcrules.algebra.scalars import bracket, dotted, power, superbracket
 from gcrules.algebra.screw_letters import Screw, with_whole_screws
 from gcrules.core.budget import checkpoint
@@ -77,7 +78,12 @@ def everywhere(e: Expr, at: At, rank: int) -> Expr:
 
 
 def substitute(e: Expr, names: Mapping[str, Expr], rank: int = 4) -> Expr:
-    """Replace points by expressions (usually other points). Raises StepError where the steps do not fit."""
+    """Replace points by expressions (usually other points), and whole letters. Raises StepError where the steps do not
+    fit.
+    """
+    letter = named_letter(e) if isinstance(e, Join) else None
+    if letter is not None and letter in names:
+        return names[letter]
     match e:
         case Point(name=name):
             return names.get(name, e)
@@ -85,7 +91,8 @@ def substitute(e: Expr, names: Mapping[str, Expr], rank: int = 4) -> Expr:
             return e
         case Dotted(brackets=brackets):
             return dotted(*([(_name_of(names, n), d) for n, d in entries] for entries in brackets), rank=rank)
-    children = tuple(substitute(c, names, rank) for c in e.children)
+    parts = wholes(e.children) if isinstance(e, Join | Bracket) and letter is None else e.children
+    children = tuple(substitute(c, names, rank) for c in parts)
     match e:
         case Screw() if children == e.children:
             return e

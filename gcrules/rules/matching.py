@@ -1,7 +1,8 @@
 r"""Matching: where the left side of an identity stands in a bracket polynomial or in an expression.
 
 Brackets and joins are alternating, products commute, meets commute up to sign; all this is taken into account. A point
-of the pattern may stand for any point (in expressions: for anything of step 1), two of them for the same one.
+of the pattern may stand for any point (in expressions: for anything of step 1), two of them for the same one. A letter
+for a line, a plane or a hyperplane stands for any extensor of its step, or for several parts of a join.
 """
 
 from __future__ import annotations
@@ -9,8 +10,11 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from itertools import combinations, permutations
 
+from gcrules.algebra import expr as ex
+from gcrules.algebra.assumptions.linear import is_extensor
 from gcrules.algebra.bracket import Monomial, Row, sorted_row
 from gcrules.algebra.expr import Bracket, Expr, Join, Meet, Number, Point, Power, Product, Sum, Superbracket
+from gcrules.algebra.letters import named_letter, split_letters, wholes
 from gcrules.core.budget import Count
 from gcrules.core.linear_algebra import permutation_sign
 
@@ -104,6 +108,11 @@ _Found = tuple[Values, int, tuple[Expr, ...]]
 
 def _match(pattern: Expr, target: Expr, known: Values, rank: int, count: Count, *, whole: bool) -> Iterator[_Found]:
     count.spend()
+    letter = named_letter(pattern)
+    if letter is not None:
+        if target.step == pattern.step and is_extensor(target, rank) and known.get(letter, target) == target:
+            yield {**known, letter: target}, 1, ()
+        return
     match pattern, target:
         case Point(name=name), _:
             if target.step == 1 and known.get(name, target) == target:
@@ -112,11 +121,11 @@ def _match(pattern: Expr, target: Expr, known: Values, rank: int, count: Count, 
             if pattern == target:
                 yield known, 1, ()
         case Join(args=a), Join(args=b):
-            yield from _parts(a, b, known, rank, count, whole, lambda x: x.step)
+            yield from _parts(wholes(a), b, known, rank, count, whole, lambda x: x.step, joins=True)
         case Meet(args=a), Meet(args=b):
             yield from _parts(a, b, known, rank, count, whole, lambda x: rank - x.step)
         case Bracket(args=a), Bracket(args=b):
-            yield from _parts(a, b, known, rank, count, True, lambda x: x.step)
+            yield from _parts(wholes(a), b, known, rank, count, True, lambda x: x.step, joins=True)
         case Product(factors=a), Product(factors=b):
             yield from _parts(a, b, known, rank, count, whole, lambda x: 0)
         case Sum(terms=a), Sum(terms=b):
@@ -136,14 +145,20 @@ def _parts(
     count: Count,
     whole: bool,
     grade: Callable[[Expr], int],
+    *,
+    joins: bool = False,
 ) -> Iterator[_Found]:
-    """Distinct parts of the target for the parts of the pattern, in any sequence; moving them costs a sign."""
-    if len(pattern) > len(target) or (whole and len(pattern) != len(target)):
+    """Distinct parts of the target for the parts of the pattern, in any sequence; moving them costs a sign. Where the
+    target `joins` its parts, several of them may be what a letter stands for.
+    """
+    if len(pattern) > len(target):
         return
 
     def walk(done: int, chosen: tuple[int, ...], known: Values, sign: int) -> Iterator[_Found]:
         if done == len(pattern):
             rest = tuple(i for i in range(len(target)) if i not in chosen)
+            if whole and rest:
+                return
             odd = [i for i in (*chosen, *rest) if grade(target[i]) % 2]
             yield known, sign * permutation_sign(odd), tuple(target[i] for i in rest)
             return
@@ -151,8 +166,25 @@ def _parts(
             if i not in chosen:
                 for found, s, _ in _match(pattern[done], part, known, rank, count, whole=True):
                     yield from walk(done + 1, (*chosen, i), found, sign * s)
+        if joins and named_letter(pattern[done]) is not None:
+            for several in _several(target, chosen, pattern[done].step):
+                joined = ex.join(*(target[i] for i in several), rank=rank)
+                for found, s, _ in _match(pattern[done], joined, known, rank, count, whole=True):
+                    yield from walk(done + 1, (*chosen, *several), found, sign * s)
 
     yield from walk(0, (), known, 1)
+
+
+def _several(target: Sequence[Expr], taken: Sequence[int], step: int) -> Iterator[tuple[int, ...]]:
+    """Parts of a join that are of a step together, in one order wherever they stand, with all points of a letter or
+    none.
+    """
+    left = sorted((i for i in range(len(target)) if i not in taken), key=lambda i: str(target[i]))
+    for number in range(2, step + 1):
+        for some in combinations(left, number):
+            row = [a.name for i in some if isinstance(a := target[i], Point)]
+            if sum(target[i].step for i in some) == step and not any(split_letters([row])):
+                yield some
 
 
 def _sums(

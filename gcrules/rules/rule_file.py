@@ -13,6 +13,7 @@ from gcrules.algebra.expand import MAX_TERMS
 from gcrules.algebra.expr import points_of
 from gcrules.algebra.language.rule_text import Case, Instance, Order, RuleText
 from gcrules.algebra.language.statements import Script, parse_script
+from gcrules.algebra.letters import letter_of
 from gcrules.algebra.prove import Proof, prove
 from gcrules.algebra.space import Space
 from gcrules.core.dataclass import dataclass
@@ -206,7 +207,7 @@ def _runs(identity: Identity, rule: RuleText) -> GcrulesError | None:
 
 def _in_order(instance: Instance) -> tuple[str, ...]:
     """The points of the left side in an order that the guards ask for. Raises CycleError where there is none."""
-    after: dict[str, list[str]] = {n: [] for n in points_of(instance.left)}
+    after: dict[str, list[str]] = {n: [] for n in points_of(instance.left) if letter_of(n) is None}
     for guard in instance.guards:
         if isinstance(guard, Order) and guard.sign == "<":
             after[guard.right].append(guard.left)

@@ -185,7 +185,7 @@ FAULTS = [
     ("rank 2 hyperplane H", "a hyperplane is a point in rank 2"),
     ("line L show [.L a b][.c d e f]", "a dot marks a point, and L is a line (step 2)"),
     ("line L claim collinear(L, a, b)", "a line (step 2) where a point is expected"),
-    ("line L rule r: [L a b] => [a b L]", "L is a line (step 2), and rules are about points"),
+    ("line L M rule r: [L a b] => [M a b]", "unbound letter M: not on the left side of the rule"),
     ("rank 3 isotropic i j line L claim equal_distance(L, ab)", "where a line of two points is expected"),
 ]
 

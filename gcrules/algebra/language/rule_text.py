@@ -10,6 +10,7 @@ from gcrules.algebra.language.parse_tree import Node, run_name, span_of
 from gcrules.algebra.language.relation_words import RELATIONS
 from gcrules.algebra.language.relations import read_assumptions
 from gcrules.algebra.language.syntax import Builder, Context
+from gcrules.algebra.letters import letter_of
 from gcrules.algebra.names import step_name
 from gcrules.algebra.space import RANKS, Assumption, shortened
 from gcrules.core.dataclass import dataclass
@@ -75,7 +76,7 @@ class RuleText:
 def instances(
     context: Context, any_rank: bool, left: Node, right: Node, guards: list[Node], source: Callable[[Node], str]
 ) -> Iterator[Instance]:
-    """The rule in each rank in which its runs have a length; in the rank of the file where it has none."""
+    """The rule in each rank in which its runs have a length; in the rank of the file where it has none, or letters."""
     trees = [left, right, *guards]
     runs = {run_name(t): t for tree in trees for t in _subtrees(tree, "run")}
     names = {n for tree in trees for t in _subtrees(tree, "word") for n, _ in Builder(context).split(t.children[0])}
@@ -88,8 +89,9 @@ def instances(
             raise InputError(f"unbound run {name}...: not on the left side of the rule", span=span_of(tree))
     faults: list[GcrulesError] = []
     found = False
-    for rank in RANKS if runs and any_rank else [context.rank]:
-        space = Context(rank, context.points)
+    letters = {n: k for n, k in context.letters.items() if n in names}
+    for rank in RANKS if runs and any_rank and not letters else [context.rank]:
+        space = Context(rank, context.points, letters=letters)
         try:
             lengths = _lengths(trees, runs, Builder(space))
             if lengths is None:
@@ -139,13 +141,15 @@ def _instance(
 
 
 def _check_bound(exprs: tuple[Expr, ...], bound: set[str], tree: Node) -> None:
-    loose = [n for n in ex.points_of(*exprs) if n not in bound]
+    unbound = [n for n in ex.points_of(*exprs) if n not in bound]
+    loose = tuple(dict.fromkeys(of[0] if (of := letter_of(n)) is not None else n for n in unbound))
     if loose:
-        what = "point" if len(loose) == 1 else "points"
+        what = "letter" if any(map(letter_of, unbound)) else "point"
+        what += "s" * (len(loose) > 1)
         raise InputError(
             f"unbound {what} {', '.join(loose)}: not on the left side of the rule",
             span=span_of(tree),
-            hint="every point of the right side and of the guards has to stand on the left",
+            hint="every point and every letter of the right side and of the guards has to stand on the left",
         )
 
 

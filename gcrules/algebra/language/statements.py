@@ -290,20 +290,17 @@ class _Reader:
     # --- rules ---
 
     def _refuse_letters(self, trees: Iterable[Node]) -> None:
+        """Those of screws, conics and quadrics, which are not joins of points."""
         at = self.context
-        if not at.letters and not at.conics:
-            return
-        words = (w for t in trees if hasattr(t, "scan_values") for w in t.scan_values(_is_word))
+        refused = dict.fromkeys(at.screws, "the screw as a sum of two lines, ab + cd")
+        refused |= dict.fromkeys(at.conics, FORMS[at.rank].instead if at.conics else "")
+        words = (w for t in trees if hasattr(t, "scan_values") for w in t.scan_values(_is_word)) if refused else ()
         for word in words:
-            used = next((n for n, _ in Builder(at).split(word) if n in at.letters or n in at.conics), None)
+            used = next((n for n, _ in Builder(at).split(word) if n in refused), None)
             if used is not None:
                 what = f"a {FORMS[at.rank].word}" if used in at.conics else self._letter(used)
-                instead = "the line or plane as a join of points"
-                if used in at.conics:
-                    instead = FORMS[at.rank].instead
-                instead = "the screw as a sum of two lines, ab + cd" if used in at.screws else instead
-                hint = f"write {instead}"
-                raise InputError(f"{used} is {what}, and rules are about points", span=span_of(word), hint=hint)
+                told = f"{used} is {what}, and rules are about points, lines, planes and hyperplanes"
+                raise InputError(told, span=span_of(word), hint=f"write {refused[used]}")
 
     def _case(self, tree: Node) -> Case:
         return Case(Builder(self.context).value(tree), self._source(tree), span_of(tree))
