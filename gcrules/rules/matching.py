@@ -151,7 +151,8 @@ def _parts(
     """Distinct parts of the target for the parts of the pattern, in any sequence; moving them costs a sign. Where the
     target `joins` its parts, several of them may be what a letter stands for.
     """
-    if len(pattern) > len(target):
+    lettered = joins and any(named_letter(part) is not None for part in pattern)
+    if len(pattern) > len(target) or (whole and not lettered and len(pattern) != len(target)):
         return
 
     def walk(done: int, chosen: tuple[int, ...], known: Values, sign: int) -> Iterator[_Found]:
@@ -166,7 +167,7 @@ def _parts(
             if i not in chosen:
                 for found, s, _ in _match(pattern[done], part, known, rank, count, whole=True):
                     yield from walk(done + 1, (*chosen, i), found, sign * s)
-        if joins and named_letter(pattern[done]) is not None:
+        if lettered and named_letter(pattern[done]) is not None:
             for several in _several(target, chosen, pattern[done].step):
                 joined = ex.join(*(target[i] for i in several), rank=rank)
                 for found, s, _ in _match(pattern[done], joined, known, rank, count, whole=True):
