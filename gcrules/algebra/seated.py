@@ -28,9 +28,9 @@ from gcrules.algebra.assumptions.nondegeneracy import Nowhere, chosen, words
 from gcrules.algebra.evaluate import PRIME, Evaluator
 from gcrules.algebra.expr import Expr, Point, points_of, subexpressions
 from gcrules.algebra.language.relations import Claimed
-from gcrules.algebra.language.text import text
+from gcrules.algebra.language.text import SHORT_NAME, text
 from gcrules.algebra.letter_forms import FORMS, polar_of
-from gcrules.algebra.letters import conic_of, conic_points, conics_of, marks_in
+from gcrules.algebra.letters import conic_of, conic_points, conics_of, marks_in, named_letter
 from gcrules.algebra.lines_on_quadrics import OnLines, on_lines
 from gcrules.algebra.parts import substitute
 from gcrules.algebra.seats import SEATS, given_on
@@ -103,7 +103,8 @@ class Seated:
             if b is None:
                 return f"the points {a} and {others[1]} are taken to differ"
             hint = f"the points {a} and {b} are taken to differ, and their line not to be on {letter}"
-            return f"{hint}; if it is, assume incident({b}, polar({a}, {letter}))"
+            said = all(SHORT_NAME.fullmatch(n) or n in self.space.declared() for n in (a, b))
+            return f"{hint}; if it is, assume incident({b}, polar({a}, {letter}))" if said else hint
         return None
 
     def spoken(self, e: Expr) -> tuple[str, str] | None:
@@ -123,7 +124,8 @@ class Seated:
                 continue
             polar, flat = found
             if part == e:
-                return (text(flat, names=names), words(flat, names)) if flat.step > 1 else None
+                exists = flat.step == 1 or named_letter(flat) is not None
+                return None if exists else (text(flat, names=names), words(flat, names))
             long = text(part, names=names)
             shown, meaning = (t.replace(f"({long})", polar).replace(long, polar) for t in (shown, meaning))
         return shown, meaning

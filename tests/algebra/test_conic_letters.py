@@ -260,6 +260,19 @@ def test_a_line_touches_in_its_pole(there: bool) -> None:
         assert (not any(any(v) if isinstance(v, tuple) else v for v in values)) == there
 
 
+@pytest.mark.parametrize(
+    ("given", "claim", "assumed"),
+    [
+        ("incident(c, pole(b, K)), incident(c, pole(a, K))", "incident(c, pole(b, K))", ("pole(b, K)",)),
+        ("incident(c, pole(b, K))", "incident(b, pole(c, K))", ("pole(c, K)",)),
+    ],
+)
+def test_conditions_on_a_point_of_a_line_ask_for_no_choice_of_it(given: str, claim: str, assumed: tuple[str]) -> None:
+    """Joined with a pole it vanishes for one point of the line at most; no line is zero, nor is the pole of one."""
+    found = gc.prove(claim, rank=3, letters="conic K, line a b c", given=given)
+    assert (found.verdict, found.assumed) == ("proved", assumed)
+
+
 def test_points_on_a_conic_are_assumed_to_differ_where_more_is_given() -> None:
     claim, on = "incident(pole(ab, K), polar(p, K))", "on_conic(a, b, K)"
     found = gc.prove(claim, letters="conic K", given=f"{on}, incident(p, ab)", rank=3)

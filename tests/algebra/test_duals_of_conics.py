@@ -367,6 +367,23 @@ def test_the_prompt_decides_duals_of_conics() -> None:
     ]
 
 
+def test_tangents_alone_are_said_to_be_decided_by_the_dual() -> None:
+    """The claim is the dual itself, which is not told again."""
+    touching = ", ".join(f"touches({n}, K)" for n in "abc")
+    found = gc.prove("concurrent(a, b, c)", rank=3, letters="conic K, line a b c", given=touching)
+    assert found.verdict == "refuted"
+    found = gc.prove("incident(pole(a, K), a)", rank=3, letters="conic K, line a b c", given=touching)
+    assert found.proved
+    assert "the dual:" not in found.text()
+
+
+def test_points_that_nobody_can_name_are_in_no_hint() -> None:
+    given = "touches(A, Q), touches(B, Q), incident(pole(A, Q), B)"
+    with pytest.raises(gc.InputError, match="cannot be resolved") as fault:
+        gc.prove("touches(A /\\ B, Q)", letters="quadric Q, plane A B", given=given)
+    assert fault.value.hint == "the points t_AQ and t_BQ are taken to differ, and their line not to be on Q"
+
+
 FAULTS = [
     (
         "rank 3 conic K claim dual(conic(p, K) == [abc])",

@@ -341,3 +341,8 @@ def test_the_command_and_the_prompt_take_letters() -> None:
 def test_shortest_forms_are_of_points() -> None:
     with pytest.raises(InputError, match="only expressions of points are shortened, and L is a line"):
         gc.shorten("[L a b]", letters="line L")
+
+
+def test_absences_of_factors_are_about_whole_letters() -> None:
+    (one,) = gc.factors("[[Aa, Ab, Bc, Cd, De, L]]", letters="line L").factors
+    assert any("no other expression of joins and meets with L whole equals it" in words for words in one.excluded)

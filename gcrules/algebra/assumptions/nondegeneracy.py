@@ -15,7 +15,7 @@ from gcrules.algebra import expr as ex
 from gcrules.algebra.assumptions.construction import Construction, ConstructionStep
 from gcrules.algebra.assumptions.images import PositionKind
 from gcrules.algebra.assumptions.incidences import Helper
-from gcrules.algebra.expr import Bracket, Expr, Join, Meet, Point, Product, points_of
+from gcrules.algebra.expr import Bracket, Expr, Join, Meet, Point, Product, Sum, points_of
 from gcrules.algebra.language.text import text
 from gcrules.algebra.letters import conic_of, conics_of, grouped, letter_of, letters_of, named_letter
 from gcrules.algebra.parts import substitute
@@ -92,6 +92,8 @@ def _chosen(e: Expr, rank: int) -> Expr | None:
         return _chosen(ex.join(*others, rank=_PLANE), rank) if len(others) > 1 else None
     if named_letter(e) is not None:
         return None
+    if isinstance(e, Sum | Product):
+        return _beside_a_letter(e, rank)
     if not isinstance(e, Join):
         return e
     names = [a.name for a in e.args if isinstance(a, Point)]
@@ -108,6 +110,34 @@ def _chosen(e: Expr, rank: int) -> Expr | None:
 
 
 _PLANE = 3
+
+
+def _beside_a_letter(e: Expr, rank: int) -> Expr | None:
+    """What is joined with one point of a letter in all terms, so that only this must not vanish; else the whole."""
+    names = points_of(e)
+    for letter, step in letters_of(names).items():
+        own = [n for n in names if (of := letter_of(n)) is not None and of[0] == letter]
+        rest = _beside(e, own[0]) if len(own) == 1 and 0 < e.step <= step else None
+        if rest is not None:
+            return _chosen(rest, rank)
+    return e
+
+
+def _beside(e: Expr, name: str) -> Expr | None:
+    """X where the expression is the join of a point and X, term by term."""
+    match e:
+        case Join(args=args) if Point(name) in args:
+            i = args.index(Point(name))
+            rest = ex.join(*args[:i], *args[i + 1 :], rank=e.step)
+            return ex.signed(-1 if sum(a.step for a in args[:i]) % 2 else 1, rest)
+        case Product(factors=factors):
+            parts = [_beside(f, name) if f.step else f for f in factors]
+            alone = all(f.step or name not in points_of(f) for f in factors)
+            return ex.mul(*(p for p in parts if p is not None)) if alone and None not in parts else None
+        case Sum(terms=terms):
+            found = [_beside(t, name) for t in terms]
+            return None if None in found else ex.add(*(t for t in found if t is not None), rank=e.step)
+    return None
 
 
 def _point(e: Expr, helpers: Mapping[str, Helper]) -> bool:

@@ -34,6 +34,7 @@ from gcrules.algebra.letters import letters_of
 from gcrules.algebra.shortening.shorten import shorten
 from gcrules.core.budget import Budget, seconds_left, within
 from gcrules.core.dataclass import dataclass
+from gcrules.core.english import listed
 from gcrules.core.errors import LimitReached
 
 __all__ = ["NOT_DECIDED", "formed", "share_of_time"]
@@ -148,7 +149,8 @@ def _one_expression(poly: BracketPolynomial, irreducible: bool, effort: Effort) 
     family = ExpressionFamily("", effort.products, built)
     detail = f"{family.searched()}: each was refuted by its values at exact positions"
     if irreducible:
-        detail += "; the factor is irreducible, so no other expression of joins and meets equals it"
+        whole = f" with {listed(letters)} whole" if (letters := [*letters_of(poly.points)]) else ""
+        detail += f"; the factor is irreducible, so no other expression of joins and meets{whole} equals it"
     return _Absence(Certificate("exhaustive-search", detail, {"irreducible": irreducible}))
 
 

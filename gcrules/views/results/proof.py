@@ -52,16 +52,17 @@ _TANGENTS = {3: "lines", 4: "planes"}
 
 
 def dual_lines(proof: Proof) -> list[str]:
-    """The lines that say what the dual is, and by what it is decided; none for other claims."""
+    """The lines that say what the dual is, where that is not the claim itself, and by what it is decided; none for
+    other claims.
+    """
     if proof.dual is None:
         return []
     given = f" where {', '.join(proof.dual.given)}" if proof.dual.given else ""
     how = "points and hyperplanes change places, joins and meets too, which keeps what holds"
-    return [
-        *(f"  {declared}" for declared in proof.dual.letters),
-        f"  the dual: {' and '.join(proof.dual.claims)}{given}",
-        f"  decided for the claim that it is the dual of: {how}",
-    ]
+    claims = " and ".join(proof.dual.claims)
+    shown = [*proof.dual.letters, f"the dual: {claims}{given}"] if claims != proof.relation else []
+    shown.append(f"decided for the claim that it is the dual of: {how}")
+    return [f"  {line}" for line in shown]
 
 
 def _coordinates(points: Mapping[str, Sequence[Any]], rank: int) -> Iterator[tuple[str, str]]:
