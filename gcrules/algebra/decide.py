@@ -32,7 +32,7 @@ from gcrules.algebra.space import Space, Written
 from gcrules.core.english import listed
 from gcrules.core.errors import GcrulesError, InputError
 
-__all__ = ["decide"]
+__all__ = ["about_points", "decide"]
 
 _VERDICTS = ("refuted", "undecided", "proved")
 _SUMMED = "both sides differ by a sum of multiples of what is given, which vanishes"
@@ -63,7 +63,7 @@ def decide(claimed: Claimed, at: Space, *, limit: int = MAX_TERMS) -> Proof:
 
 def _by_points(claimed: Claimed, at: Space, limit: int) -> Proof | None:
     """The proof of a claim about hyperplanes alone as the dual of one about points; None where that is not proved."""
-    other = _of_points(claimed, at)
+    other = about_points(claimed, at)
     if other is None:
         return None
     names = sorted(_names(claimed, at))
@@ -96,7 +96,7 @@ def _written(claimed: Claimed) -> str:
     return " and ".join(f"{text(left)} == {text(right)}" for left, right in claimed.equations)
 
 
-def _of_points(claimed: Claimed, at: Space) -> tuple[Claimed, Space] | None:
+def about_points(claimed: Claimed, at: Space) -> tuple[Claimed, Space] | None:
     """The claim about points that a claim about hyperplanes is the dual of, with what is given; None for other claims,
     and where there is no such claim in the language.
     """
