@@ -57,9 +57,12 @@ WITHOUT = {"3-upu", "4-rpr"}
 ELSEWHERE = ": run it on your machine."
 NUMPY = f"Needs NumPy{ELSEWHERE}"
 SHELL = f"Needs a shell{ELSEWHERE}"
+SYMPY = f"Needs SymPy{ELSEWHERE}"
 LONG = f"Takes a minute here{ELSEWHERE}"
 NOTEBOOK = f"Needs a notebook{ELSEWHERE}"
 EARLIER = f"Goes on from an example that does not run here{ELSEWHERE}"
+TEN_POINTS = {"factor": SYMPY, "shorten": LONG}
+"""Why commands about ten points on a quadric do not run, which take longer than about others."""
 NAMES = {"numpy": "NumPy", "networkx": "NetworkX", "sympy": "SymPy", "scipy": "SciPy"}
 
 CONSOLE = re.compile(r'<div class="language-console highlight">(<pre.*?</pre>)</div>', re.DOTALL)
@@ -88,6 +91,8 @@ def why_not(line: str) -> str:
         return SHELL
     if "--cofactor" in rest:
         return LONG
+    if command in TEN_POINTS and any(word.startswith("quadric(") for word in rest):
+        return TEN_POINTS[command]
     return "" if "--help" in rest or _algebra(command, rest) else NUMPY
 
 
