@@ -9,13 +9,14 @@ from collections.abc import Mapping, Sequence
 from gcrules.algebra.assumptions.assumed import PositionKind, kinds
 from gcrules.algebra.assumptions.nondegeneracy import met
 from gcrules.algebra.discovery.figure import Figure, Position
-from gcrules.algebra.discovery.tangents import exchanged, tangents, without
+from gcrules.algebra.discovery.tangents import tangents, without
 from gcrules.algebra.evaluate import PRIME, Evaluator
 from gcrules.algebra.expr import ZERO, Expr, Point, points_of
 from gcrules.algebra.language.relations import Claimed
 from gcrules.algebra.language.syntax import parse
 from gcrules.algebra.language.text import text
 from gcrules.algebra.letters import marked, marks_in, names_of
+from gcrules.algebra.parts import substitute
 from gcrules.algebra.seated import Seated, in_words, seated
 from gcrules.core.dataclass import dataclass
 from gcrules.core.linear_algebra import kernel
@@ -46,7 +47,7 @@ class Placement:
 
     def put(self, e: Expr) -> Expr:
         """An expression of the figure in the points that are placed."""
-        return self.seated.put(exchanged(e, self.lines, self.figure.rank))
+        return self.seated.put(substitute(e, self.lines, self.figure.rank))
 
     def condition(self, e: Expr) -> str:
         """The text of what vanishes, in words about conics and quadrics where there are any."""
@@ -80,6 +81,6 @@ def placement(figure: Figure) -> Placement:
     lines = tangents(at, bound)
     hidden = {n for letter in lines for n in names_of(letter, at.rank - 1)}
     own = tuple(n for n in figure.own if n not in hidden)
-    meant = tuple((exchanged(e, lines, at.rank), ZERO) for e in (*map(Point, own), *bound))
+    meant = tuple((substitute(e, lines, at.rank), ZERO) for e in (*map(Point, own), *bound))
     found = seated(Claimed(meant), without(at, lines))
     return Placement(figure, lines, found, tuple(n for n in own if n not in found.places))

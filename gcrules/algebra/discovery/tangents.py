@@ -17,15 +17,15 @@ from dataclasses import replace
 
 from gcrules.algebra.discovery.figure import normalized
 from gcrules.algebra.evaluate import PRIME, Evaluator, random_points
-from gcrules.algebra.expr import Bracket, Expr, Join, Point, points_of
+from gcrules.algebra.expr import Expr, Point, points_of
 from gcrules.algebra.language.syntax import Context
 from gcrules.algebra.letter_forms import FORMS
-from gcrules.algebra.letters import named_letter, names_of, wholes
-from gcrules.algebra.parts import rebuilt
+from gcrules.algebra.letters import named_letter, names_of
+from gcrules.algebra.parts import substitute
 from gcrules.algebra.seats import given_on
 from gcrules.algebra.space import Assumption
 
-__all__ = ["exchanged", "tangents", "without"]
+__all__ = ["tangents", "without"]
 
 
 def tangents(at: Context, meant: Sequence[Expr]) -> Mapping[str, Expr]:
@@ -46,19 +46,9 @@ def without(at: Context, lines: Mapping[str, Expr]) -> Context:
     left = (a for a in at.given if _touching(a, at) not in lines)
 
     def put(es: Iterable[Expr]) -> tuple[Expr, ...]:
-        return tuple(exchanged(e, lines, at.rank) for e in es)
+        return tuple(substitute(e, lines, at.rank) for e in es)
 
     return replace(at, given=tuple(replace(a, args=put(a.args), also=put(a.also), exists=put(a.exists)) for a in left))
-
-
-def exchanged(e: Expr, lines: Mapping[str, Expr], rank: int) -> Expr:
-    """An expression with polars in place of letters."""
-    if not lines or not e.children:
-        return e
-    if (letter := named_letter(e)) is not None:
-        return lines.get(letter, e)
-    parts = wholes(e.children) if isinstance(e, Join | Bracket) else e.children
-    return rebuilt(e, tuple(exchanged(part, lines, rank) for part in parts), rank)
 
 
 def _touching(a: Assumption, at: Context) -> str | None:
@@ -76,7 +66,7 @@ def _own(letter: str, at: Context) -> set[str]:
 
 
 def _gone(e: Expr, letter: str, polar: Mapping[str, Expr], at: Context) -> bool:
-    return not _own(letter, at) & {*points_of(exchanged(e, polar, at.rank))}
+    return not _own(letter, at) & {*points_of(substitute(e, polar, at.rank))}
 
 
 def _alike(e: Expr, letter: str, at: Context) -> bool:
