@@ -419,7 +419,8 @@ def test_a_map_is_read_by_pointer_and_keys_and_leads_the_robot(desk: Desk) -> No
     low.press("Enter")
     desk.one("map-nodes").select_option("11")
     desk.one("map-go").click()
-    desk.page.wait_for_function("() => gcrules.touring.map.shown.value?.asked.over[0].includes(':11')")  # the finest
+    finest = "map.shown.value?.asked.over[0].includes(':11') && map.now.value.state !== 'busy'"
+    desk.page.wait_for_function(f"() => {{ const map = gcrules.touring.map; return {finest}; }}")
     assert "cells" in desk.text("map-guarantee")
     plot = desk.one("map-plot")
     plot.scroll_into_view_if_needed()
