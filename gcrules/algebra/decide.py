@@ -56,7 +56,7 @@ def decide(claimed: Claimed, at: Space, *, limit: int = MAX_TERMS) -> Proof:
     else:
         placed = reciprocal(claimed, at)
         found = _of_screws(placed, limit) if placed else _decided(claimed, at, limit)
-    if found.verdict == "undecided":
+    if found.verdict == "undecided" and not touching:
         return _by_points(claimed, at, limit) or found
     return found
 

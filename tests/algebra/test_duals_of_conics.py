@@ -85,13 +85,17 @@ def letters_of(where: Mapping[str, str]) -> str:
     return ", ".join(["conic K", *(f"line {n}" for n in where if n.isupper())])
 
 
+def proved_dual(where: Mapping[str, str], given: str, claim: str) -> tuple[gc.Proof, Dual]:
+    proof = gc.prove(f"dual({claim})", rank=3, letters=letters_of(where), given=given or ())
+    assert proof.dual is not None
+    return proof, proof.dual
+
+
 @pytest.mark.parametrize(("where", "given", "claim", "verdict"), PLANE, ids=PLANE_IDS)
 def test_duals_in_the_plane_hold_as_they_are_printed(
     where: Mapping[str, str], given: str, claim: str, verdict: str
 ) -> None:
-    proof = gc.prove(f"dual({claim})", rank=3, letters=letters_of(where), given=given or ())
-    dual = proof.dual
-    assert dual is not None
+    proof, dual = proved_dual(where, given, claim)
     assert proof.verdict == (verdict or "proved")
     for seed in range(4):
         at = placed(where, rng := Random(f"{claim}{seed}"), drawn_frame(rng))
@@ -136,9 +140,7 @@ def test_the_dual_of_a_dual_says_what_the_claim_does(
 def test_printed_duals_are_decided_alike_where_they_are_decided(
     where: Mapping[str, str], given: str, claim: str, verdict: str
 ) -> None:
-    proof = gc.prove(f"dual({claim})", rank=3, letters=letters_of(where), given=given or ())
-    dual = proof.dual
-    assert dual is not None
+    proof, dual = proved_dual(where, given, claim)
     found = {gc.prove(one, rank=3, letters=", ".join(dual.letters), given=dual.given).verdict for one in dual.claims}
     assert found <= {proof.verdict, "undecided"}
 

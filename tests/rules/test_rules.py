@@ -204,6 +204,7 @@ def test_a_file_without_rules(tmp_path: Path) -> None:
 
 CROSS = "rule cross: ab /\\ cde => [acde] b - [bcde] a"
 LINES = "rule crossed: ab /\\ cd => [abcd]"
+SPANNED = "line L plane P rule spanned: (a L) /\\ P => [a P] L - a (L /\\ P)"
 CONTRACT = "rule c: [R... a b][R... c d] - [R... a c][R... b d] => -[R... a d][R... b c]"
 ORDERED = f"rule o: {GP} if a < c, c < b, b < d"
 REWRITES = [
@@ -248,6 +249,8 @@ ANY = rules_of(
             f"rule gp: {GP} if a < c, c < b, b < d",
             CONTRACT,
             "rule bracket: [ab /\\ cde, f, g, h] => [acde][bfgh] - [bcde][afgh]",
+            SPANNED,
+            "rule pencil: (L a) /\\ (L b) => [L a b] L",
         ]
     )
 )
@@ -263,7 +266,7 @@ def test_every_application_is_an_equality(e: Expr, rule: Identity) -> None:
         assert vanishes(ex.sub(e, after) if ex.ZERO not in (after, e) else (e if after == ex.ZERO else after))
 
 
-CALM = tuple(r for r in ANY if r.id not in ("three", "c"))  # c undoes what gp does
+CALM = tuple(r for r in ANY if r.id not in ("three", "c", "spanned"))  # c undoes what gp does
 MEETS = [f"{x}{y} /\\ {z}" for x, y in permutations("abc", 2) for z in ("def", "dfa", "cde")]
 SHAPES = [
     *MEETS,

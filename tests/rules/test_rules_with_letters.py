@@ -4,22 +4,13 @@ from __future__ import annotations
 
 import pytest
 from faults import refused
-from hypothesis import given, settings
-from hypothesis import strategies as st
-from rules.test_rules import once, rule_of, rules_of
-from strategies import expressions
+from rules.test_rules import SPANNED, once, rule_of
 
 import gcrules as gc
-from gcrules.algebra import expr as ex
-from gcrules.algebra.evaluate import vanishes
-from gcrules.algebra.expr import Expr
 from gcrules.algebra.language.statements import parse_assumption, parse_script
 from gcrules.algebra.language.syntax import parse
-from gcrules.algebra.space import Space
-from gcrules.rules.identity import Identity
 from gcrules.rules.rule_file import check_script
 
-SPANNED = "line L plane P rule spanned: (a L) /\\ P => [a P] L - a (L /\\ P)"
 PENCIL = "line L rule pencil: (L a) /\\ (L b) => [L a b] L"
 AXIS = "line L rule axis: [a b L][c d L] - [a c L][b d L] => -[a d L][b c L]"
 BUNDLE = "rank 3 line L M N rule bundle: (L /\\ M) (L /\\ N) => (L /\\ M /\\ N) L"
@@ -50,18 +41,6 @@ def test_what_letters_stand_for(rule: str, rank: int, text: str, after: str | No
     assert (found is None) == (after is None)
     if after is not None and found is not None:
         assert gc.prove(parse(found, rank=rank), parse(after, rank=rank), rank=rank).proved
-
-
-ANY = rules_of(f"{SPANNED}\n{PENCIL.removeprefix('line L ')}")
-
-
-@given(expressions(rank=4), st.sampled_from(ANY))
-@settings(max_examples=150, deadline=None)
-def test_every_application_is_an_equality(e: Expr, rule: Identity) -> None:
-    after = rule.rewrite(e, Space())
-    if after is not None:
-        assert after.step == e.step or ex.ZERO in (after, e)
-        assert vanishes(ex.sub(e, after, rank=4))
 
 
 def test_letters_of_an_expression_stay_whole() -> None:

@@ -3,7 +3,8 @@ r"""Points that an equation puts on a conic or a quadric, constructed from a poi
 Let F(p) be a scalar in which p occurs twice in each term, and F(x, y) the sum of all terms with x in one of the places
 of p and y in the other, so that F(x, x) = 2 F(x). If F vanishes at another point a whatever the positions are, then
 F(r) a - F(a, r) r is, for any point r, the second point of the quadric on the line ar. Where F(a, p) is not zero, each
-point p of the quadric comes of r = p.
+point p of the quadric comes of r = p. Where F vanishes at no other point, fourth corners of parallelograms are tried:
+equations between lengths vanish at some.
 
 >>> from gcrules.algebra.language.syntax import parse
 >>> found = quadric(parse("[abp][cdp] - 2 [acp][bdp]", rank=3), "p", 3)
